@@ -1,0 +1,105 @@
+"""Texts, places in them, and the units in which the world counts columns."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from pathlib import Path
+from typing import NamedTuple
+
+_LINE_END = re.compile(r"\r\n?|\n")
+
+
+class Position(NamedTuple):
+    """A place as people count it: line and column from 1, columns in code points."""
+
+    line: int
+    column: int
+
+
+class Source:
+    """The decoded text of one file, and the arithmetic of places in it.
+
+    ``text`` holds the file's characters unchanged (line ends included, byte order
+    mark excluded), so that offsets into it can be used for edits.
+    """
+
+    __slots__ = ("_line_starts", "path", "text")
+
+    def __init__(self, path: Path, text: str) -> None:
+        self.path = path
+        self.text = text
+        self._line_starts: list[int] | None = None
+
+    def __repr__(self) -> str:
+        return f"Source({str(self.path)!r}, {len(self.text)} characters)"
+
+    @property
+    def line_starts(self) -> list[int]:
+        """Offsets at which lines begin; LF, CRLF and CR all end a line."""
+        if self._line_starts is None:
+            ends = _LINE_END.finditer(self.text)
+            self._line_starts = [0, *(match.end() for match in ends)]
+        return self._line_starts
+
+    def position(self, offset: int) -> Position:
+        """Line and column of an offset, both from 1, in code points."""
+        line = bisect_right(self.line_starts, offset)
+        return Position(line, offset - self.line_starts[line - 1] + 1)
+
+    def utf16_position(self, offset: int) -> tuple[int, int]:
+        """Line and column from 0, in UTF-16 units, as the Language Server Protocol counts."""
+        before = self._line_before(offset)
+        return self.position(offset).line - 1, len(before.encode("utf-16-le", "surrogatepass")) // 2
+
+    def utf8_position(self, offset: int) -> tuple[int, int]:
+        """Line and column from 1, in UTF-8 bytes, as reviewdog counts."""
+        before = self._line_before(offset)
+        return self.position(offset).line, len(before.encode("utf-8", "surrogatepass")) + 1
+
+    def offset(self, line: int, column: int) -> int:
+        """The offset of a line and column counted from 1; past the end of the line is cut."""
+        starts = self.line_starts
+        if line > len(starts):
+            return len(self.text)
+        start = starts[line - 1]
+        return min(start + column - 1, start + len(self.line(line)))
+
+    def line(self, number: int) -> str:
+        """The text of a line (from 1) without its line end; empty past the last."""
+        starts = self.line_starts
+        if not 1 <= number <= len(starts):
+            return ""
+        end = starts[number] if number < len(starts) else len(self.text)
+        return self.text[starts[number - 1] : end].rstrip("\r\n")
+
+    def span(self, start: int, end: int) -> Span:
+        return Span(self, start, end)
+
+    def _line_before(self, offset: int) -> str:
+        start = self.line_starts[bisect_right(self.line_starts, offset) - 1]
+        return self.text[start:offset]
+
+
+class Span(NamedTuple):
+    """A half-open range of characters, ``start`` to ``end``, of one source."""
+
+    source: Source
+    start: int
+    end: int
+
+    @property
+    def text(self) -> str:
+        return self.source.text[self.start : self.end]
+
+    @property
+    def begin(self) -> Position:
+        return self.source.position(self.start)
+
+    @property
+    def finish(self) -> Position:
+        """The position just after the last character."""
+        return self.source.position(self.end)
+
+    def __repr__(self) -> str:
+        return f"Span({self.source.path}:{self.begin.line}:{self.begin.column} {self.text[:40]!r})"
