@@ -1,0 +1,90 @@
+"""What every rule is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from enum import Enum
+from typing import Any, ClassVar
+
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
+from sdfcheck.lint.example import Bad, Good
+from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.text import Span
+
+Target = Span | Value | Element
+"""What a diagnostic may point at: a span, the text of an attribute or element, or an element's name."""
+
+
+class Consumer(Enum):
+    """Who reads robot descriptions."""
+
+    GAZEBO = "gazebo"
+    DRAKE = "drake"
+    URDFDOM = "urdfdom"
+    MUJOCO = "mujoco"
+
+
+class Rule:
+    """One defect: its name, its manual (the docstring), its examples, its check.
+
+    A rule looks at elements (``selects``) or puts problems that an analysis found into
+    words (``explains``). Selectors are paths of element names behind a dialect:
+    ``sdf:joint/axis/limit`` is every ``limit`` in an ``axis`` in a ``joint``;
+    ``urdf:robot`` is the root. Rules hold no state, print nothing, raise nothing.
+    """
+
+    code: ClassVar[str]
+    name: ClassVar[str]
+    severity: ClassVar[Severity]
+    selects: ClassVar[tuple[str, ...]] = ()
+    explains: ClassVar[tuple[type, ...]] = ()
+    affects: ClassVar[Mapping[Consumer, str]] = {}
+    """Which readers are concerned, and what they do; empty: all of them."""
+    default: ClassVar[bool] = True
+    """False: runs only when selected."""
+    scaffold: ClassVar[str] = "{}"
+    bad: ClassVar[tuple[Bad, ...]]
+    good: ClassVar[tuple[Good, ...]]
+
+    def check(self, subject: Any) -> Iterator[Diagnostic]:
+        """Look at one selected element or one problem, and say what is wrong with it."""
+        raise NotImplementedError
+
+    def diagnostic(
+        self,
+        target: Target,
+        message: str,
+        *,
+        labels: Mapping[Target, str] | None = None,
+        fix: Fix | None = None,
+        help: str | None = None,
+        severity: Severity | None = None,
+        origins: tuple[Origin, ...] = (),
+    ) -> Diagnostic:
+        """A diagnostic of this rule; ``severity`` only where it depends on the case."""
+        return Diagnostic(
+            self.code,
+            self.name,
+            severity or self.severity,
+            message,
+            span_of(target),
+            tuple(Label(span_of(place), text) for place, text in (labels or {}).items()),
+            fix,
+            help,
+            origins,
+        )
+
+
+def span_of(target: Target) -> Span:
+    return target if isinstance(target, Span) else target.span
+
+
+def replace(target: Target, text: str, title: str, *, unsafe: bool = False) -> Fix:
+    """A fix that replaces what ``target`` points at."""
+    return edit(title, (Edit(span_of(target), text),), unsafe=unsafe)
+
+
+def edit(title: str, edits: tuple[Edit, ...], *, unsafe: bool = False) -> Fix:
+    """A fix of several edits."""
+    return Fix(title, edits, Applicability.UNSAFE if unsafe else Applicability.SAFE)

@@ -1,0 +1,79 @@
+"""Bytes to text, as forgiving as the simulators and as exact as an editor needs."""
+
+from __future__ import annotations
+
+import codecs
+import re
+from pathlib import Path
+
+from sdfcheck.source.problems import EncodingDefect, EncodingKind
+from sdfcheck.source.text import Source
+
+_DECLARATION = re.compile(
+    r"""\s*<\?xml\s[^>]*?encoding\s*=\s*(["'])([A-Za-z][A-Za-z0-9._-]*)\1""",
+)
+# Longer marks first: UTF-32's little-endian mark begins with UTF-16's.
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+# Python knows text encodings that no XML file means (punycode, unicode_escape, …).
+_PLAUSIBLE = re.compile(r"utf-|ascii|iso8859|latin|cp\d|windows|koi8|shift_jis|euc_|gb|big5|mac-roman|iso2022")
+
+
+def _as_latin1(error: UnicodeError) -> tuple[str, int]:
+    """Decode only the bytes that are no UTF-8 as Latin-1, the usual culprit in old files."""
+    if not isinstance(error, UnicodeDecodeError):
+        raise error
+    return error.object[error.start : error.end].decode("latin-1"), error.end
+
+
+codecs.register_error("sdfcheck-latin-1", _as_latin1)
+
+
+def decode(data: bytes, path: Path) -> tuple[Source, list[EncodingDefect]]:
+    """Decode a file's bytes; whatever they hold, there is a text, and a defect where it is a guess."""
+    mark, marked = next(((m, name) for m, name in _MARKS if data.startswith(m)), (b"", ""))
+    if marked in {"utf-16", "utf-32"}:
+        source = Source(path, data.decode(marked, "replace").lstrip("\ufeff"))
+        return source, [EncodingDefect(source.span(0, 0), EncodingKind.WIDE, marked.upper(), marked.upper())]
+    data = data[len(mark) :]
+    declaration = _DECLARATION.match(data[:400].decode("latin-1"))
+    declared = declaration[2] if declaration else ""
+    encoding, kind = _choose(declared, bool(mark))
+    try:
+        text, bad = data.decode(encoding), -1
+    except UnicodeDecodeError as error:
+        bad = len(data[: error.start].decode(encoding, "replace"))
+        text = data.decode(encoding, "sdfcheck-latin-1" if encoding == "utf-8" else "replace")
+    source = Source(path, text)
+    defects = []
+    if kind and declaration:
+        place = source.span(declaration.start(2), declaration.end(2))
+        defects.append(EncodingDefect(place, kind, declared, "UTF-8"))
+    if bad >= 0:
+        defects.append(
+            EncodingDefect(source.span(bad, bad + 1), EncodingKind.UNDECODABLE, declared or "UTF-8", "Latin-1")
+        )
+    return source, defects
+
+
+def _choose(declared: str, marked_utf8: bool) -> tuple[str, EncodingKind | None]:
+    """The encoding to read with, and what is wrong with the declaration."""
+    if not declared:
+        return "utf-8", None
+    try:
+        name = codecs.lookup(declared).name
+    except LookupError:
+        return "utf-8", EncodingKind.UNKNOWN_ENCODING
+    if not _PLAUSIBLE.match(name) or name == "utf-7":
+        return "utf-8", EncodingKind.UNKNOWN_ENCODING
+    # The declaration was legible as ASCII, so the text cannot be in a wide encoding.
+    if name.startswith(("utf-16", "utf-32")) or (marked_utf8 and name not in {"utf-8", "ascii"}):
+        return "utf-8", EncodingKind.DISAGREEMENT
+    if name in {"utf-8", "ascii"}:
+        return "utf-8", None
+    return name, None

@@ -1,0 +1,195 @@
+"""Elements: lxml's, with the names, values and places that robot descriptions need."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, ClassVar, TypeVar, overload
+
+from lxml import etree
+
+from sdfcheck.source.text import Span
+from sdfcheck.source.wellformed import COLON
+
+if TYPE_CHECKING:
+    from sdfcheck.source.document import Document
+
+T = TypeVar("T", str, int, float, bool)
+
+
+def written_name(tag: str, prefix: str | None) -> str:
+    """A name as the file has it, ``prefix:local``, from lxml's ``{uri}local``."""
+    if tag[:1] == "{":
+        local = tag[tag.index("}") + 1 :]
+        return f"{prefix}:{local}" if prefix else local
+    return tag.replace(COLON, ":") if COLON in tag else tag
+
+
+class Value:
+    """The text of an attribute, or of an element, together with its place.
+
+    ``attribute`` is None for the text of the element itself.
+    """
+
+    __slots__ = ("attribute", "element", "text")
+
+    def __init__(self, element: Element, attribute: str | None, text: str) -> None:
+        self.element = element
+        self.attribute = attribute
+        self.text = text
+
+    def __repr__(self) -> str:
+        at = f"@{self.attribute}" if self.attribute else ""
+        return f"Value({self.element.name}{at}={self.text!r})"
+
+    @property
+    def number(self) -> float:
+        """The text as a number, nan if it is none."""
+        try:
+            return float(self.text)
+        except ValueError:
+            return float("nan")
+
+    @property
+    def span(self) -> Span:
+        """The value without its quotes or surrounding blanks; the name where it is empty."""
+        spans = self.element.document.spans
+        if self.attribute is not None:
+            return spans.attribute_value(self.element, self.attribute)
+        return spans.text(self.element)
+
+    def part(self, index: int) -> Span:
+        """The place of the ``index``-th word of the value."""
+        return self.element.document.spans.part(self.span, index)
+
+    @property
+    def name_span(self) -> Span:
+        """The name of the attribute, or of the element."""
+        if self.attribute is not None:
+            return self.element.document.spans.attribute_name(self.element, self.attribute)
+        return self.element.span
+
+
+class Element(etree.ElementBase):
+    """An element of a document.
+
+    Names are *as written*: ``link``, ``drake:joint``. Whether a prefix is declared
+    does not matter, as it does not to libsdformat and Drake, which read text.
+    Nothing here modifies the document.
+    """
+
+    # Each document has a subclass of its own that carries it: lxml makes and drops
+    # element proxies at will, so they cannot hold anything themselves.
+    document: ClassVar[Document]
+
+    @property
+    def name(self) -> str:
+        return written_name(self.tag, self.prefix)
+
+    @property
+    def is_custom(self) -> bool:
+        """Prefixed, so not part of the standard (custom-elements proposal, SDFormat 1.7)."""
+        return ":" in self.name
+
+    @property
+    def span(self) -> Span:
+        """The place of the name in the start tag."""
+        return self.document.spans.name(self)
+
+    @property
+    def parent(self) -> Element | None:
+        return self.getparent()  # type: ignore[return-value]
+
+    @property
+    def content(self) -> str:
+        """The text as simulators read it: the first text that is not blank, before any child element."""
+        text = self.text
+        if text and (text := text.strip()):
+            return text
+        for node in self:
+            if isinstance(node.tag, str):
+                break
+            if node.tail and (text := node.tail.strip()):
+                return text
+        return ""
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """All attributes by their names as written; declarations of prefixes are not among them."""
+        items = self.items()
+        if all(key[0] != "{" and COLON not in key for key, _ in items):
+            return dict(items)
+        prefixes = {uri: prefix for prefix, uri in self.nsmap.items() if prefix}
+        prefixes["http://www.w3.org/XML/1998/namespace"] = "xml"
+        names: dict[str, str] = {}
+        for key, text in items:
+            prefix = prefixes.get(key[1 : key.index("}")]) if key[0] == "{" else None
+            names[written_name(key, prefix)] = text
+        return names
+
+    def children(self, name: str | None = None) -> Iterator[Element]:
+        """The child elements, or those of one name; comments are passed over."""
+        for child in self:
+            if isinstance(child.tag, str) and (name is None or child.name == name):
+                yield child
+
+    def find(self, name: str) -> Element | None:  # type: ignore[override]
+        """The first child element of that name (as written, prefix included)."""
+        return next(self.children(name), None)
+
+    def has(self, name: str) -> bool:
+        """Is there a child element of that name?"""
+        return self.find(name) is not None
+
+    def next(self, name: str | None = None) -> Element | None:
+        """The next sibling element, of that name if one is given."""
+        for node in self.itersiblings():
+            if isinstance(node.tag, str) and (name is None or node.name == name):  # type: ignore[attr-defined]
+                return node  # type: ignore[return-value]
+        return None
+
+    def attribute(self, name: str) -> Value | None:
+        """The attribute of that name (as written, prefix included)."""
+        text = super().get(name) if ":" not in name else self.attributes.get(name)
+        return None if text is None else Value(self, name, text)
+
+    def value(self, name: str) -> Value | None:
+        """The attribute or else the child element of that name, as a value."""
+        found = self.attribute(name)
+        if found is None and (child := self.find(name)) is not None:
+            return Value(child, None, child.content)
+        return found
+
+    def number(self, name: str) -> Value | None:
+        """Like :meth:`value`, but None also when the text is not a number."""
+        found = self.value(name)
+        return found if found is not None and found.number == found.number else None
+
+    @property
+    def own_value(self) -> Value:
+        """The text of this element as a value."""
+        return Value(self, None, self.content)
+
+    @overload
+    def get(self, name: str) -> str | None: ...
+    @overload
+    def get(self, name: str, type: type[T]) -> T | None: ...
+    def get(self, name: str, type: type[T] | type[str] = str) -> T | str | None:  # type: ignore[override]
+        """The typed value of an attribute, else of a child element; None if there is neither.
+
+        ``type`` is str, int, float or bool. Raises ValueError, with the place, for a
+        text that is not of the type.
+        """
+        found = self.value(name)
+        if found is None:
+            return None
+        try:
+            if type is bool:
+                return _BOOLEANS[found.text.strip().lower()]  # type: ignore[return-value]
+            return type(found.text)
+        except (ValueError, KeyError):
+            line, column = found.span.begin
+            place = f"{found.span.source.path}:{line}:{column}"
+            raise ValueError(f"{place}: {name} is {found.text!r}, not {type.__name__}") from None
+
+
+_BOOLEANS = {"true": True, "1": True, "false": False, "0": False}

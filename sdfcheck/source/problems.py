@@ -1,0 +1,130 @@
+"""What can be wrong with a text before anybody asks what it means.
+
+Each kind of problem is a small value; rules put it into words.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+from sdfcheck.source.text import Span
+
+
+class SyntaxKind(Enum):
+    """The ways in which a text fails to be XML."""
+
+    UNCLOSED_ELEMENT = "unclosed element"
+    MISMATCHED_END_TAG = "mismatched end tag"
+    EXTRA_END_TAG = "extra end tag"
+    TRUNCATED = "truncated"
+    UNCLOSED_TAG = "unclosed tag"
+    UNCLOSED_COMMENT = "unclosed comment"
+    UNCLOSED_SECTION = "unclosed section"
+    UNCLOSED_VALUE = "unclosed value"
+    UNQUOTED_VALUE = "unquoted value"
+    VALUELESS_ATTRIBUTE = "valueless attribute"
+    MALFORMED_ATTRIBUTE = "malformed attribute"
+    ANGLE_IN_VALUE = "angle in value"
+    STRAY_ANGLE = "stray angle"
+    SECTION_END_IN_TEXT = "section end in text"
+    ILLEGAL_CHARACTER = "illegal character"
+    TEXT_OUTSIDE_ROOT = "text outside root"
+    NO_ELEMENT = "no element"
+    TOO_LONG = "too long"
+    OTHER = "other"
+
+
+class SyntaxDefect(NamedTuple):
+    """Not well formed beyond a harmless slip; ``other`` is the second place that takes part."""
+
+    span: Span
+    kind: SyntaxKind
+    other: Span | None = None
+    detail: str = ""
+
+
+class CommentHyphens(NamedTuple):
+    """``--`` inside a comment; ``runs`` are all runs of hyphens in it."""
+
+    span: Span
+    runs: tuple[Span, ...]
+
+
+class RepeatedAttribute(NamedTuple):
+    """One attribute name twice in a start tag."""
+
+    span: Span
+    first: Span
+
+
+class LateDeclaration(NamedTuple):
+    """Something stands before ``<?xml``: ``span`` is that something."""
+
+    span: Span
+    declaration: Span
+
+
+class EncodingKind(Enum):
+    UNDECODABLE = "undecodable"
+    UNKNOWN_ENCODING = "unknown encoding"
+    DISAGREEMENT = "disagreement"
+    WIDE = "wide"
+
+
+class EncodingDefect(NamedTuple):
+    """The bytes are not what the declaration (or XML's default, UTF-8) says."""
+
+    span: Span
+    kind: EncodingKind
+    declared: str
+    actual: str
+
+
+class UnknownEntity(NamedTuple):
+    """A bare ``&`` (then ``name`` is empty) or a reference to an entity that XML does not define."""
+
+    span: Span
+    name: str
+
+
+class DocumentType(NamedTuple):
+    """A document type declaration, and the names of the entities that it declares."""
+
+    span: Span
+    entities: tuple[str, ...]
+
+
+class ContentAfterRoot(NamedTuple):
+    """A second root element, or text, behind the root element ``root``."""
+
+    span: Span
+    root: Span
+
+
+class UnrecognizedDocument(NamedTuple):
+    """A document of no kind that is linted; ``looks_like`` says what it seems to be."""
+
+    span: Span
+    looks_like: str
+
+
+class TooDeep(NamedTuple):
+    """Elements nested deeper than ``limit``; ``span`` is the first one past it."""
+
+    span: Span
+    limit: int
+
+
+Problem = (
+    SyntaxDefect
+    | CommentHyphens
+    | RepeatedAttribute
+    | LateDeclaration
+    | EncodingDefect
+    | UnknownEntity
+    | DocumentType
+    | ContentAfterRoot
+    | UnrecognizedDocument
+    | TooDeep
+)

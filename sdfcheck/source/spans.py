@@ -1,0 +1,104 @@
+"""From an element to its characters."""
+
+from __future__ import annotations
+
+import re
+
+from lxml import etree
+
+from sdfcheck.source.element import Element
+from sdfcheck.source.scan import ElementPlace, Scan
+from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
+from sdfcheck.source.text import Source, Span
+
+_PIECE = re.compile(r"<!--.*?-->|<!\[CDATA\[(?P<cdata>.*?)\]\]>|<\?.*?\?>|(?P<markup><)|(?P<text>[^<]+)", re.S)
+_WORD = re.compile(r"\S+")
+
+
+class Spans:
+    """Places of one document's elements, attributes and texts.
+
+    Element number ``n`` of the tree, in document order, is start tag ``n`` of the scan.
+    """
+
+    __slots__ = ("_numbers", "scan", "source")
+
+    def __init__(self, source: Source, scan: Scan, root: Element) -> None:
+        self.source = source
+        self.scan = scan
+        # The keys keep lxml's proxies alive, so that identity stays a fit key.
+        self._numbers = {element: n for n, element in enumerate(root.iter(etree.Element))}
+
+    def place(self, element: Element) -> ElementPlace:
+        """Offsets of the element's start and end tags."""
+        return self.scan.place(self._numbers[element])
+
+    def name(self, element: Element) -> Span:
+        tag = self.start_tag(element)
+        return self.source.span(tag.name_start, tag.name_end)
+
+    def whole(self, element: Element) -> Span:
+        """From the start tag's ``<`` to behind the end tag."""
+        place = self.place(element)
+        return self.source.span(place.start, place.close_end)
+
+    def end_name(self, element: Element) -> Span | None:
+        """The name in the end tag; None if there is no end tag."""
+        place = self.place(element)
+        if place.close == place.close_end:
+            return None
+        return self.source.span(place.close + 2, place.close + 2 + len(element.name))
+
+    def start_tag(self, element: Element) -> StartTag:
+        number = self._numbers[element]
+        odd = self.scan.odd.get(number)
+        return odd or parse_start_tag(self.source, self.scan.starts[number])[0]
+
+    def attribute_name(self, element: Element, name: str) -> Span:
+        place = self._attribute(element, name)
+        return self.source.span(place.name_start, place.name_end) if place else self.name(element)
+
+    def attribute_value(self, element: Element, name: str) -> Span:
+        """The value between its quotes; the attribute's name where the value is empty."""
+        place = self._attribute(element, name)
+        if place is None:
+            return self.name(element)
+        if place.value_start == place.value_end:
+            return self.source.span(place.name_start, place.name_end)
+        return self.source.span(place.value_start, place.value_end)
+
+    def attribute_whole(self, element: Element, name: str) -> Span:
+        """Name, equals sign and quoted value, with the blanks before them: what deleting it takes."""
+        place = self._attribute(element, name)
+        if place is None:
+            return self.name(element)
+        start = place.name_start
+        while self.source.text[start - 1].isspace():
+            start -= 1
+        end = place.value_end
+        if self.source.text[end : end + 1] in {'"', "'"}:
+            end += 1
+        return self.source.span(start, end)
+
+    def text(self, element: Element) -> Span:
+        """The text that simulators read, without blanks around it; the element's name if there is none."""
+        place = self.place(element)
+        for piece in _PIECE.finditer(self.source.text, place.end, place.close):
+            if piece["markup"]:
+                break
+            group = "cdata" if piece["cdata"] is not None else "text"
+            raw = piece[group] or ""
+            if raw.strip():
+                start = piece.start(group) + len(raw) - len(raw.lstrip())
+                return self.source.span(start, start + len(raw.strip()))
+        return self.name(element)
+
+    def part(self, span: Span, index: int) -> Span:
+        """The ``index``-th word inside a span; the whole span if it has fewer."""
+        for number, word in enumerate(_WORD.finditer(self.source.text, span.start, span.end)):
+            if number == index:
+                return self.source.span(word.start(), word.end())
+        return span
+
+    def _attribute(self, element: Element, name: str) -> AttributePlace | None:
+        return next((a for a in self.start_tag(element).attributes if a.name == name), None)
