@@ -1,0 +1,155 @@
+"""Closed lists and ranges of values."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+from sdfcheck.formats.table import Row, at
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
+
+
+class Enforcement(Enum):
+    """What libsdformat does about a value outside a list or range."""
+
+    FATAL = "fatal"
+    """The document is not read."""
+    ERROR = "error"
+    """Reported on load."""
+    WARNING = "warning"
+    """Replaced by another value, with a line on the console."""
+    NO = "no"
+
+
+class Verdict(Enum):
+    """How a text stands to a list of choices."""
+
+    LISTED = "listed"
+    """In the list of the version, and accepted."""
+    REFUSED = "refused"
+    """In the list of the version, but libsdformat refuses it."""
+    UNLISTED = "unlisted"
+    """Accepted by libsdformat, in no version's list."""
+    TOO_NEW = "too new"
+    """In the list of a later version only."""
+    REMOVED = "removed"
+    """In the list of an earlier version only."""
+    WRONG_CASE = "wrong case"
+    """A listed value in another case, where case matters."""
+    UNKNOWN = "unknown"
+
+
+class Choices(NamedTuple):
+    """The values listed for one place."""
+
+    version: Version
+    listed: tuple[str, ...]
+    """By the description of the version."""
+    library: tuple[str, ...]
+    """Accepted by libsdformat whatever the version; empty where it checks nothing."""
+    enforced: Enforcement
+    ignores_case: bool
+    aliases: dict[str, str]
+    """Spelling → the one that it stands for."""
+    history: tuple[tuple[Version, tuple[str, ...]], ...]
+    """The lists over all versions, each from its first version on."""
+
+    @classmethod
+    def of(cls, row: Row, version: Version) -> Choices | None:
+        """The choices of a place in a version; None where the values are free."""
+        field = row.extra("choices")
+        now = at(field, version.minor)
+        if not now:
+            return None
+        aliases = (pair.partition(">") for pair in row.extra("aliases").split(",") if pair)
+        return cls(
+            version=version,
+            listed=tuple(now.split(",")),
+            library=tuple(row.extra("library").split(",")) if row.extra("library") else (),
+            enforced=Enforcement(row.extra("enforced") or "no"),
+            ignores_case=row.extra("case") == "insensitive",
+            aliases={old: new for old, _, new in aliases},
+            history=_history(field),
+        )
+
+    @property
+    def accepted(self) -> frozenset[str]:
+        """The spellings that nothing can be said against."""
+        return frozenset(self.listed).intersection(self.library) if self.library else frozenset(self.listed)
+
+    def judge(self, text: str) -> Verdict:
+        """How a trimmed text stands to the list."""
+        wanted = text.lower() if self.ignores_case else text
+        listed = {value.lower() for value in self.listed} if self.ignores_case else set(self.listed)
+        if wanted in listed:
+            return Verdict.LISTED if not self.library or wanted in self.library else Verdict.REFUSED
+        since = self.since(wanted)
+        if since is not None:
+            return Verdict.TOO_NEW if since > self.version else Verdict.REMOVED
+        if wanted in self.library:
+            return Verdict.UNLISTED
+        if text.lower() in {value.lower() for value in (*self.listed, *self.library)}:
+            return Verdict.WRONG_CASE
+        return Verdict.UNKNOWN
+
+    def refuses(self, text: str) -> bool:
+        """Whether libsdformat does not take a trimmed text."""
+        wanted = text.lower() if self.ignores_case else text
+        return bool(self.library) and self.enforced is not Enforcement.NO and wanted not in self.library
+
+    def since(self, text: str) -> Version | None:
+        """The first version that lists a value."""
+        return next((first for first, values in self.history if text in values), None)
+
+
+def _history(field: str) -> tuple[tuple[Version, tuple[str, ...]], ...]:
+    first, *later = field.split("|")
+    lists = [(OLDEST, tuple(first.split(",")) if first else ())]
+    for change in later:
+        minor, _, values = change.partition(":")
+        lists.append((Version(NEWEST.major, int(minor)), tuple(values.split(","))))
+    return tuple(lists)
+
+
+class Range(NamedTuple):
+    """The numbers that make sense at one place; for vectors every component is meant."""
+
+    low: float
+    high: float
+    low_open: bool
+    high_open: bool
+    enforced: Enforcement
+    instead: str | None
+    """What libsdformat takes instead of a value outside."""
+
+    @classmethod
+    def of(cls, row: Row, version: Version) -> Range | None:
+        """The range of a place in a version: by meaning, else by the table; None without one."""
+        minor = version.minor
+        low, high = at(row.extra("min"), minor), at(row.extra("max"), minor)
+        interval = row.extra("range")
+        if not interval and not low and not high:
+            return None
+        checked = row.name[0] != "@" and not at(row.type, minor).startswith("vector")
+        if interval:
+            first, _, last = interval[1:-1].partition(",")
+            instead = row.extra("instead") or None
+            enforced = Enforcement.WARNING if instead else Enforcement.NO
+            return cls(float(first), float(last), interval[0] == "(", interval[-1] == ")", enforced, instead)
+        first, last = low.split(" ")[0] or "-inf", high.split(" ")[0] or "inf"
+        return cls(float(first), float(last), False, False, Enforcement.FATAL if checked else Enforcement.NO, None)
+
+    def holds(self, number: float) -> bool:
+        """Whether a number is inside; nan is."""
+        below = number <= self.low if self.low_open else number < self.low
+        above = number >= self.high if self.high_open else number > self.high
+        return not below and not above
+
+    def __str__(self) -> str:
+        """In words: "at least 0", "above 0", "from 0 to 1"."""
+        if self.high == float("inf"):
+            return f"{'above' if self.low_open else 'at least'} {self.low:.16g}"
+        if self.low == -float("inf"):
+            return f"{'below' if self.high_open else 'at most'} {self.high:.16g}"
+        between = "between {} and {}" if self.low_open else "from {} to {}"
+        return between.format(f"{self.low:.16g}", f"{self.high:.16g}")

@@ -1,0 +1,244 @@
+"""What SDFormat allows where, for each of its versions.
+
+The walk over a document asks for plain attributes only: ``definition.children.get(tag)``,
+``definition.attributes.get(name)``, ``definition.accepts(text)``. They are built at their
+first use, so that a document pays for the part of the format that it uses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+from sdfcheck.formats.choices import Choices, Range
+from sdfcheck.formats.table import Row, at, block
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.values import Reading
+
+__all__ = ["NEWEST", "OLDEST", "AttributeDefinition", "Definition", "Schema", "Version", "schema"]
+
+
+class AttributeDefinition:
+    """An attribute, as one version allows it at one place."""
+
+    __slots__ = (
+        "_row",
+        "accepts",
+        "choices",
+        "default",
+        "maximum",
+        "minimum",
+        "name",
+        "place",
+        "range",
+        "required",
+        "type",
+        "version",
+    )
+    name: str
+    place: str
+    """Where it stands over all versions, such as ``joint:joint/@type``."""
+    type: str
+    default: str
+    required: bool
+    minimum: str | None
+    maximum: str | None
+    range: Range | None
+    """Bounds that hold by meaning or by the table; readers do not check those of attributes."""
+    choices: Choices | None
+    accepts: Callable[[str], object]
+    """True for text that is surely read as written and nothing can be said against."""
+
+    def __init__(self, version: Version, row: Row, place: str) -> None:
+        minor = version.minor
+        self._row = row
+        self.version = version
+        self.name = row.name[1:]
+        self.place = f"{place}/{row.name}"
+        self.type = at(row.type, minor)
+        self.default = at(row.default, minor)
+        self.required = at(row.multiplicity, minor) == "1"
+        self.minimum = at(row.extra("min"), minor) or None
+        self.maximum = at(row.extra("max"), minor) or None
+
+    def __repr__(self) -> str:
+        return f"AttributeDefinition({self.place!r}, {self.version})"
+
+    def read(self, text: str) -> Reading:
+        """How readers take a text; the explaining counterpart of ``accepts``."""
+        from sdfcheck.formats.values import read_attribute
+
+        return read_attribute(self, text)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            _judge(self, name, self._row, self.required)
+            return object.__getattribute__(self, name)
+
+
+class Definition:
+    """An element, as one version allows it below one kind of parent.
+
+    ``multiplicity`` (``0``, ``1``, ``+``, ``*``, or ``-1`` for deprecated) is the one written
+    where the element is used; libsdformat goes by ``own_multiplicity``, that of the definition.
+    """
+
+    __slots__ = (
+        "_row",
+        "_schema",
+        "accepts",
+        "attributes",
+        "children",
+        "choices",
+        "default",
+        "deprecated",
+        "maximum",
+        "minimum",
+        "multiplicity",
+        "name",
+        "open",
+        "own_multiplicity",
+        "path",
+        "place",
+        "range",
+        "required_attributes",
+        "required_children",
+        "single",
+        "type",
+        "version",
+    )
+    name: str
+    path: str
+    """The names from the element that starts the definition: ``joint/axis/limit/lower``."""
+    place: str
+    """The definition and the names in it, over all versions: ``joint:joint/axis/limit/lower``."""
+    type: str | None
+    """None for an element that holds elements."""
+    default: str | None
+    minimum: str | None
+    maximum: str | None
+    deprecated: bool
+    open: bool
+    """Content is free: nothing inside is the format's business."""
+    single: bool
+    """At most one below a parent."""
+    attributes: dict[str, AttributeDefinition]
+    children: dict[str, Definition]
+    required_attributes: tuple[str, ...]
+    required_children: tuple[str, ...]
+    range: Range | None
+    choices: Choices | None
+    accepts: Callable[[str], object]
+    """True for text that is surely read as written and nothing can be said against.
+
+    For a pose: with rotation_format euler_rpy, the default.
+    """
+
+    def __init__(self, parent: Definition | None, schema: Schema, row: Row, use: Row) -> None:
+        minor = schema.version.minor
+        self._schema = schema
+        self._row = row
+        self.version = schema.version
+        if row is use and parent is not None:
+            self.path = f"{parent.path}/{row.name}"
+            self.place = f"{parent.place}/{row.name}"
+            self.name = row.name
+        else:
+            self.path = at(row.extra("name"), minor) or row.name
+            self.place = f"{row.name}:{self.path}"
+            self.name = use.name if parent is not None else self.path
+        self.type = at(row.type, minor) or None
+        self.default = at(row.default, minor) if self.type else None
+        self.multiplicity = at(use.multiplicity, minor)
+        self.own_multiplicity = at(use.extra("own"), minor) or self.multiplicity
+        self.single = self.multiplicity not in {"*", "+"}
+        self.deprecated = bool(row.extras) and at(row.extra("deprecated"), minor) != ""
+        self.open = row.extra("open") != ""
+        self.minimum = at(row.extra("min"), minor) or None
+        self.maximum = at(row.extra("max"), minor) or None
+
+    def __repr__(self) -> str:
+        return f"Definition({self.place!r}, {self.version})"
+
+    @property
+    def needs_value(self) -> bool:
+        """Whether an empty text is refused; elsewhere it means the default."""
+        return self.type is not None and self.own_multiplicity == "1"
+
+    def read(self, text: str, rotation_format: str = "euler_rpy") -> Reading:
+        """How readers take a text; the explaining counterpart of ``accepts``."""
+        from sdfcheck.formats.values import read_element
+
+        return read_element(self, text, rotation_format)
+
+    def _unfold(self) -> None:
+        schema, minor = self._schema, self.version.minor
+        self.children = children = {}
+        self.attributes = attributes = {}
+        for row in self._row.rows:
+            if not row.lives(minor):
+                continue
+            if row.name[0] == "@":
+                attributes[row.name[1:]] = AttributeDefinition(self.version, row, self.place)
+            else:
+                children[row.name] = schema.define(self, row)
+        self.required_children = tuple(name for name, child in children.items() if child.multiplicity in {"1", "+"})
+        self.required_attributes = tuple(name for name, attribute in attributes.items() if attribute.required)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name in {"children", "attributes", "required_children", "required_attributes"}:
+                self._unfold()
+            else:
+                _judge(self, name, self._row, self.needs_value)
+            return object.__getattribute__(self, name)
+
+
+def _judge(definition: Definition | AttributeDefinition, name: str, row: Row, needs_value: bool) -> None:
+    """Fill in what is asked about values: ``choices``, ``range``, ``accepts``."""
+    if name == "choices":
+        definition.choices = Choices.of(row, definition.version)
+    elif name == "range":
+        definition.range = Range.of(row, definition.version)
+    elif name == "accepts":
+        from sdfcheck.formats.acceptance import acceptance
+
+        definition.accepts = acceptance(definition, needs_value)
+    else:
+        raise AttributeError(name)
+
+
+class Schema:
+    """The format in one version."""
+
+    __slots__ = ("_uses", "root", "version")
+
+    def __init__(self, version: Version) -> None:
+        self.version = version
+        self._uses: dict[tuple[str, str, str, str], Definition] = {}
+        self.root = Definition(None, self, block("root"), block("root"))
+        """The element ``sdf``."""
+
+    def __repr__(self) -> str:
+        return f"Schema({self.version})"
+
+    def define(self, parent: Definition, row: Row) -> Definition:
+        """The definition of a child; one object for all uses that say the same."""
+        if not row.type.startswith("^"):
+            return Definition(parent, self, row, row)
+        minor = self.version.minor
+        key = (row.type, row.name, at(row.multiplicity, minor), at(row.extra("own"), minor))
+        if key not in self._uses:
+            self._uses[key] = Definition(parent, self, block(row.type[1:]), row)
+        return self._uses[key]
+
+
+@cache
+def schema(version: Version) -> Schema:
+    """The format in a version, built once a process."""
+    return Schema(version)
