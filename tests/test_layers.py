@@ -1,0 +1,121 @@
+"""Imports point one way, rules see only the public side of the engine, and the engine names no rule."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+ENGINE = ROOT / "sdfcheck"
+RULES = ROOT / "rules"
+
+BELOW = {
+    "source": set[str](),
+    "formats": {"source"},
+    "model": {"source", "formats"},
+    "lint": {"source", "formats", "model"},
+    "convert": {"source", "formats", "model", "lint"},
+    "report": {"source", "formats", "model", "lint", "convert"},
+    "lsp": {"source", "formats", "model", "lint", "convert"},
+    "cli": {"source", "formats", "model", "lint", "convert", "report", "lsp"},
+}
+"""Layer → the layers that it may import besides itself."""
+
+
+class Import(NamedTuple):
+    line: int
+    module: str
+    names: tuple[str, ...]
+
+
+def modules(folder: Path) -> list[Path]:
+    return sorted(folder.rglob("*.py"))
+
+
+def imports(path: Path) -> Iterator[Import]:
+    """Every import of a module, also those inside functions."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield Import(node.lineno, alias.name, ())
+        elif isinstance(node, ast.ImportFrom):
+            yield Import(node.lineno, node.module or "", tuple(alias.name for alias in node.names))
+
+
+def name(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+def rule_marks() -> set[str]:
+    """The codes and names of the built-in rules, as their modules spell them."""
+    marks: set[str] = set()
+    for path in modules(RULES):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
+                target = node.targets[0]
+                if isinstance(target, ast.Name) and target.id in {"code", "name"}:
+                    marks.add(str(node.value.value))
+    return marks
+
+
+def test_every_layer_is_known() -> None:
+    found = {path.parent.name for path in ENGINE.glob("*/__init__.py")}
+    assert found
+    assert found <= set(BELOW)
+
+
+@pytest.mark.parametrize("layer", BELOW)
+def test_layers_import_only_what_lies_below(layer: str) -> None:
+    wrong: list[str] = []
+    for path in modules(ENGINE / layer):
+        for line, module, names in imports(path):
+            package, _, rest = module.partition(".")
+            imported = rest.partition(".")[0]
+            if package == "sdfcheck_rules" or module == "":
+                wrong.append(f"{name(path)}:{line} imports {module or 'relatively'}")
+            elif package == "sdfcheck" and imported in BELOW:
+                if imported not in {layer, *BELOW[layer]}:
+                    wrong.append(f"{name(path)}:{line} imports {module}")
+            elif module == "sdfcheck" and names != ("__version__",):
+                wrong.append(f"{name(path)}:{line} imports the public API")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_rules_import_the_public_api_and_their_family_only() -> None:
+    wrong: list[str] = []
+    for path in modules(RULES):
+        folders = path.relative_to(RULES).parts[:-1]
+        family = ".".join(("sdfcheck_rules", *folders[:1]))
+        for line, module, _ in imports(path):
+            package, _, rest = module.partition(".")
+            public = package == "sdfcheck" and rest.partition(".")[0] not in BELOW
+            own = bool(folders) and (module == family or module.startswith(f"{family}."))
+            if not (public or own or package in sys.stdlib_module_names):
+                wrong.append(f"{name(path)}:{line} imports {module or 'relatively'}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_the_engine_names_no_rule() -> None:
+    marks = rule_marks()
+    families = {mark.rstrip("0123456789") for mark in marks if mark[-3:].isdigit()}
+    code = re.compile(rf"\b(?:{'|'.join(sorted(families)) or '(?!)'})\d{{3}}\b")
+    wrong: list[str] = []
+    for path in modules(ENGINE):
+        text = path.read_text(encoding="utf-8")
+        wrong += [f"{name(path)} names {found}" for found in sorted(set(code.findall(text)))]
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Constant) and node.value in marks:
+                wrong.append(f"{name(path)}:{node.lineno} names {node.value}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_imports_inside_functions_are_seen(tmp_path: Path) -> None:
+    module = tmp_path / "late.py"
+    module.write_text("def f() -> None:\n    from sdfcheck.cli import main\n    import numpy.linalg\n")
+    assert list(imports(module)) == [Import(2, "sdfcheck.cli", ("main",)), Import(3, "numpy.linalg", ())]
