@@ -137,7 +137,9 @@ class Range(NamedTuple):
             enforced = Enforcement.WARNING if instead else Enforcement.NO
             return cls(float(first), float(last), interval[0] == "(", interval[-1] == ")", enforced, instead)
         first, last = low.split(" ")[0] or "-inf", high.split(" ")[0] or "inf"
-        return cls(float(first), float(last), False, False, Enforcement.FATAL if checked else Enforcement.NO, None)
+        return cls(
+            float(first), float(last), False, False, Enforcement.FATAL if checked else Enforcement.NO, None
+        )
 
     def holds(self, number: float) -> bool:
         """Whether a number is inside; nan is."""

@@ -112,6 +112,10 @@ class Merged:
     def child(self, name: str, kind: str = "") -> Merged:
         return self.children.setdefault((name, kind), Merged(name))
 
+    def named(self, name: str) -> Merged | None:
+        """The child or attribute of a name, the newest way it is written."""
+        return next((child for (key, _), child in self.children.items() if key == name), None)
+
     def note(self, minor: int, **facts: str) -> None:
         self.versions.add(minor)
         for key, value in facts.items():
@@ -201,17 +205,44 @@ def stems_in(node: Node) -> Iterator[str]:
             yield from stems_in(child)
 
 
-def find(blocks: dict[str, Merged], place: str, moved: dict[str, str]) -> Merged:
-    """The element or attribute at a place such as ``joint:joint/axis/@name``, old places included."""
-    stem, _, path = place.partition(":")
-    found: Merged | None = blocks.get(stem)
-    for name in path.split("/")[1:]:
-        found = next((child for (key, _), child in found.children.items() if key == name), None) if found else None
-    if found is not None:
+class Places:
+    """The places of the merged table, and where older descriptions had them."""
+
+    def __init__(self, blocks: dict[str, Merged], moved: dict[str, str]) -> None:
+        self.blocks = blocks
+        self.moved = moved
+
+    def find(self, place: str) -> Merged | None:
+        """The element or attribute at a place such as ``joint:joint/axis/@name``."""
+        stem, _, path = place.partition(":")
+        found = self.blocks.get(stem)
+        for name in path.split("/")[1:]:
+            found = found and found.named(name)
         return found
-    old = next(old for old in moved if place.startswith(f"{old}/"))
-    name = blocks[moved[old]].timed("name").split("|")[0]
-    return find(blocks, f"{moved[old]}:{name}{place[len(old) :]}", moved)
+
+    def canonical(self, place: str) -> str | None:
+        if self.find(place):
+            return place
+        for old, stem in self.moved.items():
+            if place.startswith(f"{old}/"):
+                return self.canonical(f"{self.top(stem)}{place[len(old) :]}")
+        return None
+
+    def reached(self, steps: list[str]) -> str | None:
+        place, found = self.top("root"), self.blocks["root"]
+        for name in steps:
+            inner = found.named(name)
+            if inner is None:
+                return None
+            place, found = f"{place}/{name}", inner
+            if found.timed("type").startswith("^"):
+                stem = found.timed("type")[1:]
+                place, found = self.top(stem), self.blocks[stem]
+        return place
+
+    def top(self, stem: str) -> str:
+        """The place of a definition's own element, under its newest name."""
+        return f"{stem}:{self.blocks[stem].timed('name').split('|')[-1].rpartition(':')[2]}"
 
 
 def lines(merged: Merged, depth: int, parent: Iterable[int]) -> Iterator[str]:
@@ -231,14 +262,17 @@ def render(facts: Path) -> dict[str, str]:
     tables = read_tables(facts)
     moved = share_definitions(tables)
     blocks = merge_tables(tables)
+    places = Places(blocks, moved)
     enums = json.loads((facts / "enums.json").read_text("utf-8"))
     conversions = json.loads((facts / "conversions.json").read_text("utf-8"))
     for place, remark in remarks(enums):
-        target = find(blocks, place, moved)
+        target = places.find(places.canonical(place) or place)
+        if target is None:
+            raise SystemExit(f"no version has {place}")
         if remark not in target.remarks:
             target.remarks.append(remark)
     text = [line for _, block in sorted(blocks.items()) for line in lines(block, 0, MINORS)]
-    return {"sdf.txt": HEAD + "\n".join(text) + "\n", "sdf-notes.txt": notes(enums, conversions)}
+    return {"sdf.txt": HEAD + "\n".join(text) + "\n", "sdf-notes.txt": notes(enums, conversions, places)}
 
 
 def main() -> None:

@@ -12,11 +12,11 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.choices import Choices, Range
-from sdfcheck.formats.table import Row, at, block
+from sdfcheck.formats.table import Row, at, block, newest_name
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.values import Reading
+    from sdfcheck.formats.reading import Reading
 
 __all__ = ["NEWEST", "OLDEST", "AttributeDefinition", "Definition", "Schema", "Version", "schema"]
 
@@ -25,20 +25,22 @@ class AttributeDefinition:
     """An attribute, as one version allows it at one place."""
 
     __slots__ = (
-        "_row",
         "accepts",
         "choices",
         "default",
         "maximum",
+        "may_be_infinite",
         "minimum",
         "name",
         "place",
         "range",
         "required",
+        "row",
         "type",
         "version",
     )
     name: str
+    row: Row
     place: str
     """Where it stands over all versions, such as ``joint:joint/@type``."""
     type: str
@@ -49,12 +51,13 @@ class AttributeDefinition:
     range: Range | None
     """Bounds that hold by meaning or by the table; readers do not check those of attributes."""
     choices: Choices | None
+    may_be_infinite: bool
     accepts: Callable[[str], object]
     """True for text that is surely read as written and nothing can be said against."""
 
     def __init__(self, version: Version, row: Row, place: str) -> None:
         minor = version.minor
-        self._row = row
+        self.row = row
         self.version = version
         self.name = row.name[1:]
         self.place = f"{place}/{row.name}"
@@ -76,7 +79,7 @@ class AttributeDefinition:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            _judge(self, name, self._row, self.required)
+            _judge(self, name, self.row, self.required)
             return object.__getattribute__(self, name)
 
 
@@ -88,7 +91,6 @@ class Definition:
     """
 
     __slots__ = (
-        "_row",
         "_schema",
         "accepts",
         "attributes",
@@ -97,6 +99,7 @@ class Definition:
         "default",
         "deprecated",
         "maximum",
+        "may_be_infinite",
         "minimum",
         "multiplicity",
         "name",
@@ -107,11 +110,13 @@ class Definition:
         "range",
         "required_attributes",
         "required_children",
+        "row",
         "single",
         "type",
         "version",
     )
     name: str
+    row: Row
     path: str
     """The names from the element that starts the definition: ``joint/axis/limit/lower``."""
     place: str
@@ -132,6 +137,7 @@ class Definition:
     required_children: tuple[str, ...]
     range: Range | None
     choices: Choices | None
+    may_be_infinite: bool
     accepts: Callable[[str], object]
     """True for text that is surely read as written and nothing can be said against.
 
@@ -141,7 +147,7 @@ class Definition:
     def __init__(self, parent: Definition | None, schema: Schema, row: Row, use: Row) -> None:
         minor = schema.version.minor
         self._schema = schema
-        self._row = row
+        self.row = row
         self.version = schema.version
         if row is use and parent is not None:
             self.path = f"{parent.path}/{row.name}"
@@ -149,7 +155,7 @@ class Definition:
             self.name = row.name
         else:
             self.path = at(row.extra("name"), minor) or row.name
-            self.place = f"{row.name}:{self.path}"
+            self.place = f"{row.name}:{newest_name(row)}"
             self.name = use.name if parent is not None else self.path
         self.type = at(row.type, minor) or None
         self.default = at(row.default, minor) if self.type else None
@@ -179,14 +185,16 @@ class Definition:
         schema, minor = self._schema, self.version.minor
         self.children = children = {}
         self.attributes = attributes = {}
-        for row in self._row.rows:
+        for row in self.row.rows:
             if not row.lives(minor):
                 continue
             if row.name[0] == "@":
                 attributes[row.name[1:]] = AttributeDefinition(self.version, row, self.place)
             else:
                 children[row.name] = schema.define(self, row)
-        self.required_children = tuple(name for name, child in children.items() if child.multiplicity in {"1", "+"})
+        self.required_children = tuple(
+            name for name, child in children.items() if child.multiplicity in {"1", "+"}
+        )
         self.required_attributes = tuple(name for name, attribute in attributes.items() if attribute.required)
 
     if not TYPE_CHECKING:
@@ -195,7 +203,7 @@ class Definition:
             if name in {"children", "attributes", "required_children", "required_attributes"}:
                 self._unfold()
             else:
-                _judge(self, name, self._row, self.needs_value)
+                _judge(self, name, self.row, self.needs_value)
             return object.__getattribute__(self, name)
 
 
@@ -205,6 +213,8 @@ def _judge(definition: Definition | AttributeDefinition, name: str, row: Row, ne
         definition.choices = Choices.of(row, definition.version)
     elif name == "range":
         definition.range = Range.of(row, definition.version)
+    elif name == "may_be_infinite":
+        definition.may_be_infinite = "inf" in row.default or row.extra("infinite") != ""
     elif name == "accepts":
         from sdfcheck.formats.acceptance import acceptance
 
@@ -236,6 +246,17 @@ class Schema:
         if key not in self._uses:
             self._uses[key] = Definition(parent, self, block(row.type[1:]), row)
         return self._uses[key]
+
+    def at(self, place: str) -> Definition | None:
+        """The definition at a place such as ``joint:joint/axis``, or None; as a part of no special parent."""
+        stem, _, path = place.partition(":")
+        top = block(stem)
+        if not top.lives(self.version.minor):
+            return None
+        found: Definition | None = self._uses.setdefault((stem, "", "", ""), Definition(None, self, top, top))
+        for name in path.split("/")[1:]:
+            found = found and found.children.get(name)
+        return found
 
 
 @cache

@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
+from sdfcheck.formats.version import NEWEST
+
 _FILE = Path(__file__).with_name("data") / "sdf.txt"
 
 
@@ -45,6 +47,11 @@ def at(field: str, minor: int) -> str:
             break
         value = later
     return value
+
+
+def newest_name(top: Row) -> str:
+    """What the element of a definition is called, lastly."""
+    return at(top.extra("name"), NEWEST.minor) or top.name
 
 
 def spans(life: str) -> list[tuple[int, int]]:

@@ -1,0 +1,50 @@
+"""Near misses among names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+def suggest(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate that a misspelt name was meant to be, or None when nothing is near.
+
+    The same letters in another case come first. Otherwise one slip (a letter missing,
+    added, wrong, or two swapped) is forgiven, two in a name of six letters or more, three from
+    twelve on; of two equally near the one with the same letters is meant. A name of one or two letters
+    is never guessed from.
+    """
+    folded = _fold(name)
+    pool = sorted(candidates)
+    for candidate in pool:
+        if _fold(candidate) == folded:
+            return candidate
+    allowed = 0 if len(folded) < 3 else 1 if len(folded) < 6 else 2 if len(folded) < 12 else 3
+    near: list[tuple[int, bool, str]] = []
+    for candidate in pool:
+        other = _fold(candidate)
+        if abs(len(other) - len(folded)) > allowed:
+            continue
+        slips = distance(folded, other)
+        # A short name is another one after half of its letters have changed.
+        if slips <= allowed and 2 * slips < len(other):
+            near.append((slips, sorted(other) != sorted(folded), candidate))
+    return min(near)[2] if near else None
+
+
+def distance(one: str, other: str) -> int:
+    """Insertions, deletions, replacements and swaps of neighbours between two words."""
+    before: list[int] = []
+    last = list(range(len(other) + 1))
+    for i, letter in enumerate(one, 1):
+        row = [i]
+        for j, against in enumerate(other, 1):
+            cost = min(last[j] + 1, row[j - 1] + 1, last[j - 1] + (letter != against))
+            if i > 1 and j > 1 and letter == other[j - 2] and one[i - 2] == against:
+                cost = min(cost, before[j - 2] + 1)
+            row.append(cost)
+        before, last = last, row
+    return last[-1]
+
+
+def _fold(name: str) -> str:
+    return name.casefold().replace("-", "_").replace("_", "")
