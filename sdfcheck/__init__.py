@@ -1,3 +1,68 @@
-"""Linter and converter for SDFormat, URDF and xacro robot descriptions."""
+"""Linter and converter for SDFormat, URDF and xacro robot descriptions.
+
+Everything a program or a rule needs can be imported from here; it is loaded when it is
+first used.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sdfcheck import problems
+    from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
+    from sdfcheck.lint.example import (
+        IN_COLLISION,
+        IN_JOINT,
+        IN_LINK,
+        IN_MODEL,
+        IN_ROBOT,
+        IN_URDF_JOINT,
+        IN_URDF_LINK,
+        IN_VISUAL,
+        IN_WORLD,
+        SDF,
+        Bad,
+        Good,
+    )
+    from sdfcheck.lint.fix import Applicability, Edit, Fix
+    from sdfcheck.lint.rule import Consumer, Rule, Target, edit, replace
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.text import Position, Source, Span
 
 __version__ = "0.1.0"
+
+_HOMES = {
+    "sdfcheck.lint.diagnostic": "Diagnostic Label Origin Severity",
+    "sdfcheck.lint.example": (
+        "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
+    ),
+    "sdfcheck.lint.fix": "Applicability Edit Fix",
+    "sdfcheck.lint.rule": "Consumer Rule Target edit replace",
+    "sdfcheck.source.document": "Document",
+    "sdfcheck.source.element": "Element Value",
+    "sdfcheck.source.text": "Position Source Span",
+}
+_HOME_OF = {name: module for module, names in _HOMES.items() for name in names.split()}
+
+__all__ = [  # noqa: PLE0604 - the table above is the list
+    "__version__",
+    *_HOME_OF,
+]
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    if name == "problems":
+        return import_module("sdfcheck.problems")
+    if name not in _HOME_OF:
+        raise AttributeError(f"module 'sdfcheck' has no attribute {name!r}")
+    value = getattr(import_module(_HOME_OF[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

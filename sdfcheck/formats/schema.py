@@ -12,6 +12,7 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.choices import Choices, Range
+from sdfcheck.formats.needed import is_needed
 from sdfcheck.formats.table import Row, at, block, newest_name
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
 
@@ -103,6 +104,7 @@ class Definition:
         "minimum",
         "multiplicity",
         "name",
+        "needed_children",
         "open",
         "own_multiplicity",
         "path",
@@ -135,6 +137,8 @@ class Definition:
     children: dict[str, Definition]
     required_attributes: tuple[str, ...]
     required_children: tuple[str, ...]
+    needed_children: tuple[str, ...]
+    """Those of the required children whose silent default makes another robot."""
     range: Range | None
     choices: Choices | None
     may_be_infinite: bool
@@ -196,11 +200,14 @@ class Definition:
             name for name, child in children.items() if child.multiplicity in {"1", "+"}
         )
         self.required_attributes = tuple(name for name, attribute in attributes.items() if attribute.required)
+        self.needed_children = tuple(
+            name for name in self.required_children if is_needed(self.name, name, children[name].default)
+        )
 
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            if name in {"children", "attributes", "required_children", "required_attributes"}:
+            if name in _UNFOLDED:
                 self._unfold()
             else:
                 _judge(self, name, self.row, self.needs_value)
@@ -221,6 +228,11 @@ def _judge(definition: Definition | AttributeDefinition, name: str, row: Row, ne
         definition.accepts = acceptance(definition, needs_value)
     else:
         raise AttributeError(name)
+
+
+_UNFOLDED = frozenset(
+    ("attributes", "children", "needed_children", "required_attributes", "required_children")
+)
 
 
 class Schema:

@@ -1,0 +1,1 @@
+"""SCH: the schema of the version that the document declares."""

@@ -1,0 +1,1 @@
+"""XML: the text itself, in every dialect."""

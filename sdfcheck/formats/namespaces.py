@@ -1,0 +1,307 @@
+"""Prefixes: where they are declared, where they are used, and whether the two agree.
+
+Judged on the text, as libsdformat and Drake read it; scope and uniqueness are those of
+"Namespaces in XML 1.0", which the custom-elements proposal of SDFormat 1.7 asks users
+to comply with.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
+from sdfcheck.source.text import Span
+
+XML_NAMESPACE = "http://www.w3.org/XML/1998/namespace"
+XMLNS_NAMESPACE = "http://www.w3.org/2000/xmlns/"
+
+_COLON = re.compile(r":[\w.\-:]*[\s=/>]")
+_NAME_BEFORE = re.compile(r"[<\s/][\w.\-]*\Z")
+
+
+class UndeclaredPrefix(NamedTuple):
+    """A prefix used out of the scope of any declaration.
+
+    ``uses`` are all such uses in the document, the first one first; ``elsewhere`` is a
+    declaration whose scope (up to ``scope_end``) does not reach them.
+    """
+
+    span: Span
+    prefix: str
+    uses: tuple[Span, ...]
+    elsewhere: Span | None
+    scope_end: Span | None
+    namespace: str
+    root: Span
+    """Where a declaration can be inserted: behind the last attribute of the root's start tag."""
+
+
+class RedeclaredPrefix(NamedTuple):
+    """One prefix declared twice on one element."""
+
+    span: Span
+    first: Span
+    prefix: str
+
+
+class DefaultNamespace(NamedTuple):
+    """``xmlns="…"``; ``whole`` is the attribute with the blanks before it."""
+
+    span: Span
+    whole: Span
+    namespace: str
+
+
+class DeclaredBelowRoot(NamedTuple):
+    """A declaration on an element that is not the root."""
+
+    span: Span
+    prefix: str
+    whole: Span
+    declaration: str
+    root: Span
+    movable: bool
+    """The prefix is declared nowhere else, so that the declaration can move to the root."""
+
+
+class UnusedPrefix(NamedTuple):
+    span: Span
+    prefix: str
+    whole: Span
+
+
+class MalformedQualifiedName(NamedTuple):
+    """A name with more than one colon, or with nothing before or behind it."""
+
+    span: Span
+    name: str
+
+
+class ShadowedPrefix(NamedTuple):
+    """A prefix bound anew, to another name, inside its own scope."""
+
+    span: Span
+    prefix: str
+    outer: Span
+
+
+class SynonymousPrefix(NamedTuple):
+    """A second prefix for a namespace name that has one in scope."""
+
+    span: Span
+    prefix: str
+    first: Span
+    first_prefix: str
+
+
+class EmptyNamespaceName(NamedTuple):
+    span: Span
+    prefix: str
+
+
+class ReservedPrefix(NamedTuple):
+    """``xml`` or ``xmlns`` declared, or their namespace names given to another prefix."""
+
+    span: Span
+    prefix: str
+
+
+Problem = (
+    UndeclaredPrefix
+    | RedeclaredPrefix
+    | DefaultNamespace
+    | DeclaredBelowRoot
+    | UnusedPrefix
+    | MalformedQualifiedName
+    | ShadowedPrefix
+    | SynonymousPrefix
+    | EmptyNamespaceName
+    | ReservedPrefix
+)
+
+
+class _Declaration:
+    """A declaration in effect: its attribute, its scope's end, and whether anything used it."""
+
+    __slots__ = ("end", "namespace", "number", "place", "prefix", "span", "used")
+
+    def __init__(
+        self, prefix: str, namespace: str, place: AttributePlace, span: Span, number: int, end: int
+    ) -> None:
+        self.prefix = prefix
+        self.namespace = namespace
+        self.place = place
+        self.span = span
+        self.number = number
+        self.end = end
+        self.used = False
+
+
+def problems(document: Document) -> list[Problem]:
+    """Everything about prefixes that is wrong in a document, in no particular order."""
+    if document.root is None or not _has_prefixes(document.source.text):
+        return []
+    return _Analysis(document).run()
+
+
+def _has_prefixes(text: str) -> bool:
+    """A quick look, wrong only to the safe side: is there a colon in what may be a name?"""
+    if "xmlns" in text:
+        return True
+    return any(_NAME_BEFORE.search(text, max(0, m.start() - 80), m.start()) for m in _COLON.finditer(text))
+
+
+class _Analysis:
+    """One pass over the start tags, in document order, with the declarations in scope."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.source = document.source
+        self.scan = document.scan
+        self.found: list[Problem] = []
+        self.scope: list[_Declaration] = []
+        self.declarations: list[_Declaration] = []
+        self.unresolved: dict[str, list[Span]] = {}
+        self.plugin_end = 0
+
+    def run(self) -> list[Problem]:
+        text, scan = self.source.text, self.scan
+        for number, start in enumerate(scan.starts):
+            end = scan.ends[number]
+            while self.scope and self.scope[-1].end <= start:
+                self.scope.pop()
+            if text.startswith("<plugin", start):
+                self.plugin_end = max(self.plugin_end, scan.close_ends[number])
+            if text.find(":", start, end) >= 0 or text.find("xmlns", start, end) >= 0:
+                self.take(number)
+        self.conclude()
+        return self.found
+
+    def take(self, number: int) -> None:
+        tag = self.scan.odd.get(number) or parse_start_tag(self.source, self.scan.starts[number])[0]
+        own: dict[str, _Declaration] = {}
+        for attribute in tag.attributes:
+            head, colon, prefix = attribute.name.partition(":")
+            if head == "xmlns":
+                self.declare(number, tag, attribute, prefix if colon else None, own)
+        self.use(tag.name, tag.name_start, tag.name_end)
+        for attribute in tag.attributes:
+            if ":" in attribute.name and not attribute.name.startswith("xmlns:"):
+                self.use(attribute.name, attribute.name_start, attribute.name_end)
+
+    def declare(
+        self,
+        number: int,
+        tag: StartTag,
+        attribute: AttributePlace,
+        prefix: str | None,
+        own: dict[str, _Declaration],
+    ) -> None:
+        span = self.source.span(attribute.name_start, attribute.name_end)
+        namespace = self.source.text[attribute.value_start : attribute.value_end]
+        if prefix is None:
+            self.found.append(DefaultNamespace(span, self.whole(attribute), namespace))
+            return
+        if not prefix or ":" in prefix:
+            self.found.append(MalformedQualifiedName(span, attribute.name))
+            return
+        if prefix in own:
+            self.found.append(RedeclaredPrefix(span, own[prefix].span, prefix))
+            return
+        if _is_reserved(prefix, namespace):
+            self.found.append(ReservedPrefix(span, prefix))
+        if not namespace.strip():
+            self.found.append(EmptyNamespaceName(span, prefix))
+        end = self.scan.close_ends[number]
+        declaration = _Declaration(prefix, namespace, attribute, span, number, end)
+        self.compare(declaration)
+        own[prefix] = declaration
+        self.scope.append(declaration)
+        self.declarations.append(declaration)
+
+    def compare(self, new: _Declaration) -> None:
+        """Set a declaration against those whose scope it stands in."""
+        for other in reversed(self.scope):
+            if other.prefix == new.prefix:
+                if other.namespace != new.namespace:
+                    self.found.append(ShadowedPrefix(new.span, new.prefix, other.span))
+                return
+        for other in self.scope:
+            if other.namespace == new.namespace and new.namespace.strip():
+                self.found.append(SynonymousPrefix(new.span, new.prefix, other.span, other.prefix))
+                return
+
+    def use(self, name: str, start: int, end: int) -> None:
+        if ":" not in name:
+            return
+        prefix, _, local = name.partition(":")
+        if not prefix or not local or ":" in local:
+            # gz-sim reads settings such as <gz::system_priority> in its plugins by just that name.
+            if start >= self.plugin_end:
+                self.found.append(MalformedQualifiedName(self.source.span(start, end), name))
+            self.mark_used(prefix)
+            return
+        if not self.mark_used(prefix) and prefix not in {"xml", "xmlns"}:
+            self.unresolved.setdefault(prefix, []).append(self.source.span(start, start + len(prefix)))
+
+    def mark_used(self, prefix: str) -> bool:
+        for declaration in reversed(self.scope):
+            if declaration.prefix == prefix:
+                declaration.used = True
+                return True
+        return False
+
+    def conclude(self) -> None:
+        root = self.root_insertion()
+        for prefix, uses in self.unresolved.items():
+            other = next((d for d in self.declarations if d.prefix == prefix), None)
+            end = self.scope_end(other) if other else None
+            namespace = other.namespace if other else ""
+            elsewhere = other.span if other else None
+            self.found.append(
+                UndeclaredPrefix(uses[0], prefix, tuple(uses), elsewhere, end, namespace, root)
+            )
+        for declaration in self.declarations:
+            prefix, span, place = declaration.prefix, declaration.span, declaration.place
+            whole = self.whole(place)
+            # A declaration that does not reach the uses is no unused one: that is one mistake, told above.
+            if not declaration.used and prefix not in self.unresolved:
+                self.found.append(UnusedPrefix(span, prefix, whole))
+            elif declaration.number > 0:
+                movable = [d.prefix for d in self.declarations].count(prefix) == 1
+                self.found.append(
+                    DeclaredBelowRoot(span, prefix, whole, whole.text.strip(), root, movable)
+                )
+
+    def scope_end(self, declaration: _Declaration) -> Span:
+        close = self.scan.closes[declaration.number]
+        return self.source.span(close, declaration.end)
+
+    def root_insertion(self) -> Span:
+        tag = self.scan.odd.get(0) or parse_start_tag(self.source, self.scan.starts[0])[0]
+        at = tag.name_end
+        if tag.attributes:
+            at = tag.attributes[-1].value_end
+            at += self.source.text[at : at + 1] in {'"', "'"}
+        return self.source.span(at, at)
+
+    def whole(self, attribute: AttributePlace) -> Span:
+        """The attribute with the blanks before it: what deleting it takes."""
+        text, start, end = self.source.text, attribute.name_start, attribute.value_end
+        while text[start - 1].isspace():
+            start -= 1
+        return self.source.span(start, end + (text[end : end + 1] in {'"', "'"}))
+
+
+def uses_prefixes(document: Document) -> Iterator[str]:
+    """The prefixes that a document declares, in order; the cheap question whether it knows a vendor."""
+    return (match[1] for match in re.finditer(r"\sxmlns:([\w.\-]+)\s*=", document.source.text))
+
+
+def _is_reserved(prefix: str, namespace: str) -> bool:
+    if prefix == "xml":
+        return namespace != XML_NAMESPACE
+    return prefix == "xmlns" or namespace in {XML_NAMESPACE, XMLNS_NAMESPACE}

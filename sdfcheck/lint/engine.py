@@ -1,0 +1,173 @@
+"""Runs rules over one document."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from lxml import etree
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.packs import RuleIndex
+from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.select import ActiveRules
+from sdfcheck.source.document import Document, read
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Span
+
+INTERNAL_ERROR = RuleFacts(
+    "INT001",
+    "internal-error",
+    "INT",
+    Severity.ERROR,
+    "A rule failed on this document; this is a bug in the rule.",
+    "",
+    True,
+    (),
+    (),
+    {},
+    __name__,
+)
+
+class Comment(NamedTuple):
+    """A comment, and what the element behind it covers: its start tag, and all of it if it is a leaf."""
+
+    span: Span
+    target: Span | None
+
+
+class FileResult(NamedTuple):
+    diagnostics: list[Diagnostic]
+    comments: list[Comment]
+    """Those that speak to sdfcheck."""
+
+
+class Dispatch:
+    """Which rules want which problems and which elements; made once for a set of rules."""
+
+    def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
+        self.index = index
+        self.severities = active.severities
+        self.by_problem: dict[str, list[RuleFacts]] = {}
+        self.by_element: dict[str, dict[str, list[tuple[list[str], RuleFacts]]]] = {}
+        for facts in active.facts:
+            for kind in facts.explains:
+                self.by_problem.setdefault(kind, []).append(facts)
+            for selector in facts.selects:
+                dialect, _, path = selector.partition(":")
+                *parents, name = path.split("/")
+                by_name = self.by_element.setdefault(dialect, {})
+                by_name.setdefault(name, []).append((parents[::-1], facts))
+
+
+def lint_source(data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch) -> FileResult:
+    """Read and lint one file's bytes. Whatever they hold, the result is diagnostics."""
+    document = read(data, path, kind)
+    return FileResult(lint_document(document, dispatch), directives(document))
+
+
+def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
+    """All diagnostics of one document, sorted by place."""
+    found: list[Diagnostic] = []
+    for analysis in analyses(document):
+        for problem in analysis(document):
+            for rule in dispatch.by_problem.get(type(problem).__name__, ()):
+                found += _check(rule, problem, document, dispatch)
+    by_name = dispatch.by_element.get(document.kind.value, {})
+    for name, element in _selected(document, by_name):
+        for parents, rule in by_name[name]:
+            if _stands_in(element, parents):
+                found += _check(rule, element, document, dispatch)
+    return sorted(set(found), key=lambda diagnostic: diagnostic.sort_key)
+
+
+def analyses(document: Document) -> Iterator[Callable[[Document], Iterable[object]]]:
+    """The analyses that fit a document's kind; each yields problems for rules to explain."""
+    yield lambda document: document.problems
+    from sdfcheck.formats import namespaces
+
+    yield namespaces.problems
+    if document.kind is Kind.SDF:
+        from sdfcheck.formats import structure
+        from sdfcheck.formats.survey import survey
+        from sdfcheck.model import names
+
+        yield lambda document: survey(document).problems
+        yield structure.structure_problems
+        yield names.problems
+
+
+def directives(document: Document) -> list[Comment]:
+    """The comments that hold a word for sdfcheck, with the element that each stands before."""
+    text = document.source.text
+    if "sdfcheck:" not in text or document.root is None:
+        return []
+    scan = document.scan
+    comments = []
+    for start, end in scan.comments:
+        if "sdfcheck:" not in text[start:end]:
+            continue
+        span = document.source.span(start, end)
+        number = next((n for n, at in enumerate(scan.starts) if at >= end), None)
+        target = None
+        if number is not None:
+            place = scan.place(number)
+            is_leaf = number + 1 == len(scan.starts) or scan.starts[number + 1] >= place.close_end
+            target = document.source.span(place.start, place.close_end if is_leaf else place.end)
+        comments.append(Comment(span, target))
+    return comments
+
+
+def _selected(document: Document, by_name: dict[str, Any]) -> Iterator[tuple[str, Element]]:
+    """The elements of the wanted names: in SDF those that stand where the format places them."""
+    if not by_name or document.root is None:
+        return
+    if document.kind is Kind.SDF:
+        from sdfcheck.formats.survey import survey
+
+        index = survey(document).index
+        for name in by_name:
+            for element in index.get(name, ()):
+                yield name, element
+        return
+    for element in document.root.iter(etree.Element):
+        name = element.name  # type: ignore[attr-defined]
+        if name in by_name:
+            yield name, element  # type: ignore[misc]
+
+
+def _stands_in(element: Element, parents: list[str]) -> bool:
+    """Do the names of the enclosing elements, from the inside out, begin with ``parents``?"""
+    for name in parents:
+        parent = element.parent
+        if parent is None or parent.name != name:
+            return False
+        element = parent
+    return True
+
+
+def _check(facts: RuleFacts, subject: Any, document: Document, dispatch: Dispatch) -> list[Diagnostic]:
+    """Run one rule; a failing rule must not hide what the others have to say."""
+    try:
+        rule: Rule = dispatch.index.rule(facts)
+        diagnostics = list(rule.check(subject))
+    except Exception as error:
+        return [_internal_error(facts, error, document)]
+    severity = dispatch.severities.get(facts.code)
+    if severity is not None:
+        return [diagnostic._replace(severity=severity) for diagnostic in diagnostics]
+    return diagnostics
+
+
+def _internal_error(facts: RuleFacts, error: Exception, document: Document) -> Diagnostic:
+    import os
+
+    if os.environ.get("SDFCHECK_DEBUG"):
+        raise error
+    message = f"rule {facts.code} {facts.name} failed: {type(error).__name__}: {error}"
+    return Diagnostic(
+        INTERNAL_ERROR.code, INTERNAL_ERROR.name, Severity.ERROR, message, document.source.span(0, 0)
+    )

@@ -1,0 +1,169 @@
+"""Rule packs: found, read, classified; the built-in one comes in by the same door.
+
+A pack is an import package or a folder of Python files. A pack may ship an index
+(``index.json``, written by :mod:`sdfcheck.lint.index`) that says what can be known of
+its rules without importing them; one without it is imported whole.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.run import RuleFacts
+
+BUILT_IN = "sdfcheck_rules"
+
+
+class PackError(Exception):
+    """A pack that cannot be loaded; the text is fit for the user."""
+
+
+class Pack(NamedTuple):
+    """A pack's name as given, the folder of its modules and the package that they are imported as."""
+
+    name: str
+    folder: Path
+    package: str
+
+
+class RuleIndex:
+    """The rules that are there: their facts at once, their classes when asked for."""
+
+    def __init__(self, facts: Sequence[RuleFacts]) -> None:
+        self.facts = tuple(sorted(facts))
+        self._rules: dict[str, Rule] = {}
+
+    def rule(self, facts: RuleFacts) -> Rule:
+        """The rule itself; its module is imported now if it was not before."""
+        found = self._rules.get(facts.code)
+        if found is None:
+            module = sys.modules.get(facts.module) or importlib.import_module(facts.module)
+            found = self._rules[facts.code] = next(c for c in rule_classes(module) if c.code == facts.code)()
+        return found
+
+
+def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
+    """The built-in rules and those of the plugins (import names or folders).
+
+    Raises PackError for a plugin that cannot be loaded or that takes a code or name
+    that is taken.
+    """
+    facts: list[RuleFacts] = []
+    taken: dict[str, RuleFacts] = {}
+    for name in (BUILT_IN, *plugins):
+        for fact in read_pack(find_pack(name)):
+            for key in (fact.code, fact.name):
+                if key in taken:
+                    raise PackError(f"plugin {name}: {key} is taken by {taken[key].module}")
+                taken[key] = fact
+            facts.append(fact)
+    return RuleIndex(facts)
+
+
+def find_pack(name: str | Path) -> Pack:
+    """Locate a pack: a folder if there is one of that name, else an import package."""
+    folder = Path(name)
+    if isinstance(name, Path) or "/" in name or folder.is_dir():
+        if not folder.is_dir():
+            raise PackError(f"plugin {name}: no such folder")
+        return Pack(str(name), folder, f"sdfcheck_plugin_{folder.resolve().name}")
+    try:
+        spec = importlib.util.find_spec(name)
+    except (ImportError, ValueError) as error:
+        raise PackError(f"plugin {name}: {error}") from None
+    if spec is None or not spec.submodule_search_locations:
+        raise PackError(f"plugin {name}: no package of that name can be imported, and no folder is there")
+    return Pack(name, Path(next(iter(spec.submodule_search_locations))), name)
+
+
+def read_pack(pack: Pack) -> list[RuleFacts]:
+    """The facts of a pack's rules: from its index, or else by importing all of it."""
+    index = pack.folder / "index.json"
+    if pack.package == pack.name and index.is_file():
+        import json
+
+        return [from_record(record) for record in json.loads(index.read_bytes())]
+    return [describe(rule) for module in import_pack(pack) for rule in rule_classes(module)]
+
+
+def import_pack(pack: Pack) -> Iterator[ModuleType]:
+    """Every module of a pack; raises PackError naming the one that fails."""
+    for path in sorted(pack.folder.rglob("*.py")):
+        parts = path.relative_to(pack.folder).with_suffix("").parts
+        name = ".".join((pack.package, *(part for part in parts if part != "__init__")))
+        try:
+            yield importlib.import_module(name) if pack.package == pack.name else _load_file(name, path)
+        except Exception as error:  # a stranger's module may fail in any way
+            raise PackError(f"plugin {pack.name}: {path.name}: {type(error).__name__}: {error}") from error
+
+
+def _load_file(name: str, path: Path) -> ModuleType:
+    if name in sys.modules:
+        return sys.modules[name]
+    spec = importlib.util.spec_from_file_location(name, path)
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[name]
+        raise
+    return module
+
+
+def rule_classes(module: ModuleType) -> list[type[Rule]]:
+    """The rules that a module defines (not those that it imports)."""
+    return [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type)
+        and issubclass(value, Rule)
+        and value.__module__ == module.__name__
+        and "code" in vars(value)
+    ]
+
+
+def describe(rule: type[Rule]) -> RuleFacts:
+    """The facts of a rule, from its class."""
+    fixed = [bad for bad in rule.bad if bad.fixed is not None]
+    fixable = "" if not fixed else "safe" if any(not bad.unsafe for bad in fixed) else "unsafe"
+    return RuleFacts(
+        rule.code,
+        rule.name,
+        rule.code.rstrip("0123456789"),
+        rule.severity,
+        summary(rule),
+        fixable,
+        rule.default,
+        rule.selects,
+        tuple(kind.__name__ for kind in rule.explains),
+        {consumer.value: effect for consumer, effect in sorted(rule.affects.items(), key=lambda i: i[0].value)},
+        rule.__module__,
+    )
+
+
+def summary(rule: type[Rule]) -> str:
+    """The first paragraph of a rule's manual, on one line."""
+    return " ".join((rule.__doc__ or "").strip().partition("\n\n")[0].split())
+
+
+def to_record(facts: RuleFacts) -> dict[str, object]:
+    return {**facts._asdict(), "severity": facts.severity.value}
+
+
+def from_record(record: dict[str, object]) -> RuleFacts:
+    fields = dict(record)
+    fields["severity"] = Severity(fields["severity"])
+    for name in ("selects", "explains"):
+        fields[name] = tuple(fields[name])  # type: ignore[arg-type]
+    return RuleFacts(**fields)  # type: ignore[arg-type]

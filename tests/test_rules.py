@@ -1,0 +1,86 @@
+"""Every rule's examples run: the exact place, the fix, and silence where all is well."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.engine import Dispatch, lint_source
+from sdfcheck.lint.example import Bad, Good, fill, unmark
+from sdfcheck.lint.packs import BUILT_IN, find_pack, import_pack, load_index, rule_classes
+from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.select import ActiveRules
+
+INDEX = load_index()
+DISPATCH = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
+RULES = sorted(
+    (rule for module in import_pack(find_pack(BUILT_IN)) for rule in rule_classes(module)), key=lambda r: r.code
+)
+DEFAULT = {rule.code for rule in RULES if rule.default}
+
+
+def lint(text: str, file: str) -> list[Diagnostic]:
+    return lint_source(text.encode(), Path(file or "example"), None, DISPATCH).diagnostics
+
+
+def examples(kind: str) -> list[object]:
+    return [
+        pytest.param(rule, example, id=f"{rule.code}-{number}")
+        for rule in RULES
+        for number, example in enumerate(getattr(rule, kind))
+    ]
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda r: r.code)
+def test_metadata(rule: type[Rule]) -> None:
+    module = rule.__module__.rsplit(".", 1)[-1]
+    assert rule.name.replace("-", "_") == module
+    assert rule.__name__.lower() == module.replace("_", "")
+    assert rule.bad, "a rule shows what it reports"
+    assert rule.good, "a rule shows what it leaves alone"
+    assert rule.selects or rule.explains, "a rule looks at something"
+    first = (rule.__doc__ or "").strip().partition("\n\n")[0]
+    assert first.endswith("."), "the manual begins with a sentence that states the defect"
+    assert rule.code[: -len(rule.code.lstrip("ABCDEFGHIJKLMNOPQRSTUVWXYZ"))].lower() == rule.__module__.split(".")[-2]
+
+
+def test_codes_and_names_are_unique() -> None:
+    assert len({rule.code for rule in RULES}) == len({rule.name for rule in RULES}) == len(RULES)
+
+
+@pytest.mark.parametrize(("rule", "example"), examples("bad"))
+def test_bad_examples_are_reported_in_place(rule: type[Rule], example: Bad) -> None:
+    text, start, end = unmark(fill(rule.scaffold, example))
+    found = lint(text, example.file)
+    own = [d for d in found if d.code == rule.code]
+    assert len(own) == 1, [f"{d.code} {d.message}" for d in found]
+    span = own[0].span
+    assert (span.start, span.end) == (start, end), f"reported at {span.text!r}"
+    assert example.says in own[0].message, own[0].message
+    assert own[0].message[:1] != own[0].message[:1].upper() or not own[0].message[0].isalpha(), own[0].message
+    assert not own[0].message.endswith(".")
+    others = {d.code for d in found if d.severity >= Severity.WARNING} & DEFAULT - {rule.code}
+    assert others == set(example.also), [f"{d.code} {d.message}" for d in found]
+
+
+@pytest.mark.parametrize(("rule", "example"), examples("good"))
+def test_good_examples_are_left_alone(rule: type[Rule], example: Good) -> None:
+    found = lint(fill(rule.scaffold, example), example.file)
+    assert [d.message for d in found if d.code == rule.code] == []
+
+
+@pytest.mark.parametrize(("rule", "example"), examples("bad"))
+def test_fixes_give_what_the_example_shows(rule: type[Rule], example: Bad) -> None:
+    text, _, _ = unmark(fill(rule.scaffold, example))
+    (diagnostic,) = (d for d in lint(text, example.file) if d.code == rule.code)
+    if example.fixed is None:
+        return
+    assert diagnostic.fix is not None, "the example shows a fix"
+    assert diagnostic.fix.is_safe is not example.unsafe
+    for edit in sorted(diagnostic.fix.edits, key=lambda e: -e.span.start):
+        text = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    expected = fill(rule.scaffold, example._replace(text=example.fixed))
+    assert text == expected
+    assert [d.message for d in lint(text, example.file) if d.code == rule.code] == []
