@@ -1,0 +1,153 @@
+"""What can be wrong with the joints of a robot, said alike for SDFormat and URDF.
+
+``refused`` tells where the formats differ: the condition keeps some reader of this
+dialect from building the robot that is written.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from sdfcheck.source.element import Element, Value
+
+
+class UnknownJointEnd(NamedTuple):
+    """A parent or child that names nothing in scope.
+
+    ``role`` is ``parent`` or ``child``. ``suggestion`` is the name that was probably
+    meant: a near miss, or the scoped name of what exists elsewhere.
+    """
+
+    value: Value
+    joint: Element
+    role: str
+    suggestion: str | None = None
+
+
+class SelfJoint(NamedTuple):
+    """Parent and child are one link; ``link`` is its name where they are spelt differently."""
+
+    child: Value
+    parent: Value
+    joint: Element
+    link: str | None = None
+
+
+class WorldAsChild(NamedTuple):
+    """The world hangs below a link."""
+
+    child: Value
+    joint: Element
+
+
+class MissingAxis(NamedTuple):
+    """A joint of a type that moves along or about ``axis`` (``axis``, ``axis2``), and has none.
+
+    ``default`` is what a reader takes instead; None: it refuses the file.
+    """
+
+    joint: Element
+    type: str
+    axis: str = "axis"
+    default: str | None = None
+
+
+class InvertedLimits(NamedTuple):
+    """``lower`` above ``upper``."""
+
+    lower: Value
+    upper: Value
+    joint: Element
+
+
+class ZeroAxis(NamedTuple):
+    """An axis that points nowhere: ``0 0 0``."""
+
+    value: Value
+    joint: Element
+
+
+class NonUnitAxis(NamedTuple):
+    """An axis whose length is not 1; readers make it so. ``normalized`` is the same direction as text."""
+
+    value: Value
+    joint: Element
+    length: float
+    normalized: str
+
+
+class SeveralParents(NamedTuple):
+    """A link that is child of more than one joint; ``child`` is where the later joint names it."""
+
+    child: Value
+    first: Value
+    link: str
+    joints: tuple[str, ...]
+    refused: bool
+
+
+class JointLoop(NamedTuple):
+    """Joints that lead from a link back to it. Reported once, at the first in document order.
+
+    ``ends`` are, along the loop, the places where each joint names its child; ``links`` the
+    names of those links.
+    """
+
+    ends: tuple[Value, ...]
+    links: tuple[str, ...]
+    refused: bool
+
+
+class UnknownMimicLeader(NamedTuple):
+    """A mimic that follows a joint which does not exist."""
+
+    value: Value
+    joint: Element
+    suggestion: str | None = None
+
+
+class MimicCycle(NamedTuple):
+    """Joints that follow each other round in a circle (one alone: it follows itself).
+
+    ``leaders`` are the places where each names the next; ``joints`` their names.
+    """
+
+    leaders: tuple[Value, ...]
+    joints: tuple[str, ...]
+
+
+class NegativeLimit(NamedTuple):
+    """A quantity of a joint that cannot be negative.
+
+    ``quantity``: effort, velocity, damping, friction …
+    """
+
+    value: Value
+    quantity: str
+    joint: Element
+
+
+class UselessLimit(NamedTuple):
+    """A limit that the joint's type ignores; ``others`` are further ones on the same joint."""
+
+    value: Value
+    others: tuple[Value, ...]
+    type: str
+    joint: Element
+
+
+Problem = (
+    UnknownJointEnd
+    | SelfJoint
+    | WorldAsChild
+    | MissingAxis
+    | InvertedLimits
+    | ZeroAxis
+    | NonUnitAxis
+    | SeveralParents
+    | JointLoop
+    | UnknownMimicLeader
+    | MimicCycle
+    | NegativeLimit
+    | UselessLimit
+)
