@@ -1,4 +1,4 @@
-"""Closed lists and ranges of values."""
+"""Closed lists of values."""
 
 from __future__ import annotations
 
@@ -10,14 +10,12 @@ from sdfcheck.formats.version import NEWEST, OLDEST, Version
 
 
 class Enforcement(Enum):
-    """What libsdformat does about a value outside a list or range."""
+    """What libsdformat does about a value outside the list."""
 
     FATAL = "fatal"
     """The document is not read."""
     ERROR = "error"
     """Reported on load."""
-    WARNING = "warning"
-    """Replaced by another value, with a line on the console."""
     NO = "no"
 
 
@@ -72,11 +70,6 @@ class Choices(NamedTuple):
             history=_history(field),
         )
 
-    @property
-    def accepted(self) -> frozenset[str]:
-        """The spellings that nothing can be said against."""
-        return frozenset(self.listed).intersection(self.library) if self.library else frozenset(self.listed)
-
     def judge(self, text: str) -> Verdict:
         """How a trimmed text stands to the list."""
         wanted = text.lower() if self.ignores_case else text
@@ -109,49 +102,3 @@ def _history(field: str) -> tuple[tuple[Version, tuple[str, ...]], ...]:
         minor, _, values = change.partition(":")
         lists.append((Version(NEWEST.major, int(minor)), tuple(values.split(","))))
     return tuple(lists)
-
-
-class Range(NamedTuple):
-    """The numbers that make sense at one place; for vectors every component is meant."""
-
-    low: float
-    high: float
-    low_open: bool
-    high_open: bool
-    enforced: Enforcement
-    instead: str | None
-    """What libsdformat takes instead of a value outside."""
-
-    @classmethod
-    def of(cls, row: Row, version: Version) -> Range | None:
-        """The range of a place in a version: by meaning, else by the table; None without one."""
-        minor = version.minor
-        low, high = at(row.extra("min"), minor), at(row.extra("max"), minor)
-        interval = row.extra("range")
-        if not interval and not low and not high:
-            return None
-        checked = row.name[0] != "@" and not at(row.type, minor).startswith("vector")
-        if interval:
-            first, _, last = interval[1:-1].partition(",")
-            instead = row.extra("instead") or None
-            enforced = Enforcement.WARNING if instead else Enforcement.NO
-            return cls(float(first), float(last), interval[0] == "(", interval[-1] == ")", enforced, instead)
-        first, last = low.split(" ")[0] or "-inf", high.split(" ")[0] or "inf"
-        return cls(
-            float(first), float(last), False, False, Enforcement.FATAL if checked else Enforcement.NO, None
-        )
-
-    def holds(self, number: float) -> bool:
-        """Whether a number is inside; nan is."""
-        below = number <= self.low if self.low_open else number < self.low
-        above = number >= self.high if self.high_open else number > self.high
-        return not below and not above
-
-    def __str__(self) -> str:
-        """In words: "at least 0", "above 0", "from 0 to 1"."""
-        if self.high == float("inf"):
-            return f"{'above' if self.low_open else 'at least'} {self.low:.16g}"
-        if self.low == -float("inf"):
-            return f"{'below' if self.high_open else 'at most'} {self.high:.16g}"
-        between = "between {} and {}" if self.low_open else "from {} to {}"
-        return between.format(f"{self.low:.16g}", f"{self.high:.16g}")

@@ -24,6 +24,9 @@ OWN_RANGES = {
 }
 """Bounds that no description states and that the quantity itself has."""
 
+OWN_CHOICES = {"physics:physics/@type": ["ignored"]}
+"""Values in no list that are written on purpose: since Gazebo takes its engine from elsewhere."""
+
 OWN_INFINITE = (
     "camera:camera/clip/far",
     "camera:camera/depth_camera/clip/far",
@@ -89,7 +92,7 @@ def choice_fields(entry: Facts) -> Iterator[str]:
     sets = entry["sets"]
     timed = [] if sets[0]["since"] == str(OLDEST) else [""]
     for listed in sets:
-        values = ",".join(listed["values"])
+        values = ",".join([*listed["values"], *OWN_CHOICES.get(entry["at"], ())])
         timed.append(f"{listed['since'][2:]}:{values}" if timed else values)
     yield f"choices={'|'.join(timed)}"
     if "library" in entry:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from sdfcheck.formats.choices import Enforcement, Range
+from sdfcheck.formats.bounds import Range
 from sdfcheck.formats.numbers import BLANKS, Number, Width, leading_float, stream_float, stream_integer
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 
-SHARE = Range(0.0, 1.0, low_open=False, high_open=False, enforced=Enforcement.FATAL, instead=None)
+SHARE = Range(0.0, 1.0)
 
 _WORD = re.compile(rf"[^{BLANKS}]+")
 _REST = {",": Cause.COMMA, "x": Cause.HEXADECIMAL, "X": Cause.HEXADECIMAL}
@@ -64,8 +64,7 @@ def one_number(text: str, start: int, end: int, number: Number) -> Reading:
 def in_range(value: float, bounds: Range | None, start: int, end: int) -> Reading:
     if bounds is None or bounds.holds(value):
         return AS_WRITTEN
-    refused = bounds.enforced is Enforcement.FATAL
-    return Reading(Outcome.OUT_OF_RANGE, start, end, refused=refused, range=bounds)
+    return Reading(Outcome.OUT_OF_RANGE, start, end, refused=bounds.refused, range=bounds)
 
 
 def read_stream(text: str, count: int, whole: bool, bounds: Range | None) -> Reading:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from enum import Enum
 from typing import NamedTuple
 
-from sdfcheck.formats.choices import Range, Verdict
+from sdfcheck.formats.bounds import Range
+from sdfcheck.formats.choices import Verdict
 
 
 class Outcome(Enum):

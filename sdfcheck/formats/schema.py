@@ -11,12 +11,13 @@ from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.formats.choices import Choices, Range
 from sdfcheck.formats.needed import is_needed
 from sdfcheck.formats.table import Row, at, block, newest_name
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
 
 if TYPE_CHECKING:
+    from sdfcheck.formats.bounds import Range
+    from sdfcheck.formats.choices import Choices
     from sdfcheck.formats.reading import Reading
 
 __all__ = ["NEWEST", "OLDEST", "AttributeDefinition", "Definition", "Schema", "Version", "schema"]
@@ -29,9 +30,7 @@ class AttributeDefinition:
         "accepts",
         "choices",
         "default",
-        "maximum",
         "may_be_infinite",
-        "minimum",
         "name",
         "place",
         "range",
@@ -47,8 +46,6 @@ class AttributeDefinition:
     type: str
     default: str
     required: bool
-    minimum: str | None
-    maximum: str | None
     range: Range | None
     """Bounds that hold by meaning or by the table; readers do not check those of attributes."""
     choices: Choices | None
@@ -65,11 +62,19 @@ class AttributeDefinition:
         self.type = at(row.type, minor)
         self.default = at(row.default, minor)
         self.required = at(row.multiplicity, minor) == "1"
-        self.minimum = at(row.extra("min"), minor) or None
-        self.maximum = at(row.extra("max"), minor) or None
 
     def __repr__(self) -> str:
         return f"AttributeDefinition({self.place!r}, {self.version})"
+
+    @property
+    def minimum(self) -> str | None:
+        """The least value by the table."""
+        return at(self.row.extra("min"), self.version.minor) or None
+
+    @property
+    def maximum(self) -> str | None:
+        """The greatest value by the table."""
+        return at(self.row.extra("max"), self.version.minor) or None
 
     def read(self, text: str) -> Reading:
         """How readers take a text; the explaining counterpart of ``accepts``."""
@@ -99,9 +104,7 @@ class Definition:
         "choices",
         "default",
         "deprecated",
-        "maximum",
         "may_be_infinite",
-        "minimum",
         "multiplicity",
         "name",
         "needed_children",
@@ -126,8 +129,6 @@ class Definition:
     type: str | None
     """None for an element that holds elements."""
     default: str | None
-    minimum: str | None
-    maximum: str | None
     deprecated: bool
     open: bool
     """Content is free: nothing inside is the format's business."""
@@ -164,15 +165,23 @@ class Definition:
         self.type = at(row.type, minor) or None
         self.default = at(row.default, minor) if self.type else None
         self.multiplicity = at(use.multiplicity, minor)
-        self.own_multiplicity = at(use.extra("own"), minor) or self.multiplicity
+        self.own_multiplicity = (use.extras and at(use.extra("own"), minor)) or self.multiplicity
         self.single = self.multiplicity not in {"*", "+"}
-        self.deprecated = bool(row.extras) and at(row.extra("deprecated"), minor) != ""
-        self.open = row.extra("open") != ""
-        self.minimum = at(row.extra("min"), minor) or None
-        self.maximum = at(row.extra("max"), minor) or None
+        self.deprecated = row.extras != [] and at(row.extra("deprecated"), minor) != ""
+        self.open = row.extras != [] and row.extra("open") != ""
 
     def __repr__(self) -> str:
         return f"Definition({self.place!r}, {self.version})"
+
+    @property
+    def minimum(self) -> str | None:
+        """The least value by the table."""
+        return at(self.row.extra("min"), self.version.minor) or None
+
+    @property
+    def maximum(self) -> str | None:
+        """The greatest value by the table."""
+        return at(self.row.extra("max"), self.version.minor) or None
 
     @property
     def needs_value(self) -> bool:
@@ -217,9 +226,17 @@ class Definition:
 def _judge(definition: Definition | AttributeDefinition, name: str, row: Row, needs_value: bool) -> None:
     """Fill in what is asked about values: ``choices``, ``range``, ``accepts``."""
     if name == "choices":
-        definition.choices = Choices.of(row, definition.version)
+        definition.choices = None
+        if row.extra("choices"):
+            from sdfcheck.formats.choices import Choices
+
+            definition.choices = Choices.of(row, definition.version)
     elif name == "range":
-        definition.range = Range.of(row, definition.version)
+        definition.range = None
+        if row.extras:
+            from sdfcheck.formats.bounds import Range
+
+            definition.range = Range.of(row, definition.version.minor)
     elif name == "may_be_infinite":
         definition.may_be_infinite = "inf" in row.default or row.extra("infinite") != ""
     elif name == "accepts":

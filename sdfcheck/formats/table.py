@@ -11,17 +11,37 @@ _FILE = Path(__file__).with_name("data") / "sdf.txt"
 
 
 class Row:
-    """One line: an element or attribute over all versions, and the lines below it."""
+    """One line: an element or attribute over all versions. The lines below it are split when asked for."""
 
-    __slots__ = ("default", "extras", "life", "multiplicity", "name", "rows", "type")
+    __slots__ = ("_below", "_depth", "_rows", "default", "extras", "life", "multiplicity", "name", "type")
 
-    def __init__(self, line: str) -> None:
+    def __init__(self, text: str, depth: int = 0) -> None:
+        line, _, self._below = text.partition("\n")
         fields = line.split("\t")
         if len(fields) < 5:
             fields += [""] * (5 - len(fields))
-        self.name, self.life, self.type, self.multiplicity, self.default = fields[:5]
-        self.extras = fields[5:]
-        self.rows: list[Row] = []
+        self.name, self.life, self.type, self.multiplicity, self.default, *self.extras = fields
+        self._depth = depth + 1
+        self._rows: list[Row] | None = None
+
+    @property
+    def rows(self) -> list[Row]:
+        """The element's attributes and children."""
+        if self._rows is None:
+            self._rows = [Row(text, self._depth) for text in self._split()]
+        return self._rows
+
+    def _split(self) -> list[str]:
+        if not self._below:
+            return []
+        indent = " " * self._depth
+        texts: list[str] = []
+        for piece in self._below[self._depth :].split("\n" + indent):
+            if piece[0] == " ":
+                texts[-1] += "\n" + indent + piece
+            else:
+                texts.append(piece)
+        return texts
 
     def extra(self, key: str) -> str:
         """The text of a ``key=value`` field, empty without one."""
@@ -65,17 +85,8 @@ def spans(life: str) -> list[tuple[int, int]]:
 
 @cache
 def block(stem: str) -> Row:
-    """One definition, with everything in it."""
-    lines = _blocks()[stem].split("\n")
-    top = Row(lines[0])
-    path = [top]
-    for line in lines[1:]:
-        text = line.lstrip(" ")
-        row = Row(text)
-        del path[len(line) - len(text) :]
-        path[-1].rows.append(row)
-        path.append(row)
-    return top
+    """One definition."""
+    return Row(_blocks()[stem])
 
 
 def stems() -> list[str]:

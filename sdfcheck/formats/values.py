@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.choices import Range, Verdict
+from sdfcheck.formats.bounds import Range
+from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.numbers import BLANKS, Width, leading_float, leading_integer
 from sdfcheck.formats.parts import (
     in_range,
