@@ -45,7 +45,9 @@ def check(path: Path, *, timeout: float = 120) -> Opinion:
         raise FileNotFoundError("no libsdformat")
     command = [sys.executable, str(Path(__file__)), "--child", name, str(path)]
     try:
-        child = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=timeout, check=False)
+        child = subprocess.run(
+            command, capture_output=True, text=True, errors="replace", timeout=timeout, check=False
+        )
     except subprocess.TimeoutExpired:
         return Opinion(None, (f"no answer within {timeout} s",))
     messages = tuple(_messages(child.stderr + child.stdout))

@@ -1,6 +1,6 @@
 """Compares sdfcheck's verdicts on real files with another reader's.
 
-``python -m tests.peers.verdicts [--reader libsdformat|drake] [--kind sdf|urdf|all] [--families XML,NS] [--all]``
+``python -m tests.peers.verdicts [--reader R] [--kind sdf|urdf|all] [--families XML,NS] [--all]``
 lists the files where the two disagree. Errors on a file that the reader takes without a
 word are false alarms until somebody shows otherwise; a file that the reader rejects and
 we accept is a miss.
