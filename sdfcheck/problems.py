@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from sdfcheck.formats.namespaces import *  # noqa: F403
     from sdfcheck.formats.problems import *  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
+    from sdfcheck.model.frames import *  # noqa: F403
+    from sdfcheck.model.joint_problems import *  # noqa: F403
     from sdfcheck.model.names import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
 
@@ -19,6 +21,8 @@ _HOMES = (
     "sdfcheck.formats.namespaces",
     "sdfcheck.formats.problems",
     "sdfcheck.model.names",
+    "sdfcheck.model.frames",
+    "sdfcheck.model.joint_problems",
     "sdfcheck.model.joint_problems",
 )
 

@@ -51,6 +51,11 @@ def survey(document: Document) -> Survey:
     return document.view(Survey)
 
 
+def problems(document: Document) -> list[object]:
+    """What the walk found wrong."""
+    return survey(document).problems
+
+
 class _Walk:
     def __init__(self, result: Survey) -> None:
         self.index = result.index

@@ -32,6 +32,19 @@ INTERNAL_ERROR = RuleFacts(
     __name__,
 )
 
+_ANALYSES_OF_ALL = ("sdfcheck.source.document:problems", "sdfcheck.formats.namespaces:problems")
+_ANALYSES = {
+    Kind.SDF: (
+        "sdfcheck.formats.survey:problems",
+        "sdfcheck.formats.structure:structure_problems",
+        "sdfcheck.model.names:problems",
+        "sdfcheck.model.frames:problems",
+        "sdfcheck.model.joints:problems",
+    ),
+}
+"""Where the analyses of each kind of document are; a run loads those that it needs."""
+
+
 class Comment(NamedTuple):
     """A comment, and what the element behind it covers: its start tag, and all of it if it is a leaf."""
 
@@ -86,18 +99,11 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
 
 def analyses(document: Document) -> Iterator[Callable[[Document], Iterable[object]]]:
     """The analyses that fit a document's kind; each yields problems for rules to explain."""
-    yield lambda document: document.problems
-    from sdfcheck.formats import namespaces
+    from importlib import import_module
 
-    yield namespaces.problems
-    if document.kind is Kind.SDF:
-        from sdfcheck.formats import structure
-        from sdfcheck.formats.survey import survey
-        from sdfcheck.model import names
-
-        yield lambda document: survey(document).problems
-        yield structure.structure_problems
-        yield names.problems
+    for path in (*_ANALYSES_OF_ALL, *_ANALYSES.get(document.kind, ())):
+        module, _, function = path.partition(":")
+        yield getattr(import_module(module), function)
 
 
 def directives(document: Document) -> list[Comment]:

@@ -120,6 +120,11 @@ def read(data: bytes, path: Path, kind: Kind | None = None) -> Document:
     return Document(source, kind, list(problems))
 
 
+def problems(document: Document) -> list[Problem]:
+    """What reading found wrong with the text."""
+    return document.problems
+
+
 def _encoded(text: str) -> bytes:
     return text.encode("utf-8", "surrogatepass")
 
