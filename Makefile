@@ -53,7 +53,7 @@ bench: pyproject.toml setup.py
 	rm -rf build/lib build/bdist.*
 	$(BENCH_VENV)/bin/python $(PIP_INSTALL) .
 	$(BENCH_VENV)/bin/python $(PIP_INSTALL) --force-reinstall --no-deps .
-	$(BENCH_VENV)/bin/python benchmarks/run.py
+	$(BENCH_VENV)/bin/python -m benchmarks.run
 
 $(RUNTIME): pyproject.toml setup.py
 	[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV)
