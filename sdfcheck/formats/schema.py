@@ -282,7 +282,10 @@ class Schema:
         top = block(stem)
         if not top.lives(self.version.minor):
             return None
-        found: Definition | None = self._uses.setdefault((stem, "", "", ""), Definition(None, self, top, top))
+        key = (stem, "", "", "")
+        if key not in self._uses:
+            self._uses[key] = Definition(None, self, top, top)
+        found: Definition | None = self._uses[key]
         for name in path.split("/")[1:]:
             found = found and found.children.get(name)
         return found

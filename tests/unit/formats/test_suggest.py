@@ -1,0 +1,46 @@
+from __future__ import annotations
+
+import pytest
+
+from sdfcheck.formats.suggest import distance, suggest
+
+
+@pytest.mark.parametrize(
+    ("name", "candidates", "expected"),
+    [
+        ("Radius", ["radius"], "radius"),
+        ("raduis", ["box", "radius"], "radius"),
+        ("lenght", ["length", "link"], "length"),
+        ("lnik", ["link"], "link"),
+        ("colision", ["collision"], "collision"),
+        ("inital_position", ["initial_position"], "initial_position"),
+        ("self-collide", ["self_collide"], "self_collide"),
+        ("canonicalLink", ["canonical_link"], "canonical_link"),
+        ("izx", ["ixx", "ixz", "izz"], "ixz"),
+        ("visul", ["visual"], "visual"),
+        ("uri", ["url"], "url"),
+        ("xz", ["x", "z"], None),
+        ("far", ["fdir1", "near"], None),
+        ("wheel", ["link", "joint"], None),
+        ("", ["link"], None),
+        ("link", [], None),
+    ],
+)
+def test_near_misses(name: str, candidates: list[str], expected: str | None) -> None:
+    assert suggest(name, candidates) == expected
+    assert suggest(name, reversed(candidates)) == expected
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "slips"),
+    [
+        ("", "", 0),
+        ("", "ab", 2),
+        ("ab", "ba", 1),
+        ("abc", "ab", 1),
+        ("abc", "axc", 1),
+        ("kitten", "sitting", 3),
+    ],
+)
+def test_distance(one: str, other: str, slips: int) -> None:
+    assert distance(one, other) == distance(other, one) == slips
