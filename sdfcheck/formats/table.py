@@ -95,16 +95,5 @@ def stems() -> list[str]:
 
 @cache
 def _blocks() -> dict[str, str]:
-    text = _FILE.read_text("utf-8")
-    lines = text[text.rindex("\n# ") + 1 :].partition("\n")[2].rstrip("\n")
-    blocks: dict[str, str] = {}
-    start = 0
-    while start < len(lines):
-        # A block goes on as long as its lines are indented.
-        end = lines.find("\n", start)
-        while end != -1 and lines[end + 1] == " ":
-            end = lines.find("\n", end + 1)
-        whole = lines[start:] if end == -1 else lines[start:end]
-        blocks[whole[: whole.index("\t")]] = whole
-        start += len(whole) + 1
-    return blocks
+    _, *blocks = _FILE.read_text("utf-8").rstrip("\n").split("\n\n")
+    return {whole[: whole.index("\t")]: whole for whole in blocks}
