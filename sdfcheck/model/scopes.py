@@ -144,6 +144,9 @@ class Scopes:
         return scope
 
     def _fill(self, document: Document, scope: Scope, element: Element, depth: int) -> None:
+        if element.tag == "robot":
+            self._fill_from_urdf(scope, element)
+            return
         surveyed = survey(document)
         for kind, name, child in surveyed.named.get(element, ()):
             if kind not in _FRAME_KINDS or not name:
@@ -153,6 +156,12 @@ class Scopes:
         if surveyed.index.get("include"):
             for include in element.children("include"):
                 self._include(scope, included(document, include), depth)
+
+    def _fill_from_urdf(self, scope: Scope, robot: Element) -> None:
+        for kind in ("link", "joint"):
+            for child in robot.children(kind):
+                if name := child.attributes.get("name", ""):
+                    scope.frames.setdefault(name, Frame(kind, name, child, scope))
 
     def _include(self, scope: Scope, found: Included, depth: int) -> None:
         """Bring in an included model: as a nested one, or its parts when it is merged."""

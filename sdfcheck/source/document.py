@@ -5,18 +5,21 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from lxml import etree
 
 from sdfcheck.source.decode import decode
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Element, Value
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.problems import Problem, SyntaxDefect, SyntaxKind
 from sdfcheck.source.quick_scan import quick_scan
 from sdfcheck.source.scan import Scan, scan
 from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source
+
+if TYPE_CHECKING:
+    from sdfcheck.source.library import Library
 
 T = TypeVar("T")
 
@@ -34,7 +37,18 @@ class Document:
     :meth:`view`.
     """
 
-    __slots__ = ("__dict__", "_scan", "_spans", "_views", "kind", "problems", "root", "source")
+    __slots__ = (
+        "__dict__",
+        "_scan",
+        "_spans",
+        "_views",
+        "included_by",
+        "kind",
+        "library",
+        "problems",
+        "root",
+        "source",
+    )
 
     def __init__(self, source: Source, kind: Kind | None, problems: list[Problem]) -> None:
         self.source = source
@@ -42,6 +56,10 @@ class Document:
         self._scan: Scan | None = None
         self._spans: Spans | None = None
         self._views: dict[Callable[[Document], Any], Any] = {}
+        self.library: Library | None = None
+        """Where files that this one refers to come from; None: nothing is looked up."""
+        self.included_by: tuple[Value, ...] = ()
+        """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
         self.root: Element | None = self._parse()
         name = self.root.name if self.root is not None else ""
         self.kind = kind or _KINDS.get(name, Kind.OTHER_XML)
