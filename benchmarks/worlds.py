@@ -8,8 +8,10 @@ from pathlib import Path
 SHAPES = (
     ("<box>\n              <size>0.6 0.4 0.5</size>\n            </box>", (0.034, 0.051, 0.043)),
     (
-        "<cylinder>\n              <radius>0.3</radius>\n"
-        "              <length>0.8</length>\n            </cylinder>",
+        (
+            "<cylinder>\n              <radius>0.3</radius>\n"
+            "              <length>0.8</length>\n            </cylinder>"
+        ),
         (0.076, 0.076, 0.045),
     ),
     ("<sphere>\n              <radius>0.4</radius>\n            </sphere>", (0.064, 0.064, 0.064)),
