@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sdfcheck.source.document import Document
+from sdfcheck.source.record import Record
 from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
 from sdfcheck.source.text import Span
 
@@ -22,7 +22,7 @@ _COLON = re.compile(r":[\w.\-:]*[\s=/>]")
 _NAME_BEFORE = re.compile(r"[<\s/][\w.\-]*\Z")
 
 
-class UndeclaredPrefix(NamedTuple):
+class UndeclaredPrefix(Record):
     """A prefix used out of the scope of any declaration.
 
     ``uses`` are all such uses in the document, the first one first; ``elsewhere`` is a
@@ -39,7 +39,7 @@ class UndeclaredPrefix(NamedTuple):
     """Where a declaration can be inserted: behind the last attribute of the root's start tag."""
 
 
-class RedeclaredPrefix(NamedTuple):
+class RedeclaredPrefix(Record):
     """One prefix declared twice on one element."""
 
     span: Span
@@ -47,7 +47,7 @@ class RedeclaredPrefix(NamedTuple):
     prefix: str
 
 
-class DefaultNamespace(NamedTuple):
+class DefaultNamespace(Record):
     """``xmlns="…"``; ``whole`` is the attribute with the blanks before it."""
 
     span: Span
@@ -55,7 +55,7 @@ class DefaultNamespace(NamedTuple):
     namespace: str
 
 
-class DeclaredBelowRoot(NamedTuple):
+class DeclaredBelowRoot(Record):
     """A declaration on an element that is not the root."""
 
     span: Span
@@ -67,20 +67,20 @@ class DeclaredBelowRoot(NamedTuple):
     """The prefix is declared nowhere else, so that the declaration can move to the root."""
 
 
-class UnusedPrefix(NamedTuple):
+class UnusedPrefix(Record):
     span: Span
     prefix: str
     whole: Span
 
 
-class MalformedQualifiedName(NamedTuple):
+class MalformedQualifiedName(Record):
     """A name with more than one colon, or with nothing before or behind it."""
 
     span: Span
     name: str
 
 
-class ShadowedPrefix(NamedTuple):
+class ShadowedPrefix(Record):
     """A prefix bound anew, to another name, inside its own scope."""
 
     span: Span
@@ -88,7 +88,7 @@ class ShadowedPrefix(NamedTuple):
     outer: Span
 
 
-class SynonymousPrefix(NamedTuple):
+class SynonymousPrefix(Record):
     """A second prefix for a namespace name that has one in scope."""
 
     span: Span
@@ -97,12 +97,12 @@ class SynonymousPrefix(NamedTuple):
     first_prefix: str
 
 
-class EmptyNamespaceName(NamedTuple):
+class EmptyNamespaceName(Record):
     span: Span
     prefix: str
 
 
-class ReservedPrefix(NamedTuple):
+class ReservedPrefix(Record):
     """``xml`` or ``xmlns`` declared, or their namespace names given to another prefix."""
 
     span: Span

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from lxml import etree
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.packs import RuleIndex
-from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.rule import Rule
 
 INTERNAL_ERROR = RuleFacts(
     "INT001",

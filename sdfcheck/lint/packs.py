@@ -8,16 +8,17 @@ its rules without importing them; one without it is imported whole.
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.run import RuleFacts
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.rule import Rule
 
 BUILT_IN = "sdfcheck_rules"
 
@@ -75,6 +76,8 @@ def find_pack(name: str | Path) -> Pack:
         if not folder.is_dir():
             raise PackError(f"plugin {name}: no such folder")
         return Pack(str(name), folder, f"sdfcheck_plugin_{folder.resolve().name}")
+    import importlib.util
+
     try:
         spec = importlib.util.find_spec(name)
     except (ImportError, ValueError) as error:
@@ -108,6 +111,8 @@ def import_pack(pack: Pack) -> Iterator[ModuleType]:
 def _load_file(name: str, path: Path) -> ModuleType:
     if name in sys.modules:
         return sys.modules[name]
+    import importlib.util
+
     spec = importlib.util.spec_from_file_location(name, path)
     assert spec
     assert spec.loader
@@ -123,6 +128,8 @@ def _load_file(name: str, path: Path) -> ModuleType:
 
 def rule_classes(module: ModuleType) -> list[type[Rule]]:
     """The rules that a module defines (not those that it imports)."""
+    from sdfcheck.lint.rule import Rule
+
     return [
         value
         for value in vars(module).values()

@@ -10,13 +10,13 @@ FrameSemantics.cc and parser.cc, checked against what they report.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
 
 from sdfcheck.formats.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.model.scopes import NEVER_A_REFERENCE, Frame, Scope, Scopes, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import Record
 
 _POSE_FRAMES = frozenset({"link", "joint", "frame", "model", "include"})
 """Elements whose own pose places a frame of the enclosing scope."""
@@ -24,7 +24,7 @@ _POSE_FRAMES = frozenset({"link", "joint", "frame", "model", "include"})
 _SEVEN = Version(1, 7)
 
 
-class UnknownFrame(NamedTuple):
+class UnknownFrame(Record):
     """A reference that names no frame in its scope.
 
     ``role`` is the attribute. ``suggestion`` is a near miss, or the scoped name by which
@@ -39,13 +39,13 @@ class UnknownFrame(NamedTuple):
     outside: Element | None
 
 
-class TopLevelPose(NamedTuple):
+class TopLevelPose(Record):
     """The pose of a model at the top of the file is relative to a frame, and there is none to be relative to."""
 
     value: Value
 
 
-class FrameCycle(NamedTuple):
+class FrameCycle(Record):
     """Frames that are attached to, or placed relative to, each other in a ring.
 
     ``members`` are the references that make the ring, ``names`` the frames that hold
@@ -57,7 +57,7 @@ class FrameCycle(NamedTuple):
     names: tuple[str, ...]
 
 
-class UnknownCanonicalLink(NamedTuple):
+class UnknownCanonicalLink(Record):
     """``canonical_link`` names nothing, or (``found``) something that is not a link."""
 
     value: Value
@@ -65,12 +65,12 @@ class UnknownCanonicalLink(NamedTuple):
     suggestion: str | None
 
 
-class UnknownPlacementFrame(NamedTuple):
+class UnknownPlacementFrame(Record):
     value: Value
     suggestion: str | None
 
 
-class ModelWithoutLink(NamedTuple):
+class ModelWithoutLink(Record):
     """A model that is not static and holds no link, not even in a nested model."""
 
     element: Element

@@ -6,12 +6,12 @@ dialect from building the robot that is written.
 
 from __future__ import annotations
 
-from typing import NamedTuple
 
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import Record
 
 
-class UnknownJointEnd(NamedTuple):
+class UnknownJointEnd(Record):
     """A parent or child that names nothing in scope.
 
     ``role`` is ``parent`` or ``child``. ``suggestion`` is the name that was probably
@@ -24,7 +24,7 @@ class UnknownJointEnd(NamedTuple):
     suggestion: str | None = None
 
 
-class SelfJoint(NamedTuple):
+class SelfJoint(Record):
     """Parent and child are one link; ``link`` is its name where they are spelt differently."""
 
     child: Value
@@ -33,14 +33,14 @@ class SelfJoint(NamedTuple):
     link: str | None = None
 
 
-class WorldAsChild(NamedTuple):
+class WorldAsChild(Record):
     """The world hangs below a link."""
 
     child: Value
     joint: Element
 
 
-class MissingAxis(NamedTuple):
+class MissingAxis(Record):
     """A joint of a type that moves along or about ``axis`` (``axis``, ``axis2``), and has none.
 
     ``default`` is what a reader takes instead; None: it refuses the file.
@@ -52,7 +52,7 @@ class MissingAxis(NamedTuple):
     default: str | None = None
 
 
-class InvertedLimits(NamedTuple):
+class InvertedLimits(Record):
     """``lower`` above ``upper``."""
 
     lower: Value
@@ -60,14 +60,14 @@ class InvertedLimits(NamedTuple):
     joint: Element
 
 
-class ZeroAxis(NamedTuple):
+class ZeroAxis(Record):
     """An axis that points nowhere: ``0 0 0``."""
 
     value: Value
     joint: Element
 
 
-class NonUnitAxis(NamedTuple):
+class NonUnitAxis(Record):
     """An axis whose length is not 1; readers make it so. ``normalized`` is the same direction as text."""
 
     value: Value
@@ -76,7 +76,7 @@ class NonUnitAxis(NamedTuple):
     normalized: str
 
 
-class SeveralParents(NamedTuple):
+class SeveralParents(Record):
     """A link that is child of more than one joint; ``child`` is where the later joint names it."""
 
     child: Value
@@ -86,7 +86,7 @@ class SeveralParents(NamedTuple):
     refused: bool
 
 
-class JointLoop(NamedTuple):
+class JointLoop(Record):
     """Joints that lead from a link back to it. Reported once, at the first in document order.
 
     ``ends`` are, along the loop, the places where each joint names its child; ``links`` the
@@ -98,7 +98,7 @@ class JointLoop(NamedTuple):
     refused: bool
 
 
-class UnknownMimicLeader(NamedTuple):
+class UnknownMimicLeader(Record):
     """A mimic that follows a joint which does not exist."""
 
     value: Value
@@ -106,7 +106,7 @@ class UnknownMimicLeader(NamedTuple):
     suggestion: str | None = None
 
 
-class MimicCycle(NamedTuple):
+class MimicCycle(Record):
     """Joints that follow each other round in a circle (one alone: it follows itself).
 
     ``leaders`` are the places where each names the next; ``joints`` their names.
@@ -116,7 +116,7 @@ class MimicCycle(NamedTuple):
     joints: tuple[str, ...]
 
 
-class NegativeLimit(NamedTuple):
+class NegativeLimit(Record):
     """A quantity of a joint that cannot be negative.
 
     ``quantity``: effort, velocity, damping, friction …
@@ -127,7 +127,7 @@ class NegativeLimit(NamedTuple):
     joint: Element
 
 
-class UselessLimit(NamedTuple):
+class UselessLimit(Record):
     """A limit that the joint's type ignores; ``others`` are further ones on the same joint."""
 
     value: Value

@@ -12,14 +12,13 @@ from lxml import etree
 from sdfcheck.source.decode import decode
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.problems import Problem, SyntaxDefect, SyntaxKind
-from sdfcheck.source.quick_scan import quick_scan
-from sdfcheck.source.scan import Scan, scan
-from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source
 
 if TYPE_CHECKING:
     from sdfcheck.source.library import Library
+    from sdfcheck.source.problems import Problem, SyntaxDefect
+    from sdfcheck.source.scan import Scan
+    from sdfcheck.source.spans import Spans
 
 T = TypeVar("T")
 
@@ -81,12 +80,16 @@ class Document:
     def scan(self) -> Scan:
         """The places of everything; made when first asked for."""
         if self._scan is None:
+            from sdfcheck.source.quick_scan import quick_scan
+
             self._scan = quick_scan(self.source)
         return self._scan
 
     @property
     def spans(self) -> Spans:
         if self._spans is None:
+            from sdfcheck.source.spans import Spans
+
             assert self.root is not None, "spans belong to elements, and there is none"
             self._spans = Spans(self.source, self.scan, self.root)
         return self._spans
@@ -106,6 +109,8 @@ class Document:
                 return etree.fromstring(_encoded(text), parser)  # type: ignore[return-value]
             except etree.XMLSyntaxError as failure:
                 error = failure
+        from sdfcheck.source.scan import scan
+
         self._scan = scan(self.source, rewrite=True)
         found = self._scan.problems
         self.problems = [*self.problems, *found]
@@ -127,6 +132,8 @@ class Document:
 
     def _unexplained(self, error: etree.XMLSyntaxError) -> SyntaxDefect:
         """The parser's own words, for a fault that the scan does not know."""
+        from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
+
         line, column = error.position
         at = self.source.offset(line, max(column, 1))
         return SyntaxDefect(self.source.span(at, at), SyntaxKind.OTHER, None, error.msg or "not well formed")

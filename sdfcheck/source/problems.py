@@ -6,8 +6,8 @@ Each kind of problem is a small value; rules put it into words.
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
+from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 
 
@@ -35,7 +35,7 @@ class SyntaxKind(Enum):
     OTHER = "other"
 
 
-class SyntaxDefect(NamedTuple):
+class SyntaxDefect(Record):
     """Not well formed beyond a harmless slip; ``other`` is the second place that takes part."""
 
     span: Span
@@ -44,21 +44,21 @@ class SyntaxDefect(NamedTuple):
     detail: str = ""
 
 
-class CommentHyphens(NamedTuple):
+class CommentHyphens(Record):
     """``--`` inside a comment; ``runs`` are all runs of hyphens in it."""
 
     span: Span
     runs: tuple[Span, ...]
 
 
-class RepeatedAttribute(NamedTuple):
+class RepeatedAttribute(Record):
     """One attribute name twice in a start tag."""
 
     span: Span
     first: Span
 
 
-class LateDeclaration(NamedTuple):
+class LateDeclaration(Record):
     """Something stands before ``<?xml``: ``span`` is that something."""
 
     span: Span
@@ -72,7 +72,7 @@ class EncodingKind(Enum):
     WIDE = "wide"
 
 
-class EncodingDefect(NamedTuple):
+class EncodingDefect(Record):
     """The bytes are not what the declaration (or XML's default, UTF-8) says."""
 
     span: Span
@@ -81,35 +81,35 @@ class EncodingDefect(NamedTuple):
     actual: str
 
 
-class UnknownEntity(NamedTuple):
+class UnknownEntity(Record):
     """A bare ``&`` (then ``name`` is empty) or a reference to an entity that XML does not define."""
 
     span: Span
     name: str
 
 
-class DocumentType(NamedTuple):
+class DocumentType(Record):
     """A document type declaration, and the names of the entities that it declares."""
 
     span: Span
     entities: tuple[str, ...]
 
 
-class ContentAfterRoot(NamedTuple):
+class ContentAfterRoot(Record):
     """A second root element, or text, behind the root element ``root``."""
 
     span: Span
     root: Span
 
 
-class UnrecognizedDocument(NamedTuple):
+class UnrecognizedDocument(Record):
     """A document of no kind that is linted; ``looks_like`` says what it seems to be."""
 
     span: Span
     looks_like: str
 
 
-class TooDeep(NamedTuple):
+class TooDeep(Record):
     """Elements nested deeper than ``limit``; ``span`` is the first one past it."""
 
     span: Span

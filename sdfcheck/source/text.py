@@ -103,3 +103,10 @@ class Span(NamedTuple):
 
     def __repr__(self) -> str:
         return f"Span({self.source.path}:{self.begin.line}:{self.begin.column} {self.text[:40]!r})"
+
+
+class Step(NamedTuple):
+    """One step of how a place was reached, for example by a macro call or an include."""
+
+    span: Span
+    text: str

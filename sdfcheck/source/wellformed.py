@@ -2,7 +2,7 @@
 
 Start tags keep their number and order, which is all that the mapping between tree
 and text needs. Namespace processing is kept out: colons in names are replaced by
-:data:`COLON`, a letter that no robot description uses, and declarations are left
+:data:`sdfcheck.source.element.COLON`, and declarations are left
 to the textual namespace analysis.
 """
 
@@ -10,12 +10,10 @@ from __future__ import annotations
 
 import re
 
+from sdfcheck.source.element import COLON
 from sdfcheck.source.problems import Problem, SyntaxDefect, SyntaxKind, UnknownEntity
 from sdfcheck.source.start_tag import StartTag
 from sdfcheck.source.text import Source
-
-COLON = "\ua4fd"
-"""Lisu letter tone mya jeu: looks like a colon, and XML allows it in names."""
 
 LENGTH_LIMIT = 10_000_000
 """libxml2's bound on one text or attribute value."""
