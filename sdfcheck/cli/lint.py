@@ -1,0 +1,241 @@
+"""``sdfcheck lint``."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sdfcheck.cli.output import FORMATS, Output, outputs, write
+from sdfcheck.cli.terminal import Progress, emit, say, wants_color
+from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.select import Choice
+from sdfcheck.lint.session import Level, Notice, Options, find, run, selected
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.run import Run
+
+_KINDS = (Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG)
+_STDIN = Path("-")
+
+
+class Request:
+    """The command line, as click read it."""
+
+    def __init__(self, given: Mapping[str, Any]) -> None:
+        self.__dict__.update(given)
+
+    paths: tuple[Path, ...]
+    select: tuple[str, ...] | None
+    extend_select: tuple[str, ...] | None
+    ignore: tuple[str, ...] | None
+    target: tuple[str, ...] | None
+    fail_on: str | None
+    max_warnings: int | None
+    exit_zero: bool
+    output_format: tuple[str, ...]
+    output_file: Path | None
+    statistics: bool
+    stdin_filename: Path | None
+    kind: str | None
+    force_exclude: bool
+    skip_unrelated: bool
+    config: Path | None
+    isolated: bool
+    show_files: bool
+    show_settings: bool
+    color: str
+    quiet: bool
+
+
+def _commas(
+    context: click.Context, parameter: click.Parameter, value: tuple[str, ...]
+) -> tuple[str, ...] | None:
+    """Lists may be given in one option or in several; None if none is given."""
+    if not value:
+        return None
+    return tuple(word.strip() for text in value for word in text.split(",") if word.strip())
+
+
+def _listing(flag: str, help: str, metavar: str = "RULES") -> Callable[[Any], Any]:
+    return click.option(flag, multiple=True, callback=_commas, metavar=metavar, help=help)
+
+
+def _path(flag: str, help: str) -> Callable[[Any], Any]:
+    return click.option(flag, type=click.Path(path_type=Path), metavar="FILE", help=help)
+
+
+@click.command()
+@click.argument("paths", nargs=-1, type=click.Path(path_type=Path, allow_dash=True))
+@_listing("--select", "The rules to run: codes, names, families or ALL, parted by commas.")
+@_listing("--extend-select", "Rules to run besides those that are selected.")
+@_listing("--ignore", "Rules not to run.")
+@_listing(
+    "--target", "Keep the rules that matter to these readers: gazebo, drake, urdfdom, mujoco.", "READERS"
+)
+@click.option(
+    "--fail-on",
+    type=click.Choice([severity.value for severity in Severity]),
+    help="The least severity that makes the exit code 1.  [default: warning]",
+)
+@click.option("--max-warnings", type=click.IntRange(0), metavar="N", help="Tolerate up to N warnings.")
+@click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
+@click.option(
+    "--output-format",
+    multiple=True,
+    metavar="FORMAT[=FILE]",
+    help=f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]",
+)
+@_path("--output-file", "Write the report there instead of to stdout.")
+@click.option("--statistics", is_flag=True, help="Count diagnostics by rule instead of showing them.")
+@_path("--stdin-filename", "What to call the text that `-` reads from stdin.")
+@click.option(
+    "--kind",
+    type=click.Choice([kind.value for kind in _KINDS]),
+    help="What the named files are, whatever they look like.",
+)
+@click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
+@click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
+@_path("--config", "Use this configuration file and no other.")
+@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@click.option("--show-files", is_flag=True, help="List the files that would be checked.")
+@click.option("--show-settings", is_flag=True, help="Show the settings that apply to the first path.")
+@click.option(
+    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour."
+)
+@click.option("-q", "--quiet", is_flag=True, help="Report, and say nothing else.")
+def lint(**given: Any) -> int:
+    """Check SDFormat, URDF, xacro and model.config files.
+
+    PATHS are files, folders to walk (default: the current one), or - for stdin.
+    """
+    # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
+    gc.set_threshold(100_000, 50, 100)
+    request = Request(given)
+    options, paths = _options(request)
+    settings = options.configuration.settings_in(Path.cwd())
+    if request.show_settings:
+        return _show_settings(paths, options)
+    if request.show_files:
+        return _show_files(request, paths, options)
+    wanted = outputs(request.output_format or settings.output_format, request.output_file)
+    teller = _Teller(quiet=request.quiet)
+    progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
+    try:
+        done = run(paths, options, progress=progress, notify=teller)
+    finally:
+        if progress:
+            progress.clear()
+    teller.flush()
+    _report(request, wanted, done)
+    if teller.failed:
+        return 2
+    fail_on = Severity(request.fail_on) if request.fail_on else settings.fail_on
+    return 0 if request.exit_zero else verdict(done, fail_on, request.max_warnings)
+
+
+def _report(request: Request, wanted: Sequence[Output], done: Run) -> None:
+    """Write the reports; where none is for people, sum up on stderr."""
+    color = wants_color(request.color, sys.stdout)
+    for output in wanted:
+        if output.file is not None or not request.statistics:
+            write(output, done, color=color)
+    if request.statistics:
+        from sdfcheck.report import statistics
+
+        emit(statistics.render(done, color=color))
+    elif not request.quiet and not any(o.file is None and o.format.is_text for o in wanted):
+        from sdfcheck.report.summary import closing_line
+
+        say(closing_line(done))
+
+
+def verdict(done: Run, fail_on: Severity, max_warnings: int | None) -> int:
+    """The exit code that the diagnostics earn."""
+    if max_warnings is not None:
+        if done.count(Severity.WARNING) > max_warnings:
+            return 1
+        severities = {d.severity for d in done.diagnostics} - {Severity.WARNING}
+    else:
+        severities = {d.severity for d in done.diagnostics}
+    return int(any(severity >= fail_on for severity in severities))
+
+
+class _Teller:
+    """Says notices on stderr when the run is over, so that they do not mix with its progress."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self.failed = False
+        self._quiet = quiet
+        self._lines: list[str] = []
+
+    def __call__(self, notice: Notice) -> None:
+        self.failed |= notice.level is Level.FAILURE
+        if notice.level is Level.FAILURE or not self._quiet:
+            self._lines.append(f"{notice.level.value}: {notice.text}")
+
+    def flush(self) -> None:
+        for line in self._lines:
+            say(line)
+        self._lines.clear()
+
+
+def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
+    """What the session needs to know, and the paths without ``-``."""
+    if request.config is not None and request.isolated:
+        raise WrongUsage("--config and --isolated exclude each other")
+    if request.target:
+        from sdfcheck.lint.select import check_targets
+
+        check_targets(request.target)
+    paths = request.paths or (Path(),)
+    stdin = None
+    if _STDIN in paths:
+        stdin = sys.stdin.buffer.read()
+    elif request.stdin_filename is not None:
+        raise WrongUsage("--stdin-filename needs - among the paths")
+    options = Options(
+        Configuration(request.config, isolated=request.isolated),
+        Choice(request.select, request.extend_select or (), request.ignore or ()),
+        request.target,
+        force_exclude=request.force_exclude,
+        skip_unrelated=request.skip_unrelated,
+        kind=Kind(request.kind) if request.kind else None,
+        stdin=stdin,
+        stdin_path=request.stdin_filename or Path("<stdin>"),
+    )
+    return options, tuple(path for path in paths if path != _STDIN)
+
+
+def _show_files(request: Request, paths: Sequence[Path], options: Options) -> int:
+    teller = _Teller(quiet=request.quiet)
+    found = find(paths, options)
+    skipped = list(found.skipped)
+    files = [file.path for file in selected(found, options, skipped, notify=teller)]
+    emit("".join(f"{path}\n" for path in files))
+    teller.flush()
+    if not request.quiet:
+        for path, reason in sorted(skipped):
+            say(f"skipped: {path}: {reason}")
+    return 2 if teller.failed else 0
+
+
+def _show_settings(paths: Sequence[Path], options: Options) -> int:
+    from sdfcheck.lint import config_show
+
+    first = paths[0] if paths else options.stdin_path
+    if not (first.exists() or options.stdin is not None):
+        raise WrongUsage(f"no such file or folder: {first}")
+    configuration = options.configuration
+    settings = (
+        configuration.settings_in(first.resolve()) if first.is_dir() else configuration.settings_for(first)
+    )
+    emit(config_show.render(settings))
+    return 0

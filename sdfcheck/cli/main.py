@@ -1,0 +1,58 @@
+"""The command ``sdfcheck``.
+
+Exit codes: 0 clean, 1 findings, 2 could not run, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+import click
+
+from sdfcheck import __version__
+from sdfcheck.cli.group import LazyCommand, LazyGroup
+from sdfcheck.source.wrong_usage import WrongUsage
+
+COMMANDS = {
+    "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
+    "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
+    "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
+}
+
+
+@click.group(
+    cls=LazyGroup,
+    lazy=COMMANDS,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+@click.version_option(__version__, "-V", "--version", prog_name="sdfcheck", message="%(prog)s %(version)s")
+def sdfcheck() -> None:
+    """Linter and converter for SDFormat, URDF and xacro robot descriptions."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command line (default: the process's own); returns the exit code."""
+    try:
+        result = sdfcheck.main(arguments, prog_name="sdfcheck", standalone_mode=False)
+        return result if isinstance(result, int) else 0
+    except click.Abort:
+        return 130
+    except click.ClickException as error:
+        error.show()
+        return 2
+    except WrongUsage as error:
+        click.echo(f"error: {error}", err=True)
+        return 2
+    except Exception as error:
+        if os.environ.get("SDFCHECK_DEBUG"):
+            raise
+        click.echo(_apology(error), err=True)
+        return 2
+
+
+def _apology(error: Exception) -> str:
+    """One line about a bug; errors that know their file say so themselves."""
+    told = str(error) if error.__cause__ else f"{type(error).__name__}: {error}"
+    advice = "this is a bug in sdfcheck, please report it with the file and what SDFCHECK_DEBUG=1 shows"
+    return f"internal error: {' '.join(told.split())} ({advice})"

@@ -1,0 +1,59 @@
+"""Which report goes where."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from sdfcheck.cli.terminal import emit
+from sdfcheck.lint.run import Run
+from sdfcheck.report import OutputFormat, render
+from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+
+FORMATS = tuple(known.value for known in OutputFormat)
+
+
+class Output(NamedTuple):
+    """One report: its format, and the file it goes to (None: stdout)."""
+
+    format: OutputFormat
+    file: Path | None
+
+
+def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
+    """What ``FORMAT`` and ``FORMAT=FILE`` ask for; ``file`` is for the one without a file.
+
+    Raises:
+        WrongUsage: a format is unknown, or two reports would go to one place.
+    """
+    wanted = []
+    for text in formats:
+        name, equals, place = text.partition("=")
+        if name not in FORMATS:
+            near = suggestion(name, FORMATS) or f" (choose from {', '.join(FORMATS)})"
+            raise WrongUsage(f"unknown output format `{name}`{near}")
+        if equals and not place:
+            raise WrongUsage(f"`{text}` names no file")
+        wanted.append(Output(OutputFormat(name), Path(place) if place else file))
+    places = [output.file for output in wanted]
+    for place_of_one in places:
+        if places.count(place_of_one) > 1:
+            raise WrongUsage(f"two reports would go to {place_of_one or 'stdout'}; write one as FORMAT=FILE")
+    return tuple(wanted)
+
+
+def write(output: Output, run: Run, *, color: bool) -> None:
+    """Render a run and put it where it belongs.
+
+    Raises:
+        WrongUsage: the file cannot be written.
+    """
+    text = render(output.format, run, color=color and output.file is None)
+    if output.file is None:
+        emit(text)
+        return
+    try:
+        output.file.write_bytes(text.encode("utf-8", "backslashreplace"))
+    except OSError as error:
+        raise WrongUsage(f"cannot write {output.file}: {error.strerror}") from None

@@ -1,0 +1,49 @@
+"""``sdfcheck rule``."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from sdfcheck.cli.rules import VERSION, loaded, narrowed
+from sdfcheck.cli.terminal import emit, wants_color
+from sdfcheck.lint.manual import manual, record, render
+
+
+@click.command()
+@click.argument("selectors", nargs=-1, required=True, metavar="RULE...")
+@click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to explain.")
+@click.option("--config", type=click.Path(path_type=Path), metavar="FILE", help="Take plugins from there.")
+@click.option("--isolated", is_flag=True, help="Use no configuration file, so no plugins.")
+@click.option(
+    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour."
+)
+def rule(
+    selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool, color: str
+) -> None:
+    """Explain rules, given by code, name or family (ALL for all)."""
+    index, known = loaded(config, isolated=isolated)
+    pages = [manual(facts, index) for facts in narrowed(known, selectors)]
+    if output_format == "json":
+        import json
+
+        explained = [dict(record(page)) for page in pages]
+        emit(json.dumps({"version": VERSION, "rules": explained}, indent=2) + "\n")
+        return
+    text = "\n".join(render(page) for page in pages)
+    emit(_painted(text) if wants_color(color, sys.stdout) else text)
+
+
+def _painted(markdown: str) -> str:
+    """Markdown laid out for a terminal."""
+    from io import StringIO
+
+    from rich.console import Console
+    from rich.markdown import Markdown
+
+    console = Console(file=StringIO(), force_terminal=True, width=min(Console().width, 100))
+    with console.capture() as capture:
+        console.print(Markdown(markdown, code_theme="ansi_dark", hyperlinks=False))
+    return capture.get()

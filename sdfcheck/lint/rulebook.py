@@ -1,0 +1,92 @@
+"""Which rules apply to which file, worked out once for all files of one configuration."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sdfcheck.lint.config import Settings
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.select import ActiveRules, Choice, UnknownSelector, covered, select, without
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.engine import Dispatch
+    from sdfcheck.lint.packs import RuleIndex
+
+
+class RuleBook:
+    """The rules of each file, as the command line and the file's configuration choose them.
+
+    ``choice`` and ``target`` are those of the command line; None leaves the target to
+    the configuration.
+    """
+
+    __slots__ = ("_active", "_choice", "_dispatch", "_indexes", "_target")
+
+    def __init__(self, choice: Choice, target: tuple[str, ...] | None) -> None:
+        self._choice = choice
+        self._target = target
+        self._indexes: dict[tuple[str, ...], tuple[RuleIndex, tuple[RuleFacts, ...]]] = {}
+        self._active: dict[tuple[Settings, tuple[str, ...]], ActiveRules] = {}
+        self._dispatch: dict[tuple[Settings, tuple[str, ...]], Dispatch] = {}
+
+    def rules(self, settings: Settings) -> tuple[RuleFacts, ...]:
+        """All rules there are: those of the packs and the engine's own."""
+        return self._loaded(settings)[1]
+
+    def index(self, settings: Settings) -> RuleIndex:
+        """The rules of the packs."""
+        return self._loaded(settings)[0]
+
+    def active(self, settings: Settings, path: Path) -> ActiveRules:
+        """The rules that run on a file.
+
+        Raises:
+            WrongUsage: a selector names no rule, a target or plugin is unknown.
+        """
+        ignored = settings.ignored_for(path)
+        key = (settings, ignored)
+        if key not in self._active:
+            if ignored:
+                everywhere = self._chosen(settings)
+                self._active[key] = without(everywhere, ignored, self.rules(settings))
+            else:
+                self._active[key] = self._chosen(settings)
+        return self._active[key]
+
+    def dispatch(self, settings: Settings, path: Path) -> Dispatch:
+        """The same, as the engine wants it; files with the same rules share it."""
+        key = (settings, settings.ignored_for(path))
+        if key not in self._dispatch:
+            from sdfcheck.lint.engine import Dispatch
+
+            self._dispatch[key] = Dispatch(self.index(settings), self.active(settings, path))
+        return self._dispatch[key]
+
+    def _chosen(self, settings: Settings) -> ActiveRules:
+        rules = self.rules(settings)
+        given = self._choice
+        for selector in (*(given.select or ()), *given.extend_select, *given.ignore):
+            covered(selector, rules)
+        target = settings.target if self._target is None else self._target
+        try:
+            for _, selectors in settings.per_file_ignores:
+                for selector in selectors:
+                    covered(selector, rules)
+            return select(rules, settings.choice, given, severity=settings.severity, targets=target)
+        except UnknownSelector as error:
+            raise settings.misplaced(error.selector, str(error)) from None
+
+    def _loaded(self, settings: Settings) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
+        if settings.plugins not in self._indexes:
+            from sdfcheck.lint.engine import INTERNAL_ERROR
+            from sdfcheck.lint.packs import PackError, load_index
+            from sdfcheck.lint.suppress_rules import FACTS
+
+            try:
+                index = load_index(settings.plugins)
+            except PackError as error:
+                raise WrongUsage(str(error)) from None
+            self._indexes[settings.plugins] = index, (*index.facts, *FACTS, INTERNAL_ERROR)
+        return self._indexes[settings.plugins]

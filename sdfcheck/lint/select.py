@@ -1,0 +1,149 @@
+"""Which rules run, and how severe they are.
+
+A selector is a code (``XYZ001``), a family or the beginning of its codes (``XYZ``,
+``XYZ00``), a name (``name-of-rule``), or ``ALL``. A longer selector beats a shorter one; at equal
+length, ignoring beats selecting. The command line comes after the configuration: its
+``--select`` replaces ``select`` and ``extend-select`` (what the configuration ignores
+stays ignored, unless it is selected by a selector at least as long), its
+``--extend-select`` and ``--ignore`` change what the configuration selected.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+
+ALL = "ALL"
+
+
+class UnknownSelector(WrongUsage):
+    """A selector that names no rule."""
+
+    def __init__(self, selector: str, rules: Sequence[RuleFacts]) -> None:
+        self.selector = selector
+        families = sorted({facts.family for facts in rules})
+        choices = (ALL, *families, *(facts.name for facts in rules), *(facts.code for facts in rules))
+        super().__init__(f"unknown rule `{selector}`{suggestion(selector, choices)}")
+
+
+class Choice(NamedTuple):
+    """What one place (a configuration, the command line) says about rules; ``select`` None: nothing."""
+
+    select: tuple[str, ...] | None = None
+    extend_select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+
+
+SILENT = Choice()
+
+
+class ActiveRules(NamedTuple):
+    """The rules that run on a file, sorted by code.
+
+    ``severities`` holds only what the configuration changed; ``targets`` the readers
+    that were asked for (empty: all). Files with the same rules share one value.
+    """
+
+    facts: tuple[RuleFacts, ...]
+    severities: Mapping[str, Severity]
+    targets: frozenset[str] = frozenset()
+
+    @property
+    def codes(self) -> frozenset[str]:
+        return frozenset(facts.code for facts in self.facts)
+
+
+def covered(selector: str, rules: Sequence[RuleFacts]) -> tuple[int, frozenset[str]]:
+    """How specific a selector is, and the codes that it covers.
+
+    Raises:
+        UnknownSelector: it covers none.
+    """
+    if selector == ALL:
+        return 0, frozenset(facts.code for facts in rules)
+    for facts in rules:
+        if selector in (facts.code, facts.name):
+            return len(facts.code), frozenset((facts.code,))
+    codes = frozenset(f.code for f in rules if selector.startswith(f.family) and f.code.startswith(selector))
+    if not codes:
+        raise UnknownSelector(selector, rules)
+    return len(selector), codes
+
+
+def select(
+    rules: Sequence[RuleFacts],
+    configured: Choice,
+    given: Choice = SILENT,
+    *,
+    severity: Iterable[tuple[str, Severity | None]] = (),
+    targets: Sequence[str] = (),
+) -> ActiveRules:
+    """The rules that a configuration and the command line choose; a severity of None turns a rule off.
+
+    A rule that is off by default runs without being selected if ``targets`` names a
+    reader that it is about. A rule stays if it affects one of the targets, or names no
+    reader at all.
+    """
+    severity = tuple(severity)
+    wanted = frozenset(targets)
+    off = tuple(selector for selector, level in severity if level is None)
+    file = configured._replace(ignore=(*configured.ignore, *off))
+    initial = frozenset(f.code for f in rules if f.default or not wanted.isdisjoint(f.affects))
+    active = _apply(rules, initial, file)
+    carried = file.ignore if given.select is not None else ()
+    active = _apply(rules, active, given._replace(ignore=(*given.ignore, *carried)))
+    chosen = [
+        facts
+        for facts in rules
+        if facts.code in active and (not wanted or not facts.affects or not wanted.isdisjoint(facts.affects))
+    ]
+    chosen.sort(key=lambda facts: facts.code)
+    return ActiveRules(tuple(chosen), _severities(rules, severity), wanted)
+
+
+def without(active: ActiveRules, selectors: Iterable[str], rules: Sequence[RuleFacts]) -> ActiveRules:
+    """The rules less those that the selectors cover, as ``per-file-ignores`` asks."""
+    dropped = frozenset(code for selector in selectors for code in covered(selector, rules)[1])
+    return active._replace(facts=tuple(facts for facts in active.facts if facts.code not in dropped))
+
+
+def check_targets(targets: Iterable[str]) -> None:
+    """Refuse names of readers that nobody has heard of.
+
+    Raises:
+        WrongUsage: there is one.
+    """
+    from sdfcheck.lint.rule import Consumer
+
+    known = tuple(consumer.value for consumer in Consumer)
+    for target in targets:
+        if target not in known:
+            near = suggestion(target, known) or f" (choose from {', '.join(sorted(known))})"
+            raise WrongUsage(f"unknown target `{target}`{near}")
+
+
+def _apply(rules: Sequence[RuleFacts], active: frozenset[str], choice: Choice) -> frozenset[str]:
+    """``active`` as changed by one choice, the least specific selectors first."""
+    chosen = (*(choice.select or ()), *choice.extend_select)
+    steps = [(*covered(selector, rules), True) for selector in chosen]
+    steps += [(*covered(selector, rules), False) for selector in choice.ignore]
+    steps.sort(key=lambda step: (step[0], not step[2]))
+    result = frozenset[str]() if choice.select is not None else active
+    for _, codes, wanted in steps:
+        result = result | codes if wanted else result - codes
+    return result
+
+
+def _severities(
+    rules: Sequence[RuleFacts], severity: Sequence[tuple[str, Severity | None]]
+) -> Mapping[str, Severity]:
+    changed: dict[str, Severity] = {}
+    levels = [(*covered(selector, rules), level) for selector, level in severity]
+    for _, codes, level in sorted(levels, key=lambda item: item[0]):
+        if level is not None:
+            changed.update(dict.fromkeys(codes, level))
+    return changed

@@ -1,0 +1,204 @@
+"""One run: find files, settle what applies to each, lint it, silence what is to be silenced."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from sdfcheck.lint.config import Configuration, Settings
+from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.run import RuleFacts, Run
+from sdfcheck.lint.select import SILENT, Choice
+from sdfcheck.source.discover import DiscoveredFile, Found, discover
+from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.diagnostic import Diagnostic
+
+Progress = Callable[[int, int, Path], None]
+"""Told before each file: how many are done, how many there are, and which comes now."""
+
+
+class Level(Enum):
+    """How much a notice matters; after a FAILURE the run is incomplete (exit code 2)."""
+
+    NOTE = "note"
+    WARNING = "warning"
+    FAILURE = "error"
+
+
+class Notice(NamedTuple):
+    """Something to say about the run that is no diagnostic of a file."""
+
+    level: Level
+    text: str
+
+
+Notify = Callable[[Notice], None]
+
+
+class Options(NamedTuple):
+    """What the caller asks for; the configuration settles the rest.
+
+    ``kind`` is what named files are taken for, whatever they look like. ``stdin`` is a
+    text to lint under the name ``stdin_path``.
+    """
+
+    configuration: Configuration
+    choice: Choice = SILENT
+    target: tuple[str, ...] | None = None
+    force_exclude: bool = False
+    skip_unrelated: bool = False
+    kind: Kind | None = None
+    stdin: bytes | None = None
+    stdin_path: Path = Path("<stdin>")
+
+
+class Selected(NamedTuple):
+    """A file that is to be linted, read."""
+
+    path: Path
+    data: bytes
+    kind: Kind
+
+
+class InternalError(Exception):
+    """A bug met on a file."""
+
+    def __init__(self, path: Path, error: Exception) -> None:
+        super().__init__(f"{path}: {type(error).__name__}: {error}")
+
+
+def run(
+    paths: Sequence[Path],
+    options: Options,
+    *,
+    progress: Progress | None = None,
+    notify: Notify = lambda notice: None,
+) -> Run:
+    """Lint what ``paths`` lead to.
+
+    Raises:
+        WrongUsage: a path does not exist, or the configuration is faulty.
+        InternalError: a bug.
+    """
+    found = find(paths, options)
+    book = RuleBook(options.choice, options.target)
+    skipped = list(found.skipped)
+    files: list[Path] = []
+    diagnostics: list[Diagnostic] = []
+    used: dict[str, RuleFacts] = {}
+    suppressed = 0
+    for file in selected(found, options, skipped, notify=notify, progress=progress):
+        settings = options.configuration.settings_for(file.path)
+        active = book.active(settings, file.path)
+        try:
+            kept, silenced = _lint(file, book, settings)
+        except WrongUsage:
+            raise
+        except Exception as error:
+            raise InternalError(file.path, error) from error
+        files.append(file.path)
+        diagnostics += kept
+        suppressed += silenced
+        used.update((facts.code, facts) for facts in active.facts)
+    diagnostics.sort(key=lambda diagnostic: diagnostic.sort_key)
+    rules = tuple(used[code] for code in sorted(used))
+    return Run(tuple(diagnostics), tuple(files), tuple(sorted(skipped)), suppressed, rules=rules)
+
+
+def find(paths: Sequence[Path], options: Options) -> Found:
+    """The files that ``paths`` and the configuration lead to, not looked into yet."""
+    configuration = options.configuration
+
+    def exclude(path: Path) -> bool:
+        return configuration.settings_for(path).excludes(path)
+
+    here = configuration.settings_in(Path.cwd())
+    found = discover(
+        paths, exclude=exclude, force_exclude=options.force_exclude, respect_gitignore=here.respect_gitignore
+    )
+    if options.stdin is None:
+        return found
+    if options.force_exclude and exclude(options.stdin_path):
+        return found._replace(skipped=(*found.skipped, (options.stdin_path, "excluded by the configuration")))
+    return found._replace(files=(*found.files, DiscoveredFile(options.stdin_path, named=True)))
+
+
+def selected(
+    found: Found,
+    options: Options,
+    skipped: list[tuple[Path, str]],
+    *,
+    notify: Notify = lambda notice: None,
+    progress: Progress | None = None,
+) -> Iterator[Selected]:
+    """Read the files that are worth linting; the others go to ``skipped``, with the reason."""
+    for folder in found.barren:
+        text = f"no SDFormat, URDF, xacro or model.config file in {folder}"
+        notify(Notice(Level.WARNING, text))
+    for number, file in enumerate(found.files):
+        if progress is not None:
+            progress(number, len(found.files), file.path)
+        try:
+            taken = _look(file, options, notify)
+        except OSError as error:
+            reason = f"cannot be read: {error.strerror}"
+            notify(Notice(Level.FAILURE, f"{file.path}: {reason}"))
+            skipped.append((file.path, reason))
+            continue
+        if isinstance(taken, Selected):
+            yield taken
+        else:
+            skipped.append((file.path, f"looks like {taken.description}"))
+
+
+def _look(file: DiscoveredFile, options: Options, notify: Notify) -> Selected | Kind:
+    """The file's content if it is to be linted, else only what it is."""
+    if options.stdin is not None and file.path == options.stdin_path:
+        return _judge(file, options.stdin, options, notify)
+    with file.path.open("rb") as stream:
+        head = stream.read(HEAD)
+        taken = _judge(file, head, options, notify)
+        if len(head) == HEAD and isinstance(taken, Selected):
+            return taken._replace(data=head + stream.read())
+        return taken
+
+
+def _judge(file: DiscoveredFile, head: bytes, options: Options, notify: Notify) -> Selected | Kind:
+    if options.kind is not None and file.named:
+        return Selected(file.path, head, options.kind)
+    kind = sniff(head, file.path)
+    action = treatment(kind, file.path, named=file.named and not options.skip_unrelated)
+    if action is Treatment.LINT:
+        return Selected(file.path, head, kind)
+    if action is not Treatment.SKIP:
+        level = {Treatment.NOTICE: Level.NOTE, Treatment.WARN: Level.WARNING}.get(action, Level.FAILURE)
+        cure = ", fetch it with `git lfs pull`" if kind is Kind.LFS_POINTER else ""
+        notify(Notice(level, f"{file.path}: looks like {kind.description}, not linted{cure}"))
+    return kind
+
+
+def _lint(file: Selected, book: RuleBook, settings: Settings) -> tuple[Sequence[Diagnostic], int]:
+    """The diagnostics of one file, and how many were silenced."""
+    from sdfcheck.lint.engine import lint_source
+
+    # The parser tells what broken XML was meant to be.
+    kind = None if file.kind is Kind.BROKEN_XML else file.kind
+    result = lint_source(file.data, file.path, kind, book.dispatch(settings, file.path))
+    if not result.comments:
+        return result.diagnostics, 0
+    from sdfcheck.lint.suppress import suppressions
+
+    active = book.active(settings, file.path)
+    found = suppressions(result.comments, book.rules(settings))
+    kept, silenced, unused = found.filter(result.diagnostics, active.codes)
+    own = [
+        report._replace(severity=active.severities.get(report.code, report.severity))
+        for report in (*found.malformed, *unused)
+        if report.code in active.codes
+    ]
+    return [*kept, *own], silenced

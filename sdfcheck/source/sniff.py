@@ -1,0 +1,258 @@
+"""What a file is, told from its first bytes.
+
+``.sdf`` is shared with molecules, delay annotations and databases, and ``model.config``
+with anything, so a suffix alone decides nothing.
+"""
+
+from __future__ import annotations
+
+import codecs
+from collections.abc import Mapping
+from enum import Enum
+from pathlib import Path
+
+HEAD = 65536
+"""How many bytes of a file are worth looking at."""
+
+
+class Kind(Enum):
+    """What a file turns out to hold."""
+
+    SDF = "sdf"
+    URDF = "urdf"
+    XACRO = "xacro"
+    MODEL_CONFIG = "model-config"
+    SDF_SPECIFICATION = "sdf-specification"
+    SRDF = "srdf"
+    MJCF = "mjcf"
+    OTHER_XML = "other-xml"
+    BROKEN_XML = "broken-xml"
+    CHEMISTRY = "chemistry"
+    TEMPLATE = "template"
+    LFS_POINTER = "lfs-pointer"
+    BINARY = "binary"
+    EMPTY = "empty"
+    NOT_XML = "not-xml"
+
+    @property
+    def description(self) -> str:
+        """What completes "this looks like …"."""
+        return _DESCRIPTIONS[self]
+
+
+_DESCRIPTIONS: Mapping[Kind, str] = {
+    Kind.SDF: "SDFormat",
+    Kind.URDF: "URDF",
+    Kind.XACRO: "xacro",
+    Kind.MODEL_CONFIG: "a model.config",
+    Kind.SDF_SPECIFICATION: "a part of the SDFormat specification itself",
+    Kind.SRDF: "SRDF (MoveIt semantics)",
+    Kind.MJCF: "MJCF (MuJoCo)",
+    Kind.OTHER_XML: "XML of another kind",
+    Kind.BROKEN_XML: "broken XML",
+    Kind.CHEMISTRY: "a chemical structure-data file",
+    Kind.TEMPLATE: "a template that is not rendered yet",
+    Kind.LFS_POINTER: "a Git LFS pointer",
+    Kind.BINARY: "binary content",
+    Kind.EMPTY: "an empty file",
+    Kind.NOT_XML: "no XML",
+}
+
+
+class Treatment(Enum):
+    """What becomes of a file.
+
+    LINT: lint it; what is no robot description at all gets a diagnostic. SKIP: say
+    nothing. NOTICE: say that it was not linted, and go on. WARN: the same, and that
+    something should be done about it. REFUSE: report a failure of the run.
+    """
+
+    LINT = "lint"
+    SKIP = "skip"
+    NOTICE = "notice"
+    WARN = "warn"
+    REFUSE = "refuse"
+
+
+_TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
+    Kind.SDF: (Treatment.LINT, Treatment.LINT),
+    Kind.URDF: (Treatment.LINT, Treatment.LINT),
+    Kind.XACRO: (Treatment.LINT, Treatment.LINT),
+    Kind.MODEL_CONFIG: (Treatment.LINT, Treatment.LINT),
+    Kind.SDF_SPECIFICATION: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.SRDF: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.MJCF: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.OTHER_XML: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.BROKEN_XML: (Treatment.LINT, Treatment.LINT),
+    Kind.CHEMISTRY: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.TEMPLATE: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.LFS_POINTER: (Treatment.WARN, Treatment.WARN),
+    Kind.BINARY: (Treatment.SKIP, Treatment.REFUSE),
+    Kind.EMPTY: (Treatment.LINT, Treatment.LINT),
+    Kind.NOT_XML: (Treatment.SKIP, Treatment.LINT),
+}
+"""Kind → what happens in a walk, and what happens to a file that was named."""
+
+# Nothing but robot descriptions goes by these suffixes, so content without XML is a mistake.
+_UNSHARED_SUFFIXES = frozenset({".urdf", ".world", ".xacro"})
+_TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
+
+_WIDE_MARKS = (
+    (codecs.BOM_UTF8, "utf-8"),
+    (codecs.BOM_UTF32_LE, "utf-32"),
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+    (b"<\0", "utf-16-le"),
+    (b"\0<", "utf-16-be"),
+)
+_LFS = "version https://git-lfs.github.com/spec/"
+_NAME_END = frozenset(" \t\r\n/>")
+_ROOTS = {
+    "sdf": Kind.SDF,
+    "robot": Kind.URDF,
+    "element": Kind.SDF_SPECIFICATION,
+    "mujoco": Kind.MJCF,
+    "mujocoinclude": Kind.MJCF,
+}
+_ROBOT_TAGS = ("<sdf", "<robot", "<world", "<model")
+_SRDF_TAGS = ("<disable_collisions", "<group_state", "<virtual_joint", "<disable_default_collisions")
+_TEMPLATE_TAGS = ("<%", "{% ", "{%-")
+_TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
+
+
+def treatment(kind: Kind, path: Path, *, named: bool) -> Treatment:
+    """What becomes of a file of this kind that was found in a walk, or named by a person."""
+    if kind is Kind.NOT_XML and path.suffix.lower() in _UNSHARED_SUFFIXES:
+        return Treatment.LINT
+    return _TREATMENTS[kind][named]
+
+
+def sniff(head: bytes, path: Path) -> Kind:
+    """What the file at ``path`` holds, judged by its first bytes (at most :data:`HEAD` are looked at)."""
+    text = _text(head[:HEAD])
+    start = _content_start(text)
+    if text.startswith("<", start):
+        return _sniff_xml(text, start, path)
+    content = text.strip("\0 \t\r\n\ufeff")
+    if not content:
+        return Kind.EMPTY
+    if content.startswith(_LFS):
+        return Kind.LFS_POINTER
+    if "\0" in text or _is_garbled(text[:4096]):
+        return Kind.BINARY
+    if _is_chemistry(text):
+        return Kind.CHEMISTRY
+    if _is_template(text, path):
+        return Kind.TEMPLATE
+    if content.startswith("<") or any(tag in text for tag in _ROBOT_TAGS):
+        return Kind.BROKEN_XML
+    return Kind.NOT_XML
+
+
+def _text(head: bytes) -> str:
+    """The head as text; Latin-1 keeps every ASCII character, and names here are ASCII."""
+    for mark, encoding in _WIDE_MARKS:
+        if head.startswith(mark):
+            return head.decode(encoding, "replace").lstrip("\ufeff")
+    return head.decode("latin-1")
+
+
+def _content_start(text: str) -> int:
+    """Where the root element should start: behind blanks, declarations and comments."""
+    place = 0
+    while True:
+        while place < len(text) and text[place] in " \t\r\n":
+            place += 1
+        if text.startswith("<!--", place):
+            end = text.find("-->", place + 4) + 3
+        elif text.startswith("<?", place):
+            end = text.find("?>", place + 2) + 2
+        elif text.startswith("<!DOCTYPE", place):
+            end = _doctype_end(text, place)
+        else:
+            return place
+        if end <= place:
+            return len(text)
+        place = end
+
+
+def _doctype_end(text: str, place: int) -> int:
+    """Just behind a document type, whose internal subset may hold angle brackets; 0 if it never ends."""
+    close = text.find(">", place) + 1
+    subset = text.find("[", place, close) if close else -1
+    if subset < 0:
+        return close
+    end = text.find("]", subset) + 1
+    return text.find(">", end) + 1 if end else 0
+
+
+def _sniff_xml(text: str, start: int, path: Path) -> Kind:
+    if _is_template(text, path):
+        return Kind.TEMPLATE
+    name = _tag_name(text, start)
+    if not name:
+        broken = any(tag in text for tag in _ROBOT_TAGS)
+        return Kind.BROKEN_XML if broken else Kind.NOT_XML
+    suffixes = [suffix.lower() for suffix in path.suffixes[-2:]]
+    suffix = suffixes[-1] if suffixes else ""
+    if name == "robot" and (".srdf" in suffixes or _holds(text, _SRDF_TAGS)):
+        return Kind.SRDF
+    if suffix == ".xacro" or _holds(text, ("<xacro:",)):
+        return Kind.XACRO
+    if name in _ROOTS:
+        return _ROOTS[name]
+    if name == "model" and ("<sdf" in text or path.name.lower() == "model.config"):
+        return Kind.MODEL_CONFIG
+    forgotten_root = name in {"model", "world"} and suffix in {".sdf", ".world"}
+    # The root of SDFormat 1.0 to 1.2.
+    old_root = name == "gazebo" and "version" in text[start : text.find(">", start)]
+    return Kind.SDF if forgotten_root or old_root else Kind.OTHER_XML
+
+
+def _tag_name(text: str, start: int) -> str:
+    """The name of the tag that starts there; empty if it is none."""
+    end = start + 1
+    while end < len(text) and text[end] not in _NAME_END:
+        end += 1
+    name = text[start + 1 : end]
+    return name if name.replace(":", "_").replace("-", "_").replace(".", "_").isidentifier() else ""
+
+
+def _holds(text: str, words: tuple[str, ...]) -> bool:
+    """Whether one of the words stands in the text outside of comments."""
+    found = [word for word in words if word in text]
+    if not found:
+        return False
+    bare = _without_comments(text)
+    return any(word in bare for word in found)
+
+
+def _without_comments(text: str) -> str:
+    pieces = []
+    place = 0
+    while (start := text.find("<!--", place)) >= 0:
+        pieces.append(text[place:start])
+        place = text.find("-->", start + 4) + 3
+        if place < 3:
+            return "".join(pieces)
+    pieces.append(text[place:])
+    return "".join(pieces)
+
+
+def _is_template(text: str, path: Path) -> bool:
+    """Whether template code is left; most of its marks count only if the file's name says template."""
+    marks = _TEMPLATE_MARKS if path.suffix.lower() in _TEMPLATE_SUFFIXES else _TEMPLATE_TAGS
+    return _holds(text, marks)
+
+
+def _is_chemistry(text: str) -> bool:
+    lines = text.splitlines()
+    return (len(lines) > 3 and lines[3].rstrip().endswith(("V2000", "V3000"))) or any(
+        line.startswith(("M  END", "$$$$")) for line in lines
+    )
+
+
+def _is_garbled(sample: str) -> bool:
+    controls = sum(character < "\t" or "\r" < character < " " for character in sample)
+    return controls > len(sample) // 10

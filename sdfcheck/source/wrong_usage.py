@@ -1,0 +1,19 @@
+"""The exception for what a person has to change before anything can run."""
+
+from __future__ import annotations
+
+
+class WrongUsage(Exception):
+    """A run cannot start: a path is missing, a configuration or an option is wrong (exit code 2).
+
+    The message is one line that says what, and where it helps, what to write instead.
+    """
+
+
+def suggestion(word: str, choices: tuple[str, ...]) -> str:
+    """``, did you mean `x`?`` for the nearest choice, or nothing."""
+    import difflib
+
+    by_fold = {choice.casefold(): choice for choice in choices}
+    near = difflib.get_close_matches(word.casefold(), by_fold, n=1)
+    return f", did you mean `{by_fold[near[0]]}`?" if near else ""

@@ -1,0 +1,79 @@
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from sdfcheck import __version__
+from sdfcheck.cli.main import COMMANDS, main
+
+HEAVY = {
+    "argparse",
+    "dataclasses",
+    "difflib",
+    "json",
+    "logging",
+    "numpy",
+    "pathspec",
+    "rich",
+    "subprocess",
+    "tomllib",
+    "xacro",
+}
+
+
+def python(code: str) -> set[str]:
+    """The words that a fresh interpreter prints."""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
+def test_the_version_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"sdfcheck {__version__}\n"
+
+
+def test_every_command_is_listed_and_can_be_loaded(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--help"]) == 0
+    listed = capsys.readouterr().out
+    for name, lazy in COMMANDS.items():
+        assert lazy.load().name == name
+        assert f"  {name}" in listed
+        assert lazy.summary in listed
+
+
+def test_help_imports_no_command() -> None:
+    loaded = python(
+        "import sys, click\n"
+        "from sdfcheck.cli.main import main\n"
+        "assert main(['--help']) == 0\n"
+        "print(*sys.modules)"
+    )
+    assert not {lazy.place.partition(":")[0] for lazy in COMMANDS.values()} & loaded
+    assert "sdfcheck.lint.session" not in loaded
+
+
+def test_linting_a_clean_file_imports_nothing_heavy(tmp_path: Path) -> None:
+    file = tmp_path / "a.sdf"
+    file.write_text('<sdf version="1.9"><model name="m"><link name="l"/></model></sdf>')
+    command = f"['lint', '--isolated', '--select', 'INT', '--output-format', 'concise', {str(file)!r}]"
+    ground = "import sys, click, json, lxml.etree; before = set(sys.modules)\n"
+    loaded = python(
+        f"{ground}from sdfcheck.cli.main import main\nassert main({command}) == 0\n"
+        "print(*(set(sys.modules) - before))"
+    )
+    assert "sdfcheck.lint.session" in loaded
+    assert not HEAVY & loaded
+
+
+def test_a_reader_that_leaves_is_no_error(tmp_path: Path) -> None:
+    python = sys.executable
+    done = subprocess.run(
+        f"{python} -m sdfcheck rules --isolated | {python} -c 'pass'; exit ${{PIPESTATUS[0]}}",
+        shell=True,
+        executable="/bin/bash",
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")

@@ -1,0 +1,101 @@
+import json
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+
+SHAPE = """
+from sdfcheck import Bad, Good, Rule, Severity
+
+
+class OddFlaw(Rule):
+    '''A flaw is ``odd``.
+
+    It matters.
+    '''
+
+    code = "XYZ001"
+    name = "odd-flaw"
+    severity = Severity.WARNING
+    selects = ("sdf:model",)
+    bad = (Bad("<model «odd»/>", fixed="<model/>"), Bad("<a/>"))
+    good = (Good("<model/>", why="even"),)
+"""
+
+
+@pytest.fixture(autouse=True)
+def pack(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("FORCE_COLOR", raising=False)
+    folder = tmp_path / f"pack_{tmp_path.name}"
+    folder.mkdir()
+    (folder / "odd_flaw.py").write_text(SHAPE)
+    Path("sdfcheck.toml").write_text(f'plugins = ["{folder.name}"]')
+
+
+def told(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    assert main(arguments) == 0
+    return capsys.readouterr().out
+
+
+def test_rules_are_listed_with_those_of_plugins_and_the_engine(capsys: pytest.CaptureFixture[str]) -> None:
+    lines = told(capsys, "rules").splitlines()
+    codes = [line.split()[0] for line in lines]
+    assert codes == sorted(codes)
+    assert {"XYZ001", "SUP001", "SUP002", "INT001"} <= set(codes)
+    (line,) = (line for line in lines if line.startswith("XYZ001"))
+    assert line.split() == ["XYZ001", "odd-flaw", "warning", "safe", "fix", "A", "flaw", "is", "`odd`."]
+    assert "XYZ001" not in told(capsys, "rules", "--isolated")
+
+
+def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixture[str]) -> None:
+    listed = json.loads(told(capsys, "rules", "XYZ", "--output-format", "json"))
+    assert listed["version"] == 1
+    assert listed["rules"] == [
+        {
+            "code": "XYZ001",
+            "name": "odd-flaw",
+            "family": "XYZ",
+            "severity": "warning",
+            "summary": "A flaw is `odd`.",
+            "fix": "safe",
+            "default": True,
+            "affects": {},
+        }
+    ]
+
+
+@pytest.mark.parametrize("selector", ["XYZ001", "odd-flaw", "XYZ"])
+def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) -> None:
+    text = told(capsys, "rule", selector)
+    assert text.startswith("# odd-flaw (XYZ001)\n\n*warning, safe fix*\n\nA flaw is `odd`.\n\nIt matters.\n")
+    assert "```xml\n<model odd/>\n```\n\nFixed:\n\n```xml\n<model/>\n```" in text
+    assert "even:\n\n```xml" in text
+    assert "<!-- sdfcheck: ignore[odd-flaw] reason -->" in text
+
+
+def test_an_explanation_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
+    (page,) = json.loads(told(capsys, "rule", "odd-flaw", "--output-format", "json"))["rules"]
+    assert page["documentation"] == "A flaw is `odd`.\n\nIt matters."
+    assert page["bad"] == [{"text": "<model odd/>", "fixed": "<model/>"}, {"text": "<a/>", "fixed": None}]
+    assert page["good"] == [{"text": "<model/>", "why": "even"}]
+
+
+def test_a_terminal_gets_a_laid_out_page(capsys: pytest.CaptureFixture[str]) -> None:
+    text = told(capsys, "rule", "odd-flaw", "--color", "always")
+    assert "\x1b[" in text
+    assert "```" not in text
+
+
+def test_the_engines_own_rules_are_explained(capsys: pytest.CaptureFixture[str]) -> None:
+    text = told(capsys, "rule", "SUP001", "INT001")
+    assert "# unused-suppression (SUP001)" in text
+    assert "# internal-error (INT001)" in text
+    assert "Silencing" not in text
+
+
+def test_an_unknown_rule_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rule", "od-flaw"]) == 2
+    assert capsys.readouterr().err == "error: unknown rule `od-flaw`, did you mean `odd-flaw`?\n"
+    assert main(["rule"]) == 2

@@ -1,0 +1,117 @@
+import pytest
+
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.select import SILENT, Choice, UnknownSelector, check_targets, covered, select, without
+from sdfcheck.source.wrong_usage import WrongUsage
+
+
+def rule(code: str, name: str, *, default: bool = True, affects: tuple[str, ...] = ()) -> RuleFacts:
+    family = code.rstrip("0123456789")
+    effects = dict.fromkeys(affects, "complains")
+    return RuleFacts(code, name, family, Severity.ERROR, "", "", default, (), (), effects, "")
+
+
+RULES = (
+    rule("AAA001", "first-flaw"),
+    rule("AAA002", "second-flaw", affects=("gazebo", "drake")),
+    rule("AAA011", "third-flaw"),
+    rule("AA001", "short-family"),
+    rule("BBB001", "quiet-flaw", default=False),
+    rule("BBB002", "classic-flaw", default=False, affects=("gazebo",)),
+)
+DEFAULT = {"AAA001", "AAA002", "AAA011", "AA001"}
+
+
+@pytest.mark.parametrize(
+    ("selector", "codes"),
+    [
+        ("AAA011", {"AAA011"}),
+        ("third-flaw", {"AAA011"}),
+        ("AAA", {"AAA001", "AAA002", "AAA011"}),
+        ("AAA00", {"AAA001", "AAA002"}),
+        ("AA", {"AA001"}),
+        ("ALL", {facts.code for facts in RULES}),
+    ],
+)
+def test_selectors_cover(selector: str, codes: set[str]) -> None:
+    assert covered(selector, RULES)[1] == codes
+
+
+@pytest.mark.parametrize("selector", ["A", "AAA9", "aaa", "AAA0011", "", "flaw"])
+def test_unknown_selectors_are_refused(selector: str) -> None:
+    with pytest.raises(UnknownSelector, match=f"unknown rule `{selector}`"):
+        covered(selector, RULES)
+
+
+@pytest.mark.parametrize(
+    ("selector", "meant"),
+    [("aaa011", "AAA011"), ("thrid-flaw", "third-flaw"), ("AAA111", "AAA011"), ("all", "ALL")],
+)
+def test_unknown_selectors_suggest_a_near_one(selector: str, meant: str) -> None:
+    with pytest.raises(UnknownSelector, match=f"did you mean `{meant}`"):
+        covered(selector, RULES)
+
+
+@pytest.mark.parametrize(
+    ("configured", "given", "codes"),
+    [
+        (SILENT, SILENT, DEFAULT),
+        (Choice(select=("AAA",)), SILENT, {"AAA001", "AAA002", "AAA011"}),
+        (Choice(select=()), SILENT, set()),
+        (Choice(extend_select=("BBB001",)), SILENT, DEFAULT | {"BBB001"}),
+        (Choice(select=("ALL",), ignore=("AAA", "BBB")), SILENT, {"AA001"}),
+        (Choice(select=("AAA011",), ignore=("AAA",)), SILENT, {"AAA011"}),
+        (Choice(select=("AAA",), ignore=("third-flaw",)), SILENT, {"AAA001", "AAA002"}),
+        (Choice(select=("AAA011",), ignore=("AAA011",)), SILENT, set()),
+        (Choice(select=("AAA",)), Choice(select=("BBB001",)), {"BBB001"}),
+        (Choice(select=("AAA011",)), Choice(ignore=("AAA",)), set()),
+        (
+            Choice(select=("AAA",)),
+            Choice(extend_select=("BBB001",)),
+            {"AAA001", "AAA002", "AAA011", "BBB001"},
+        ),
+        (Choice(ignore=("AAA011",)), Choice(select=("AAA",)), {"AAA001", "AAA002"}),
+        (Choice(ignore=("AAA",)), Choice(select=("AAA011",)), {"AAA011"}),
+        (Choice(ignore=("AAA011",)), Choice(extend_select=("AAA011",)), DEFAULT),
+    ],
+)
+def test_longer_selectors_and_the_command_line_win(
+    configured: Choice, given: Choice, codes: set[str]
+) -> None:
+    assert select(RULES, configured, given).codes == codes
+
+
+def test_severities_follow_the_longest_selector_and_may_turn_off() -> None:
+    active = select(
+        RULES,
+        SILENT,
+        severity=[("AAA011", Severity.INFO), ("AAA", Severity.WARNING), ("second-flaw", None)],
+    )
+    assert active.severities["AAA011"] is Severity.INFO
+    assert active.severities["AAA001"] is Severity.WARNING
+    assert "AAA002" not in active.codes
+
+
+def test_targets_keep_rules_about_them_or_about_nobody() -> None:
+    assert select(RULES, SILENT, targets=["drake"]).codes == DEFAULT
+    assert select(RULES, SILENT, targets=["mujoco"]).codes == DEFAULT - {"AAA002"}
+
+
+def test_a_target_turns_on_the_rules_that_wait_for_it() -> None:
+    assert select(RULES, SILENT, targets=["gazebo", "mujoco"]).codes == DEFAULT | {"BBB002"}
+    assert select(RULES, Choice(ignore=("BBB002",)), targets=["gazebo"]).codes == DEFAULT
+
+
+def test_unknown_targets_are_refused() -> None:
+    check_targets(["gazebo", "drake", "urdfdom", "mujoco"])
+    with pytest.raises(WrongUsage, match="unknown target `gazbo`, did you mean `gazebo`"):
+        check_targets(["gazbo"])
+    with pytest.raises(WrongUsage, match="choose from drake, gazebo"):
+        check_targets(["zzz"])
+
+
+def test_files_can_do_without_rules() -> None:
+    active = without(select(RULES, SILENT), ["AAA00", "third-flaw"], RULES)
+    assert active.codes == {"AA001"}
+    assert [facts.code for facts in select(RULES, SILENT).facts] == sorted(DEFAULT)
