@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Severity
-from tests.peers.findings import SHARED, Finding, Linter
+from tests.peers.findings import SHARED, Finding, findings
 
 FOLDER = SHARED / "peer-cases"
 CATALOGUE = SHARED / "facts" / "libsdformat" / "catalogue.json"
@@ -94,8 +94,7 @@ def _groups() -> dict[str, set[str]]:
 
 
 def outcomes(families: Sequence[str] = ()) -> list[Outcome]:
-    linter = Linter()
-    return [Outcome(case, linter.findings(case.path)) for case in cases(families)]
+    return [Outcome(case, findings(case.path)) for case in cases(families)]
 
 
 def show(found: Sequence[Outcome], *, everything: bool = False) -> Iterator[str]:

@@ -6,17 +6,20 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from sdfcheck.lint.config import Configuration
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.engine import Dispatch, lint_source
-from sdfcheck.lint.packs import load_index
-from sdfcheck.lint.select import SILENT, select
+from sdfcheck.lint.session import InternalError, Level, Notice, Options, run
 
 SHARED = Path(__file__).parents[3] / "shared"
 """Real files and the verdicts of other readers; absent outside the workshop."""
 
+NOT_RUN, CRASHED = "(not run)", "(crashed)"
+"""What stands for a code where no rule has spoken."""
+
 
 class Finding(NamedTuple):
     code: str
+    name: str
     severity: Severity
     line: int
     message: str
@@ -26,20 +29,17 @@ class Finding(NamedTuple):
         return self.code.rstrip("0123456789")
 
 
-class Linter:
-    """Lints files one by one with the default rules, or those of some families."""
+def findings(path: Path, families: Sequence[str] = ()) -> list[Finding]:
+    """The findings of the default rules in one file, or of those of some families."""
+    failures: list[Finding] = []
 
-    def __init__(self, families: Sequence[str] = ()) -> None:
-        index = load_index()
-        self._families = frozenset(families)
-        self._dispatch = Dispatch(index, select(index.facts, SILENT))
+    def notify(notice: Notice) -> None:
+        if notice.level is Level.FAILURE:
+            failures.append(Finding(NOT_RUN, NOT_RUN, Severity.ERROR, 1, notice.text))
 
-    def findings(self, path: Path) -> list[Finding]:
-        result = lint_source(path.read_bytes(), path, None, self._dispatch)
-        found = [
-            Finding(d.code, d.severity, d.span.begin.line, d.message) for d in result.diagnostics if d.code
-        ]
-        return [finding for finding in found if not self._families or finding.family in self._families]
-
-    def errors(self, path: Path) -> list[Finding]:
-        return [finding for finding in self.findings(path) if finding.severity is Severity.ERROR]
+    try:
+        done = run([path], Options(Configuration(isolated=True)), notify=notify)
+    except InternalError as error:
+        return [Finding(CRASHED, CRASHED, Severity.ERROR, 1, str(error))]
+    found = [Finding(d.code, d.name, d.severity, d.span.begin.line, d.message) for d in done.diagnostics]
+    return failures + [finding for finding in found if not families or finding.family in families]

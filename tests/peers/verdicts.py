@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Severity
-from tests.peers.findings import SHARED, Finding, Linter
+from tests.peers.findings import SHARED, Finding, findings
 
 CORPUS = SHARED / "corpus"
 
@@ -56,8 +56,7 @@ def verdicts(reader: str = "libsdformat", kind: str = "sdf") -> Iterator[Verdict
 
 
 def compare(reader: str = "libsdformat", kind: str = "sdf", families: Sequence[str] = ()) -> list[Comparison]:
-    linter = Linter(families)
-    return [Comparison(verdict, linter.findings(verdict.path)) for verdict in verdicts(reader, kind)]
+    return [Comparison(verdict, findings(verdict.path, families)) for verdict in verdicts(reader, kind)]
 
 
 def show(comparisons: Sequence[Comparison], *, everything: bool = False) -> Iterator[str]:

@@ -1,0 +1,51 @@
+"""A clean file costs no more than it must: what its run does not need is not imported."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROBOTS = Path(__file__).parents[1] / "fixtures" / "robots"
+HEAVY = (
+    "dataclasses",
+    "difflib",
+    "numpy",
+    "pathspec",
+    "rich",
+    "subprocess",
+    "tomllib",
+    "xacro",
+    "yaml",
+    "yourdfpy",
+)
+PROBE = f"""
+import sys
+from sdfcheck.cli.main import main
+code = main(sys.argv[1:])
+print("loaded", code, *(name for name in {HEAVY} if name in sys.modules))
+"""
+
+
+def loaded(*arguments: str) -> str:
+    command = [sys.executable, "-c", PROBE, *arguments]
+    child = subprocess.run(command, capture_output=True, text=True, check=True, stdin=subprocess.DEVNULL)
+    return child.stdout.splitlines()[-1]
+
+
+@pytest.mark.parametrize("output_format", ["concise", "full"])
+@pytest.mark.parametrize(
+    "file", ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "diff_drive/model.config"]
+)
+def test_a_clean_file_loads_nothing_heavy(file: str, output_format: str) -> None:
+    report = loaded("lint", "--isolated", "--output-format", output_format, str(ROBOTS / file))
+    assert report == "loaded 0"
+
+
+def test_the_probe_sees_what_is_loaded() -> None:
+    report = loaded(
+        "lint", "--config", str(ROBOTS / "sdfcheck.toml"), str(ROBOTS / "diff_drive" / "model.sdf")
+    )
+    assert "tomllib" in report or sys.version_info < (3, 11)
