@@ -15,7 +15,7 @@ TOOLS := $(VENV)/.installed-dev
 .PHONY: demo test check layers format format-check lint types generate generated golden bench clean
 
 demo: $(RUNTIME)
-	$(BIN)/sdfcheck lint --isolated --exit-zero fixtures/robots
+	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
 
 test: $(TOOLS)
 	$(BIN)/python -m pytest
