@@ -52,7 +52,9 @@ class Settings(NamedTuple):
         return Choice(self.select, self.extend_select, self.ignore)
 
     def excludes(self, path: Path) -> bool:
-        return any(pattern.matches(path) for pattern in self.exclude)
+        """Whether ``exclude`` names a file; the last pattern with an opinion decides."""
+        verdicts = (pattern.verdict(path) for pattern in reversed(self.exclude))
+        return next((verdict for verdict in verdicts if verdict is not None), False)
 
     def ignored_for(self, path: Path) -> tuple[str, ...]:
         """The selectors that ``per-file-ignores`` has for a file."""

@@ -7,28 +7,27 @@ import re
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from sdfcheck.lint.config_fields import FIELDS, Field, Shape
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
-
-if TYPE_CHECKING:
-    from pathspec import GitIgnoreSpec
 
 ArgumentSet = tuple[tuple[str, str], ...]
 """Names and values of xacro arguments."""
 
 
 class Pattern:
-    """A pattern as in a ``.gitignore`` that lies in ``root``."""
+    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is none."""
 
     __slots__ = ("_spec", "glob", "root")
 
     def __init__(self, root: Path, glob: str) -> None:
+        from pathspec import GitIgnoreSpec
+
         self.root = root
         self.glob = glob
-        self._spec: GitIgnoreSpec | None = None
+        self._spec = GitIgnoreSpec.from_lines([glob])
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Pattern) and (self.root, self.glob) == (other.root, other.glob)
@@ -41,12 +40,12 @@ class Pattern:
 
     def matches(self, path: Path) -> bool:
         """Whether the pattern holds for a file, or for a folder above it."""
-        if self._spec is None:
-            from pathspec import GitIgnoreSpec
+        return bool(self.verdict(path))
 
-            self._spec = GitIgnoreSpec.from_lines([self.glob])
+    def verdict(self, path: Path) -> bool | None:
+        """The same, but False if a pattern with ``!`` holds, and None if none does."""
         relative = os.path.relpath(path, self.root).replace(os.sep, "/")
-        return not relative.startswith("../") and self._spec.match_file(relative)
+        return None if relative.startswith("../") else self._spec.check_file(relative).include
 
 
 class ConfigFile(NamedTuple):
@@ -139,7 +138,14 @@ def _targets(file: ConfigFile, field: Field, value: object) -> tuple[str, ...]:
 
 
 def _patterns(file: ConfigFile, field: Field, value: object) -> tuple[Pattern, ...]:
-    return tuple(Pattern(file.root, glob) for glob in _strings(file, field, value))
+    return tuple(_pattern(file, field, glob) for glob in _strings(file, field, value))
+
+
+def _pattern(file: ConfigFile, field: Field, glob: str) -> Pattern:
+    try:
+        return Pattern(file.root, glob)
+    except ValueError:
+        raise file.error(f"`{glob}` is no pattern", field.key, glob) from None
 
 
 def _path(file: ConfigFile, field: Field, value: object, *keys: str) -> Path:
@@ -181,7 +187,7 @@ def _severities(file: ConfigFile, field: Field, value: object) -> tuple[tuple[st
 
 def _ignores(file: ConfigFile, field: Field, value: object) -> tuple[tuple[Pattern, tuple[str, ...]], ...]:
     return tuple(
-        (Pattern(file.root, glob), _strings(file, field, selectors, glob))
+        (_pattern(file, field, glob), _strings(file, field, selectors, glob))
         for glob, selectors in _table(file, field, value).items()
     )
 
@@ -198,7 +204,7 @@ def _arguments(
     for glob, given in _table(file, field, value).items():
         tables = given if isinstance(given, list) else [given]
         sets = tuple(_argument_set(file, field, table, glob) for table in tables)
-        read.append((Pattern(file.root, glob), sets))
+        read.append((_pattern(file, field, glob), sets))
     return tuple(read)
 
 

@@ -55,7 +55,24 @@ class Ignores:
             lines = (folder / name).read_text("utf-8", "replace").splitlines()
         except OSError:
             return self
-        from pathspec import GitIgnoreSpec
+        return Ignores((*self._layers, (os.path.abspath(folder), _compile(lines))))
 
-        layer = (os.path.abspath(folder), GitIgnoreSpec.from_lines(lines))
-        return Ignores((*self._layers, layer))
+
+def _compile(lines: list[str]) -> GitIgnoreSpec:
+    """The patterns; like git, pass over lines that are none."""
+    from pathspec import GitIgnoreSpec
+
+    try:
+        return GitIgnoreSpec.from_lines(lines)
+    except ValueError:
+        return GitIgnoreSpec.from_lines([line for line in lines if _is_pattern(line)])
+
+
+def _is_pattern(line: str) -> bool:
+    from pathspec import GitIgnoreSpec
+
+    try:
+        GitIgnoreSpec.from_lines([line])
+    except ValueError:
+        return False
+    return True

@@ -164,6 +164,7 @@ def test_extending_in_a_circle_is_refused(tmp_path: Path) -> None:
         ("[packages]\nx = 3", ":2: `x` of `packages` should be a path"),
         ('[xacro]\n"a.xacro" = 3', ":2: `a.xacro` of `xacro` should be a table of texts"),
         ('target = ["gazbo"]', ":1: unknown target `gazbo`, did you mean `gazebo`?"),
+        ('exclude = [\n  "a",\n  "!",\n]', ":3: `!` is no pattern"),
         ("extend = 3", ":1: `extend` should be a path"),
         ('\n\nextend = "gone.toml"', ":3: no such file: "),
         ("a = 1\nb =\n", ":2: invalid value"),
@@ -222,6 +223,12 @@ def test_what_settings_say_about_a_file(tmp_path: Path) -> None:
     assert settings.ignored_for(tmp_path / "x.sdf") == ()
     assert settings.arguments_for(tmp_path / "hand.xacro") == ((("side", "left"),), (("side", "right"),))
     assert settings.arguments_for(tmp_path / "foot.xacro") == ()
+
+
+def test_an_exclusion_can_be_taken_back(tmp_path: Path) -> None:
+    settings = load(write(tmp_path / "sdfcheck.toml", 'exclude = ["a/", "!a/b.sdf"]'))
+    assert settings.excludes(tmp_path / "a/c.sdf")
+    assert not settings.excludes(tmp_path / "a/b.sdf")
 
 
 def test_the_schema_knows_every_key() -> None:

@@ -57,7 +57,7 @@ def test_suffixes_count_in_any_case(tree: Path) -> None:
 
 def test_ignore_files_are_read_at_every_level(tree: Path) -> None:
     plant(tree, "a.sdf", "out/b.sdf", "sub/c.sdf", "sub/d.sdf", "sub/deep/c.sdf", "keep.tmp.sdf", "x.tmp.sdf")
-    (tree / ".gitignore").write_text("/out/\n*.tmp.sdf\n!keep.tmp.sdf\n")
+    (tree / ".gitignore").write_text("!\n/out/\n*.tmp.sdf\n!keep.tmp.sdf\n")
     (tree / "sub" / ".gitignore").write_text("/c.sdf\n")
     assert names(tree) == ["a.sdf", "keep.tmp.sdf", "sub/d.sdf", "sub/deep/c.sdf"]
     assert "out/b.sdf" in names(tree, respect_gitignore=False)
