@@ -1,0 +1,86 @@
+"""Rotations and transforms as plain numpy arrays.
+
+A transform is a 4×4 array that takes points of the inner frame to the outer one.
+Angles are in radians; roll, pitch and yaw are turns about fixed x, y and z axes, in
+that order, as SDFormat and URDF have them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+_POLE = 1e-9
+"""Below this cosine of the pitch, roll and yaw turn about one axis and only their sum can be told."""
+
+
+def from_rpy(roll: float, pitch: float, yaw: float) -> Array:
+    """The 3×3 rotation of roll, pitch, yaw (rad)."""
+    cr, sr = math.cos(roll), math.sin(roll)
+    cp, sp = math.cos(pitch), math.sin(pitch)
+    cy, sy = math.cos(yaw), math.sin(yaw)
+    return np.array(
+        [
+            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+            [-sp, cp * sr, cp * cr],
+        ]
+    )
+
+
+def to_rpy(rotation: Array) -> tuple[float, float, float]:
+    """Roll, pitch, yaw (rad) of a 3×3 rotation; exact up to the poles, where the yaw is 0."""
+    across = math.hypot(rotation[0, 0], rotation[1, 0])
+    pitch = math.atan2(-rotation[2, 0], across)
+    if across < _POLE:
+        return math.atan2(-rotation[1, 2], rotation[1, 1]), pitch, 0.0
+    roll = math.atan2(rotation[2, 1], rotation[2, 2])
+    return roll, pitch, math.atan2(rotation[1, 0], rotation[0, 0])
+
+
+def from_quaternion(x: float, y: float, z: float, w: float) -> Array:
+    """The 3×3 rotation of a quaternion, normalised first; of the zero quaternion, no rotation."""
+    norm = math.sqrt(x * x + y * y + z * z + w * w)
+    if norm == 0:
+        return np.eye(3)
+    x, y, z, w = x / norm, y / norm, z / norm, w / norm
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def about_axis(axis: Sequence[float] | Array, angle: float) -> Array:
+    """The 3×3 rotation by an angle (rad) about an axis of unit length."""
+    half = math.sin(angle / 2)
+    return from_quaternion(axis[0] * half, axis[1] * half, axis[2] * half, math.cos(angle / 2))
+
+
+def transform(rotation: Array, position: Sequence[float] | Array) -> Array:
+    """The 4×4 transform of a rotation and a position (m)."""
+    result = np.eye(4)
+    result[:3, :3] = rotation
+    result[:3, 3] = position
+    return result
+
+
+def inverse(of: Array) -> Array:
+    """The inverse of a 4×4 transform."""
+    result = np.eye(4)
+    result[:3, :3] = of[:3, :3].T
+    result[:3, 3] = -of[:3, :3].T @ of[:3, 3]
+    return result
+
+
+def angle_between(a: Array, b: Array) -> float:
+    """The angle (rad) between two 3×3 rotations, precise also where it is tiny."""
+    chord = float(np.linalg.norm(a - b)) / (2 * math.sqrt(2))
+    return 2 * math.asin(min(1.0, chord))
