@@ -1,0 +1,39 @@
+"""Reports: one module per format, each with a ``render`` that turns a run into text."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from sdfcheck.lint.run import Run
+
+
+class OutputFormat(Enum):
+    """The formats of a report; the value is the name on the command line and the module's."""
+
+    FULL = "full"
+    CONCISE = "concise"
+    JSON = "json"
+    JSONL = "jsonl"
+    SARIF = "sarif"
+    GITHUB = "github"
+    GITLAB = "gitlab"
+    JUNIT = "junit"
+    CHECKSTYLE = "checkstyle"
+    RDJSON = "rdjson"
+
+    @property
+    def is_text(self) -> bool:
+        """Made for people: may have colours, ends with a closing line."""
+        return self in {OutputFormat.FULL, OutputFormat.CONCISE}
+
+
+def render(format: OutputFormat, run: Run, *, color: bool = False) -> str:
+    """The report of a run. Unless empty it ends with a line end; only text formats know colours."""
+    from importlib import import_module
+
+    renderer: Callable[..., str] = import_module(f"sdfcheck.report.{format.value}").render
+    return renderer(run, color=color) if format.is_text else renderer(run)

@@ -1,0 +1,65 @@
+"""One diagnostic as people read it: heading, lines of code, remarks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.report.colors import INK_OF, Ink, Paint
+from sdfcheck.report.frame import Mark, frame
+from sdfcheck.report.paths import Paths
+from sdfcheck.report.visible import visible
+from sdfcheck.source.text import Span
+
+_HINT_COLUMN = 53
+
+
+def block(diagnostic: Diagnostic, is_explained: bool, paths: Paths, paint: Paint) -> Iterator[str]:
+    """The lines of one diagnostic; ``is_explained``: there is a rule to read about."""
+    ink = INK_OF[diagnostic.severity]
+    frames = list(_frames(diagnostic))
+    gutter = len(str(max(mark.span.begin.line for marks in frames for mark in marks)))
+    title = paint(f"{diagnostic.severity.value}[{diagnostic.code}]", ink)
+    yield title + paint(f": {visible(diagnostic.message)}", Ink.STRONG)
+    for number, marks in enumerate(frames):
+        arrow, first = (":::", min(marks, key=lambda mark: mark.span.start)) if number else ("-->", marks[0])
+        yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span))}"
+        yield from frame(marks, gutter, paint, ink)
+    hint = f"sdfcheck rule {diagnostic.name}" if is_explained else ""
+    yield from _notes(list(_remarks(diagnostic, paths)), hint, f"{'':{gutter}} ", paint)
+
+
+def _frames(diagnostic: Diagnostic) -> Iterator[list[Mark]]:
+    """What to mark, file by file; the defect is the first mark of the first file."""
+    primary = Mark(diagnostic.span, "", True)
+    by_file = {_file(primary.span): [primary]}
+    for label in diagnostic.labels:
+        by_file.setdefault(_file(label.span), []).append(Mark(label.span, label.text, False))
+    yield from by_file.values()
+
+
+def _file(span: Span) -> tuple[Path, str]:
+    """A file may have been read twice, and have changed in between."""
+    return span.source.path, span.source.text
+
+
+def _remarks(diagnostic: Diagnostic, paths: Paths) -> Iterator[tuple[str, str]]:
+    if diagnostic.fix is not None:
+        yield "help", f"{diagnostic.fix.title} ({diagnostic.fix.applicability.value} fix)"
+    if diagnostic.help:
+        yield "help", diagnostic.help
+    for origin in diagnostic.origins:
+        yield "note", f"{origin.text} {paths.place(origin.span)}"
+
+
+def _notes(remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint) -> Iterator[str]:
+    """The lines below the frames; the hint stands beside the last one if there is room."""
+    widths = [len(f"{indent}= {kind}: {visible(text)}") for kind, text in remarks]
+    if hint and not (widths and widths[-1] + 2 <= _HINT_COLUMN):
+        remarks, widths, hint = [*remarks, ("more", hint)], [*widths, 0], ""
+    for number, (kind, text) in enumerate(remarks):
+        line = f"{indent}{paint('=', Ink.GUTTER)} {paint(f'{kind}:', Ink.STRONG)} {visible(text)}"
+        if hint and number == len(remarks) - 1:
+            line += " " * (_HINT_COLUMN - widths[number]) + paint(hint, Ink.FAINT)
+        yield line

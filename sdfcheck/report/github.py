@@ -1,0 +1,52 @@
+"""Workflow commands of GitHub Actions: annotations beside the lines of a pull request."""
+
+from __future__ import annotations
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.run import Run
+from sdfcheck.report.paths import Paths
+from sdfcheck.report.visible import visible
+
+_COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
+_SHOWN = 10  # annotations that GitHub shows of one step
+
+
+def render(run: Run) -> str:
+    """The gravest first, because GitHub shows only the first few."""
+    paths = Paths("GITHUB_WORKSPACE")
+    lines = [
+        _command(diagnostic, paths)
+        for diagnostic in sorted(run.diagnostics, key=lambda diagnostic: -diagnostic.severity.rank)
+    ]
+    if len(lines) > _SHOWN:
+        lines.append(f"::notice::{len(lines) - _SHOWN} more in the log of this step")
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _command(diagnostic: Diagnostic, paths: Paths) -> str:
+    begin, finish = diagnostic.span.begin, diagnostic.span.finish
+    properties = {
+        "file": visible(paths(diagnostic.span.source.path)),
+        "line": str(begin.line),
+        "endLine": str(finish.line),
+    }
+    # GitHub rejects columns of a range over several lines.
+    if begin.line == finish.line:
+        properties |= {"col": str(begin.column), "endColumn": str(finish.column)}
+    properties["title"] = f"{diagnostic.code} {diagnostic.name}"
+    written = ",".join(f"{key}={_property(value)}" for key, value in properties.items())
+    parts = [diagnostic.message]
+    if diagnostic.fix is not None:
+        parts.append(f"help: {diagnostic.fix.title} ({diagnostic.fix.applicability.value} fix)")
+    if diagnostic.help:
+        parts.append(f"help: {diagnostic.help}")
+    message = _message("\n".join(visible(part) for part in parts))
+    return f"::{_COMMANDS[diagnostic.severity]} {written}::{message}"
+
+
+def _message(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+
+
+def _property(text: str) -> str:
+    return _message(text).replace(":", "%3A").replace(",", "%2C")

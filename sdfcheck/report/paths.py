@@ -1,0 +1,51 @@
+"""How files are called in reports."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from sdfcheck.source.text import Span
+
+
+class Paths:
+    """Names files with forward slashes: relative to a folder if they lie below it, otherwise as given.
+
+    The folder is the current one, or the one that the environment variable ``root``
+    names: a CI service counts from its checkout, wherever the command was started.
+    """
+
+    __slots__ = ("_here", "_names", "_root")
+
+    def __init__(self, root: str = "") -> None:
+        try:
+            self._here = os.getcwd()
+        except FileNotFoundError:  # the current folder was deleted
+            self._here = ""
+        self._root = os.path.join(os.environ.get(root) or self._here, "")
+        self._names: dict[Path, str] = {}
+
+    def __call__(self, path: Path) -> str:
+        name = self._names.get(path)
+        if name is None:
+            name = self._names[path] = self._name(path)
+        return name
+
+    def place(self, span: Span) -> str:
+        """Where a span begins, as ``path:line:column``."""
+        line, column = span.begin
+        return f"{self(span.source.path)}:{line}:{column}"
+
+    def absolute(self, path: Path) -> Path:
+        """The whole path; symbolic links stay."""
+        return Path(self._absolute(path))
+
+    def _absolute(self, path: Path) -> str:
+        return os.path.normpath(os.path.join(self._here, path))
+
+    def _name(self, path: Path) -> str:
+        whole = self._absolute(path)
+        below = self._root != "" and whole.startswith(self._root)
+        name = Path(whole[len(self._root) :]).as_posix() if below else path.as_posix()
+        # Bytes of a name that are no UTF-8 would keep the report from being written.
+        return name if name.isprintable() else name.encode("utf-8", "replace").decode("utf-8")
