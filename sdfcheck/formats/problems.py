@@ -2,72 +2,93 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.schema import Definition
     from sdfcheck.formats.reading import Reading
+    from sdfcheck.formats.schema import AttributeDefinition, Definition
+    from sdfcheck.formats.urdf import UrdfAttribute
     from sdfcheck.formats.version import Version
 
 
-class MissingVersion(NamedTuple):
-    """The root element has no ``version``, or an empty one."""
+class MissingVersion(Record):
+    """The root element has no ``version``, or an ``empty`` one; all else is judged as of ``assumed``."""
 
     element: Element
+    assumed: Version
+    empty: bool = False
 
 
-class UnknownVersion(NamedTuple):
-    """A version that no reader knows; ``meant`` is the one that it was probably meant to be."""
+class UnknownVersion(Record):
+    """A version that no reader knows; ``meant`` is the one that it was probably meant to be.
+
+    ``oldest`` and ``newest`` are the ends of those that are known.
+    """
 
     value: Value
     meant: str | None
+    oldest: Version
+    newest: Version
 
 
-class UnknownAttribute(NamedTuple):
+class UnknownAttribute(Record):
     element: Element
     attribute: str
     suggestion: str | None
 
 
-class UnknownElement(NamedTuple):
-    """An element that no version knows anywhere."""
+class UnknownElement(Record):
+    """An element that no version knows anywhere; ``refused`` where libsdformat does more than warn."""
 
     element: Element
     parent: Element
     suggestion: str | None
+    refused: bool = False
 
 
-class MisplacedElement(NamedTuple):
-    """A standard element where its parent does not allow it; ``places`` are the parents that do."""
+class MisplacedElement(Record):
+    """A standard element where its parent does not allow it.
+
+    ``places`` are the parents that do, the likeliest first and those only if there are
+    any. ``ignored`` is False for what readers find wherever it stands.
+    """
 
     element: Element
     parent: Element
     places: tuple[str, ...]
     suggestion: str | None
+    ignored: bool = True
 
 
-class TooNewElement(NamedTuple):
-    """``uses`` are all elements of this name and place that the declared version does not have yet."""
+class TooNewElement(Record):
+    """An element that the declared version does not have yet.
+
+    ``uses`` are all elements of this name and place, ``declaration`` is the version that the
+    file declares.
+    """
 
     element: Element
     parent: Element
     since: Version
-    declared: Version
+    declaration: Value
     uses: tuple[Element, ...]
 
 
-class TooNewAttribute(NamedTuple):
+class TooNewAttribute(Record):
+    """An attribute that the declared version does not have yet; as :class:`TooNewElement`."""
+
     element: Element
     attribute: str
     since: Version
-    declared: Version
+    declaration: Value
     uses: tuple[Element, ...]
 
 
-class RemovedElement(NamedTuple):
+class RemovedElement(Record):
     """Dropped before the declared version; ``until`` is the last version that had it.
 
     ``attribute`` is None when it is the element that was dropped.
@@ -80,24 +101,34 @@ class RemovedElement(NamedTuple):
     successor: str | None
 
 
-class DeprecatedElement(NamedTuple):
-    """Marked deprecated; ``value`` where it is a value (a sensor type) that is."""
+class DeprecatedElement(Record):
+    """Marked deprecated; ``value`` where it is a value (a sensor type) that is.
+
+    ``announced``: only said to go some day, and read by everybody still.
+    ``settings`` is the element that goes by the old name of the value.
+    """
 
     element: Element
     value: Value | None
     successor: str | None
     since: str
+    announced: bool = False
+    settings: Element | None = None
 
 
-class MissingElement(NamedTuple):
-    """A required child is absent. ``default`` is what is taken instead; None: the file is refused."""
+class MissingElement(Record):
+    """A required child is absent; ``refused`` when libsdformat does not take the file so.
+
+    ``default`` is the value that is taken instead, None where there is none to speak of.
+    """
 
     element: Element
     child: str
     default: str | None
+    refused: bool = False
 
 
-class ReplacedElement(NamedTuple):
+class ReplacedElement(Record):
     """A required child is absent and the custom element stands in for it."""
 
     custom: Element
@@ -105,32 +136,51 @@ class ReplacedElement(NamedTuple):
     child: str
 
 
-class MissingAttribute(NamedTuple):
+class MissingAttribute(Record):
+    """A required attribute is absent, or ``empty``.
+
+    ``until`` is the last version that requires it, where the newest one does not; then
+    only readers of that time refuse the file.
+    """
+
     element: Element
     attribute: str
     empty: bool
+    until: Version | None = None
 
 
-class RepeatedElement(NamedTuple):
-    """A child that may occur once, given again: only the first counts."""
+class EmptyName(Record):
+    """A name of nothing but blanks; ``until`` as in :class:`MissingAttribute`."""
+
+    value: Value
+    until: Version | None = None
+
+
+class RepeatedElement(Record):
+    """A child that may occur once, given again: only the first counts.
+
+    ``refused``: libsdformat does not take the file. That is so for a second model, light
+    or actor at the root, where ``element`` and ``first`` may be of different names.
+    """
 
     element: Element
     first: Element
     parent: Element
+    refused: bool = False
 
 
-class StrayText(NamedTuple):
-    """Text in an element that holds only elements."""
+class StrayText(Record):
+    """Text in an element that holds only elements; ``span`` is its first line."""
 
     span: Span
     element: Element
 
 
-class BadValue(NamedTuple):
+class BadValue(Record):
     """A value that is not read as written; ``reading`` says why. Subclasses are told apart by rules."""
 
     value: Value
-    definition: Definition
+    definition: Definition | AttributeDefinition | UrdfAttribute
     reading: Reading
     span: Span
 
@@ -138,29 +188,23 @@ class BadValue(NamedTuple):
 class MalformedValue(BadValue):
     """Not of the type: refused."""
 
-    __slots__ = ()
-
 
 class MisreadValue(BadValue):
     """Accepted, and read as something else."""
-
-    __slots__ = ()
 
 
 class WrongComponentCount(BadValue):
     """Too few or too many numbers."""
 
-    __slots__ = ()
 
-
-class CutText(NamedTuple):
+class CutText(Record):
     """A value that ends at a comment: what follows, ``rest``, is not read."""
 
     value: Value
     rest: Span
 
 
-class ReversedRange(NamedTuple):
+class ReversedRange(Record):
     """Two bounds in the wrong order; ``text`` says it with their names and values."""
 
     lower: Value
@@ -168,16 +212,20 @@ class ReversedRange(NamedTuple):
     text: str
 
 
-class ValueOutOfRange(NamedTuple):
-    """Outside the range that the format states; ``refused`` when libsdformat refuses it."""
+class ValueOutOfRange(Record):
+    """Outside the range that the format states; ``refused`` when libsdformat refuses it.
+
+    ``instead`` is what libsdformat takes in its place, where it does.
+    """
 
     value: Value
     span: Span
     bound: str
     refused: bool
+    instead: str | None = None
 
 
-class UnknownChoice(NamedTuple):
+class UnknownChoice(Record):
     """A value that is none of those listed; ``refused`` when libsdformat refuses it."""
 
     value: Value
@@ -186,25 +234,27 @@ class UnknownChoice(NamedTuple):
     refused: bool
 
 
-class MissingShape(NamedTuple):
+class MissingShape(Record):
+    """A geometry without shape, or a visual or collision without geometry."""
+
     element: Element
 
 
-class SeveralShapes(NamedTuple):
+class SeveralShapes(Record):
     """``element`` is ignored because ``first`` is taken."""
 
     element: Element
     first: Element
 
 
-class ConflictingRotation(NamedTuple):
+class ConflictingRotation(Record):
     """A pose whose attributes do not go together: degrees with a quaternion."""
 
     value: Value
     format: Value
 
 
-class MismatchedSensor(NamedTuple):
+class MismatchedSensor(Record):
     """A sensor whose ``type`` and settings disagree.
 
     ``wrong`` is a settings element of another type; None when the settings that the
@@ -216,7 +266,7 @@ class MismatchedSensor(NamedTuple):
     wrong: Element | None
 
 
-class TopologyChanged(NamedTuple):
+class TopologyChanged(Record):
     """A standard element inside a custom one, where no reader looks for it."""
 
     element: Element

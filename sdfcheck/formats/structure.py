@@ -1,6 +1,6 @@
 """What the tables cannot say: which parts of a container go together.
 
-Source: the readers of libsdformat 17 (Geometry.cc, Sensor.cc, Material.cc, Mesh.cc,
+Source: the readers of libsdformat 17 (Root.cc, Geometry.cc, Sensor.cc, Material.cc,
 World.cc) and what they do when run.
 """
 
@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats import problems
+from sdfcheck.formats.sensors import sensor_problems
 from sdfcheck.formats.survey import Survey, survey
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 
 # The order in which libsdformat looks for a shape; the first one found is taken.
 SHAPES = (
@@ -18,99 +20,81 @@ SHAPES = (
     "image", "empty",
 )  # fmt: skip
 
-_CAMERA_TYPES = (
-    "camera depth depth_camera rgbd rgbd_camera thermal thermal_camera segmentation segmentation_camera "
-    "boundingbox boundingbox_camera wideanglecamera wide_angle_camera multicamera"
-)
-# Sensor type → the elements that may hold its settings.
-SETTINGS = {
-    **{kind: ("camera",) for kind in _CAMERA_TYPES.split()},
-    "air_pressure": ("air_pressure",),
-    "air_speed": ("air_speed",),
-    "altimeter": ("altimeter",),
-    "force_torque": ("force_torque",),
-    "navsat": ("navsat", "gps"),
-    "gps": ("navsat", "gps"),
-    **{kind: ("lidar", "ray") for kind in ("lidar", "gpu_lidar", "ray", "gpu_ray")},
-    "imu": ("imu",),
-    "magnetometer": ("magnetometer",),
-    "contact": ("contact",),
-    "logical_camera": ("logical_camera",),
-    "sonar": ("sonar",),
-    "rfid": ("rfid",),
-    "rfidtag": ("rfidtag",),
-    "wireless_receiver": ("transceiver",),
-    "wireless_transmitter": ("transceiver",),
-}
-_ALL_SETTINGS = frozenset(name for names in SETTINGS.values() for name in names)
+# A document holds one of these, besides worlds.
+_ENTITIES = frozenset({"model", "light", "actor"})
 
-# Without these settings a sensor of the type has nothing sensible to run on.
-_NEEDS_SETTINGS = frozenset({*_CAMERA_TYPES.split(), "lidar", "gpu_lidar", "ray", "gpu_ray", "logical_camera"})
+_NORMAL_MAPS = frozenset(
+    {
+        "normal_map_object_space",
+        "normal_map_objectspace",
+        "normal_map_tangent_space",
+        "normal_map_tangentspace",
+    }
+)
 
 
 def structure_problems(document: Document) -> list[object]:
     """The problems of a document's composite elements."""
     surveyed = survey(document)
     return [
+        *_root(document),
         *_shapes(surveyed),
-        *_sensors(surveyed),
-        *_materials(surveyed),
-        *_meshes(surveyed),
+        *sensor_problems(surveyed),
+        *_shaders(surveyed),
         *_surfaces(surveyed),
         *_order(surveyed),
     ]
 
 
+def _root(document: Document) -> Iterator[object]:
+    root = document.root
+    if root is None or root.name != "sdf":
+        return
+    first: Element | None = None
+    for child in root:
+        if child.tag in _ENTITIES:
+            if first is None:
+                first = child
+            else:
+                yield problems.RepeatedElement(child, first, root, refused=True)
+
+
 def _shapes(surveyed: Survey) -> Iterator[object]:
+    for kind in ("visual", "collision"):
+        for element in surveyed.index.get(kind, ()):
+            # Elsewhere a collision is a reference, which holds its name.
+            if _stands_in(element, "link") and not element.has("geometry"):
+                yield problems.MissingShape(element)
     for geometry in surveyed.index.get("geometry", ()):
         if len(geometry) == 1 and geometry[0].tag in SHAPES:
             continue
-        children = list(geometry.children())
-        shapes = [child for child in children if child.name in SHAPES]
-        if len(shapes) == 1:
-            continue
-        if not shapes:
-            # An unknown or custom child is the mistake, or the vendor's own shape.
-            if not children:
-                yield problems.MissingShape(geometry)
-            continue
-        taken = min(shapes, key=lambda shape: SHAPES.index(shape.name))
-        for shape in shapes:
-            if shape.name != taken.name:
-                yield problems.SeveralShapes(shape, taken)
+        # In a sonar it is the name of a shape.
+        if not _stands_in(geometry, "sonar"):
+            yield from _shapes_of(geometry)
 
 
-def _sensors(surveyed: Survey) -> Iterator[object]:
-    for sensor in surveyed.index.get("sensor", ()):
-        kind = sensor.attribute("type")
-        if kind is None or kind.text not in SETTINGS:
-            continue
-        expected = SETTINGS[kind.text]
-        given = [child for child in sensor.children() if child.name in _ALL_SETTINGS]
-        fitting = [child for child in given if child.name in expected]
-        if not fitting and given:
-            yield problems.MismatchedSensor(kind, expected[0], given[0])
-        elif not given and kind.text in _NEEDS_SETTINGS:
-            yield problems.MismatchedSensor(kind, expected[0], None)
+def _shapes_of(geometry: Element) -> Iterator[object]:
+    children = list(geometry.children())
+    if not children:
+        yield problems.MissingShape(geometry)
+    # Where no child is a shape, the unknown or custom child is the mistake, or the vendor's own shape.
+    shapes = [child for child in children if child.name in SHAPES]
+    if len(shapes) < 2:
+        return
+    taken = min(shapes, key=lambda shape: SHAPES.index(shape.name))
+    for shape in shapes:
+        if shape.name != taken.name:
+            yield problems.SeveralShapes(shape, taken)
 
 
-def _materials(surveyed: Survey) -> Iterator[object]:
-    for script in surveyed.index.get("script", ()):
-        if script.parent is None or script.parent.name != "material":
-            continue
-        for name in ("uri", "name"):
-            if not script.has(name):
-                yield problems.MissingElement(script, name, None)
+def _stands_in(element: Element, parent: str) -> bool:
+    return element.parent is not None and element.parent.name == parent
+
+
+def _shaders(surveyed: Survey) -> Iterator[object]:
     for shader in surveyed.index.get("shader", ()):
-        if shader.attributes.get("type", "").startswith("normal_map") and not shader.has("normal_map"):
-            yield problems.MissingElement(shader, "normal_map", None)
-
-
-def _meshes(surveyed: Survey) -> Iterator[object]:
-    for submesh in surveyed.index.get("submesh", ()):
-        name = submesh.find("name")
-        if name is None:
-            yield problems.MissingElement(submesh, "name", None)
+        if shader.attributes.get("type", "").strip() in _NORMAL_MAPS and not shader.has("normal_map"):
+            yield problems.MissingElement(shader, "normal_map", None, refused=True)
 
 
 def _surfaces(surveyed: Survey) -> Iterator[object]:
@@ -119,7 +103,7 @@ def _surfaces(surveyed: Survey) -> Iterator[object]:
         if model is not None and model.content == "CUSTOM_SURFACE":
             for name in ("surface_axis_equatorial", "surface_axis_polar"):
                 if not coordinates.has(name):
-                    yield problems.MissingElement(coordinates, name, None)
+                    yield problems.MissingElement(coordinates, name, None, refused=True)
 
 
 # Pairs that must be in order: container, lower one, upper one.
@@ -128,14 +112,28 @@ _ORDERED = (
     ("vertical", "min_angle", "max_angle"),
     ("range", "min", "max"),
     ("clip", "near", "far"),
-    ("solver", "min_step_size", "max_step_size"),
+    ("logical_camera", "near", "far"),
+    ("sonar", "min", "max"),
+    ("particle_emitter", "min_velocity", "max_velocity"),
+    ("transceiver", "min_frequency", "max_frequency"),
+    ("fog", "start", "end"),
 )
 
 
 def _order(surveyed: Survey) -> Iterator[object]:
     for container, low, high in _ORDERED:
         for element in surveyed.index.get(container, ()):
-            lower, upper = element.number(low), element.number(high)
-            if lower is not None and upper is not None and lower.number > upper.number:
-                bound = f"{low} {lower.text} is above {high} {upper.text}"
-                yield problems.ReversedRange(lower, upper, bound)
+            yield from _reversed(element, low, element, high)
+    for physics in surveyed.index.get("physics", ()):
+        for steps in (("ode", "solver"), ("bullet", "solver"), ("simbody",)):
+            holder: Element | None = physics
+            for step in steps:
+                holder = holder.find(step) if holder is not None else None
+            if holder is not None:
+                yield from _reversed(holder, "min_step_size", physics, "max_step_size")
+
+
+def _reversed(low_holder: Element, low: str, high_holder: Element, high: str) -> Iterator[object]:
+    lower, upper = low_holder.number(low), high_holder.number(high)
+    if lower is not None and upper is not None and lower.number > upper.number:
+        yield problems.ReversedRange(lower, upper, f"{low} {lower.text} is above {high} {upper.text}")

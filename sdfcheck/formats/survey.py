@@ -130,7 +130,7 @@ class _Walk:
                 self.findings.attribute(element, parent, definition, key, text)
         for name in definition.required_attributes:
             if name not in given:
-                self.findings.missing_attribute(element, name)
+                self.findings.missing_attribute(element, definition, name)
 
 
 def _is_rotated(items: list[tuple[str, str]]) -> bool:

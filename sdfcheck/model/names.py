@@ -7,22 +7,23 @@ nested models share one name space, in a world models, joints and frames do; the
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
+from sdfcheck.formats import history
 from sdfcheck.formats.survey import Survey, survey
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import Record
 
 FRAME_KINDS = frozenset({"link", "joint", "frame", "model"})
 """Elements whose names make frames, and so share one name space in their scope."""
 
 _SEVEN, _EIGHT = Version(1, 7), Version(1, 8)
 
-RESERVABLE = frozenset(
-    "world model link joint frame visual collision light sensor physics projector particle_emitter".split()
-)
-"""Elements whose names libsdformat checks against the reserved ones."""
+# One of these is all that a document may hold, which the analysis of structure tells.
+_SINGLE_AT_ROOT = frozenset({"model", "light", "actor"})
 
 _REFERENCE_ATTRIBUTES = {
     "frame": ("attached_to",),
@@ -30,63 +31,103 @@ _REFERENCE_ATTRIBUTES = {
     "xyz": ("expressed_in",),
     "model": ("canonical_link", "placement_frame"),
     "mimic": ("joint",),
+    "custom_rpy": ("parent_frame",),
 }
-_REFERENCE_ELEMENTS = ("parent", "child", "placement_frame", "gearbox_reference_body")
+_REFERENCE_ELEMENTS = (
+    "parent",
+    "child",
+    "placement_frame",
+    "gearbox_reference_body",
+    "gripper_link",
+    "palm_link",
+)
 
 
-class DuplicateName(NamedTuple):
-    """Two siblings of one kind with one name; ``value`` is the later one's name."""
+class DuplicateName(Record):
+    """Two siblings of one kind with one name; ``value`` is the later one's name.
 
-    value: Value
-    first: Value
-    parent: Element
-
-
-class ClashingName(NamedTuple):
-    """Siblings of different kinds with one name.
-
-    ``shares_frames``: both make frames. ``renamed``: an old version, for which
-    libsdformat renames the later one instead of refusing the file.
+    For an include that gives no name of its own ``value`` is the uri that brings it.
     """
 
     value: Value
     first: Value
     parent: Element
-    shares_frames: bool
+    name: str
+    kind: str
+
+
+class ClashingName(Record):
+    """Siblings of different kinds, ``kind`` and ``first_kind``, with one name.
+
+    ``makes_frame``: one of them at least makes a frame. ``renamed``: both do, in an old
+    version, for which libsdformat renames the later one instead of refusing the file.
+    """
+
+    value: Value
+    first: Value
+    parent: Element
+    name: str
+    kind: str
+    first_kind: str
+    makes_frame: bool
     renamed: bool
 
 
-class ReservedName(NamedTuple):
+class ReservedName(Record):
+    """A name that libsdformat keeps for itself; ``is_reference`` where it is used, not given."""
+
     value: Value
+    is_reference: bool = False
 
 
-class DelimiterInName(NamedTuple):
-    """``::`` in a definition; ``refused`` from version 1.8 on."""
+class DelimiterInName(Record):
+    """``::`` in a definition; ``refused`` from version 1.8 on.
+
+    ``foreign`` is what makes libsdformat crash when it unfolds the names of an older
+    world: a reference that stays outside, or an axis without direction.
+    """
 
     value: Value
     refused: bool
+    foreign: Value | Element | None
 
 
-class MalformedScopedName(NamedTuple):
+class MalformedScopedName(Record):
     """A reference with a part missing before, behind or between ``::``."""
 
     value: Value
 
 
-class EmptyName(NamedTuple):
-    element: Element
+Problem = DuplicateName | ClashingName | ReservedName | DelimiterInName | MalformedScopedName
 
 
-Problem = DuplicateName | ClashingName | ReservedName | DelimiterInName | MalformedScopedName | EmptyName
+class _Named(NamedTuple):
+    """One name in a scope: what it is counted as, the name, and where that stands."""
+
+    kind: str
+    name: str
+    value: Value
 
 
 def problems(document: Document) -> list[Problem]:
     """Everything about names that is wrong in an SDF document, in no particular order."""
     surveyed = survey(document)
+    siblings = {
+        parent: [
+            _Named(kind, text.strip(), Value(element, "name", text))
+            for kind, text, element in children
+            if text.strip()
+        ]
+        for parent, children in surveyed.named.items()
+    }
+    for parent, named in _included(surveyed):
+        siblings.setdefault(parent, []).append(named)
     found: list[Problem] = []
-    for parent, children in surveyed.named.items():
-        _look_at_siblings(surveyed, parent, children, found)
-    _look_at_references(surveyed, found)
+    foreign = _unfolded(surveyed, siblings)
+    for parent, children in siblings.items():
+        found += _unsound(surveyed, children, foreign)
+        found += _repeated(surveyed, parent, children)
+    found += _references(surveyed)
     return found
 
 
@@ -95,44 +136,83 @@ def is_reserved(name: str) -> bool:
     return name == "world" or (len(name) >= 4 and name.startswith("__") and name.endswith("__"))
 
 
-def _look_at_siblings(
-    surveyed: Survey, parent: Element, children: list[tuple[str, str, Element]], found: list[Problem]
-) -> None:
-    taken: dict[str, tuple[str, Element]] = {}
-    for kind, text, element in children:
-        name = text.strip()
-        if not name:
-            found.append(EmptyName(element))
+def _included(surveyed: Survey) -> Iterator[tuple[Element, _Named]]:
+    """The names that includes bring into their scopes, as far as they are known."""
+    for include in surveyed.index.get("include", ()):
+        from sdfcheck.model.includes import included
+
+        found = included(surveyed.document, include)
+        parent = include.parent
+        if found.name is None or parent is None:
             continue
-        if kind in RESERVABLE and is_reserved(name):
-            found.append(ReservedName(Value(element, "name", text)))
-        if kind == "plugin":
+        own = include.find("name")
+        value = own.own_value if own is not None and own.content else found.uri
+        if value is None:
             continue
-        if "::" in name and ":" not in kind:
-            found.append(DelimiterInName(Value(element, "name", text), surveyed.version >= _EIGHT))
-        earlier = taken.setdefault(name, (kind, element))
-        if earlier[1] is not element:
-            found.append(_clash(surveyed, parent, (kind, element), earlier))
+        name = f"_merged__{found.name}__model__" if found.merge else found.name
+        yield parent, _Named("frame" if found.merge else found.kind or "model", name, value)
 
 
-def _clash(
-    surveyed: Survey, parent: Element, later: tuple[str, Element], earlier: tuple[str, Element]
-) -> Problem:
-    value, first = (Value(e, "name", e.attributes["name"]) for _, e in (later, earlier))
-    if later[0] == earlier[0]:
-        return DuplicateName(value, first, parent)
-    both = later[0] in FRAME_KINDS and earlier[0] in FRAME_KINDS
-    return ClashingName(value, first, parent, both, both and surveyed.version < _SEVEN)
+def _unfolded(surveyed: Survey, siblings: dict[Element, list[_Named]]) -> dict[Element, Value | Element]:
+    if surveyed.version >= _EIGHT or not any("::" in n.name for named in siblings.values() for n in named):
+        return {}
+    from sdfcheck.model.unfold import foreign_references
+
+    return foreign_references(surveyed)
 
 
-def _look_at_references(surveyed: Survey, found: list[Problem]) -> None:
+def _unsound(
+    surveyed: Survey, children: list[_Named], foreign: dict[Element, Value | Element]
+) -> Iterator[Problem]:
+    """Names that are wrong by themselves."""
+    for kind, name, value in children:
+        element = value.element
+        if is_reserved(name) and kind in history.reserved_name_holders():
+            yield ReservedName(value)
+        if "::" in name and ":" not in kind and kind != "plugin":
+            yield DelimiterInName(value, surveyed.version >= _EIGHT, foreign.get(element))
+
+
+def _repeated(surveyed: Survey, parent: Element, children: list[_Named]) -> Iterator[Problem]:
+    """Names that are taken."""
+    taken: dict[str, _Named] = {}
+    is_root = parent.parent is None
+    for named in children:
+        if named.kind == "plugin" or (is_root and named.kind in _SINGLE_AT_ROOT):
+            continue
+        first = taken.setdefault(named.name, named)
+        if first is named:
+            continue
+        if first.kind == named.kind:
+            yield DuplicateName(named.value, first.value, parent, named.name, named.kind)
+            continue
+        makes_frame = {named.kind in FRAME_KINDS, first.kind in FRAME_KINDS}
+        renamed = makes_frame == {True} and surveyed.version < _SEVEN
+        is_custom = ":" in named.kind or ":" in first.kind
+        yield ClashingName(
+            named.value,
+            first.value,
+            parent,
+            named.name,
+            named.kind,
+            first.kind,
+            True in makes_frame and not is_custom,
+            renamed,
+        )
+
+
+def _references(surveyed: Survey) -> Iterator[Problem]:
     index = surveyed.index
     for kind, names in _REFERENCE_ATTRIBUTES.items():
         for element in index.get(kind, ()):
             for name, text in element.items():
-                if name in names and "::" in text and "" in text.split("::"):
-                    found.append(MalformedScopedName(Value(element, name, text)))
+                if name in names and "::" in text and "" in text.strip().split("::"):
+                    yield MalformedScopedName(Value(element, name, text))
     for kind in _REFERENCE_ELEMENTS:
         for element in index.get(kind, ()):
             if "::" in (text := element.content) and "" in text.split("::"):
-                found.append(MalformedScopedName(element.own_value))
+                yield MalformedScopedName(element.own_value)
+    for element in index.get("custom_rpy", ()):
+        frame = element.attribute("parent_frame")
+        if frame is not None and frame.text.strip() == "__root__":
+            yield ReservedName(frame, is_reference=True)

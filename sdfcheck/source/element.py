@@ -92,6 +92,12 @@ class Element(etree.ElementBase):
         return written_name(self.tag, self.prefix)
 
     @property
+    def title(self) -> str:
+        """What to call it in a sentence: ``joint `elbow```, or ```axis``` where it has no name of its own."""
+        own = self.attributes.get("name", "").strip()
+        return f"{self.name} `{own}`" if own else f"`{self.name}`"
+
+    @property
     def is_custom(self) -> bool:
         """Prefixed, so not part of the standard (custom-elements proposal, SDFormat 1.7)."""
         return ":" in self.name

@@ -1,0 +1,52 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+
+BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
+
+
+class ClashingName(Rule):
+    """Siblings of different kinds have the same name.
+
+    Links, joints, frames and nested models are frames to each other and share one name
+    space, so a clash is refused; in files up to version 1.6 libsdformat renames the later
+    one, and references mean the earlier. A visual and a collision do no harm by one
+    name, but the specification wants siblings to differ and `gz sdf --check` says so.
+    """
+
+    code = "NAM002"
+    name = "clashing-name"
+    severity = Severity.ERROR
+    explains = (problems.ClashingName,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad('<frame name="«base»"/>', says="frame `base` has the name of a link in model `m`"),
+        Bad(
+            f'<visual name="v">{BOX}</visual><collision name="«v»">{BOX}</collision>',
+            scaffold=IN_LINK,
+            says="collision `v` has the name of a visual in link `base`",
+        ),
+        Bad(
+            '<sdf version="1.6"><model name="m"><link name="a"/><link name="b"/>'
+            '<joint name="«a»" type="fixed"><parent>a</parent><child>b</child></joint></model></sdf>',
+            scaffold="",
+            says="so libsdformat renames it",
+        ),
+    )
+    good = (
+        Good('<link name="arm"><sensor name="arm" type="imu"/></link>', why="a child is no sibling"),
+        Good('<plugin name="base" filename="p"/>', why="the names of plugins are free"),
+    )
+
+    def check(self, problem: problems.ClashingName) -> Iterator[Diagnostic]:
+        first, scope = problem.first_kind, problem.parent.title
+        message = f"{problem.kind} `{problem.name}` has the name of a {first} in {scope}"
+        if problem.renamed:
+            message += ", so libsdformat renames it"
+        yield self.diagnostic(
+            problem.value,
+            message,
+            labels={problem.first: f"the {first}"},
+            severity=None if problem.makes_frame and not problem.renamed else Severity.WARNING,
+        )

@@ -1,0 +1,67 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_COLLISION, IN_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+
+INERTIAL = (
+    '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
+)
+
+WORDS = {
+    "COMMA": "`{name}` should be {expected}, parted by spaces and not by commas",
+    "EXPRESSION": "`{name}` holds an expression that nothing has expanded",
+    "FRACTION": "`{name}` should be {expected}, and `{part}` is a fraction",
+    "HEXADECIMAL": "`{name}` should be {expected}, and `{part}` is hexadecimal",
+    "NOT_A_BOOLEAN": "`{name}` should be {expected}, not `{part}`",
+    "NOT_FINITE": "`{name}` should be {expected}, and `{part}` is none",
+    "TOO_LARGE": "`{part}` is too large for `{name}`",
+    "TOO_SMALL": "`{part}` is too near to zero for `{name}`",
+}
+"""By the cause; whatever has no words of its own is no number."""
+
+
+class MalformedValue(Rule):
+    """A value is not of the type that its place asks for.
+
+    libsdformat refuses the whole document for one such value, and says of it only that
+    some element could not be read. Numbers have a decimal point and are parted by
+    spaces; a truth value is true, false, 1 or 0.
+    """
+
+    code = "SCH011"
+    name = "malformed-value"
+    severity = Severity.ERROR
+    explains = (problems.MalformedValue,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad("<gravity>«yes»</gravity>", says="`gravity` should be true or false, not `yes`"),
+        Bad("<pose>0 0 «high» 0 0 0</pose>", says="`pose` should be 6 numbers, and `high` is none"),
+        Bad("<pose>«0 0 ${z} 0 0 0»</pose>", says="`pose` holds an expression that nothing has expanded"),
+        Bad("<pose>«0,0,1,0,0,0»</pose>", says="should be 6 numbers, parted by spaces and not by commas"),
+        Bad("<mass>«heavy»</mass>", scaffold=INERTIAL, says="`mass` should be a number, not `heavy`"),
+        Bad("<mass>«1e400»</mass>", scaffold=INERTIAL, says="`1e400` is too large for `mass`"),
+        Bad('<pose degrees="«on»">0 0 0 0 0 0</pose>', says="`degrees` should be true or false"),
+        Bad("<geometry><mesh><«uri»/></mesh></geometry>", scaffold=IN_COLLISION, says="`uri` is empty"),
+    )
+    good = (
+        Good("<gravity>TRUE</gravity>", why="any case is read"),
+        Good("<pose/>", why="an empty pose is the default"),
+        Good("<mass>1.</mass>", scaffold=INERTIAL),
+        Good(
+            '<p:mass xmlns:p="https://example.org/p">heavy</p:mass>',
+            why="custom elements hold what they like",
+        ),
+    )
+
+    def check(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
+        value, reading, part = problem.value, problem.reading, problem.span.text
+        name = value.attribute or value.element.name
+        if reading.cause is None:
+            message = f"`{name}` is empty"
+        elif reading.cause.name in WORDS:
+            message = WORDS[reading.cause.name].format(name=name, expected=reading.expected, part=part)
+        elif part == value.text.strip():
+            message = f"`{name}` should be {reading.expected}, not `{part}`"
+        else:
+            message = f"`{name}` should be {reading.expected}, and `{part}` is none"
+        yield self.diagnostic(problem.span, message)

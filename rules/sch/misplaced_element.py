@@ -1,0 +1,62 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class MisplacedElement(Rule):
+    """A standard element stands where its parent does not allow it.
+
+    Readers look for an element in its place only. libsdformat warns and ignores a
+    misplaced one, so the mass, the pose or the friction that it gives is the default
+    instead. Only an `<include>` is followed wherever it stands, and gets a warning.
+    """
+
+    code = "SCH003"
+    name = "misplaced-element"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "ignores the element", Consumer.DRAKE: "ignores the element"}
+    explains = (problems.MisplacedElement,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad("<«mass»>2</mass>", says="does not belong in link `base`; it goes into `inertial`"),
+        Bad("<«static»>true</static>", says="it goes into `model`"),
+        Bad(
+            "<«include»><uri>https://fuel.gazebosim.org/1.0/openrobotics/models/arm</uri></include>",
+            scaffold=SDF,
+            says="it goes into `model` or `world`",
+        ),
+    )
+    good = (
+        Good("<inertial><mass>2</mass></inertial>"),
+        Good(
+            '<p:mass xmlns:p="https://example.org/p">2</p:mass>',
+            why="a custom element is free to stand anywhere",
+        ),
+        Good(
+            '<sensor name="s" type="custom"><plugin filename="p" name="p"><mass>2</mass></plugin></sensor>',
+            why="the content of a plugin is the plugin's",
+        ),
+    )
+
+    def check(self, problem: problems.MisplacedElement) -> Iterator[Diagnostic]:
+        element, parent = problem.element, problem.parent
+        message = f"`{element.name}` does not belong in {parent.title}"
+        if problem.suggestion is not None:
+            message += f"; did you mean `{problem.suggestion}`?"
+        else:
+            message += f"; it goes into {_listed(problem.places)}"
+        if problem.ignored:
+            yield self.diagnostic(element, message)
+            return
+        yield self.diagnostic(
+            element, message, severity=Severity.WARNING, help="libsdformat follows it all the same"
+        )
+
+
+def _listed(places: tuple[str, ...]) -> str:
+    """At most three places, and how many there are besides."""
+    shown = [f"`{place}`" for place in places[:3]]
+    if len(places) > len(shown):
+        return f"{', '.join(shown)} and {len(places) - len(shown)} more"
+    return " or ".join(filter(None, (", ".join(shown[:-1]), shown[-1])))

@@ -1,0 +1,68 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+
+INERTIAL = (
+    '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
+)
+IMAGE = (
+    '<sdf version="1.12"><model name="m"><link name="base"><sensor name="s" type="camera">'
+    "<camera>{}</camera></sensor></link></model></sdf>"
+)
+
+
+class MisreadValue(Rule):
+    """A value is accepted and read as something else than is written.
+
+    libsdformat takes the longest number from the front of a text and forgets the rest: a
+    decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one
+    counts. A value also ends at a comment. What is read as it was meant all the same (a
+    comma behind a number, a hexadecimal number) gets a warning.
+    """
+
+    code = "SCH012"
+    name = "misread-value"
+    severity = Severity.ERROR
+    explains = (problems.MisreadValue, problems.CutText)
+    scaffold = INERTIAL
+
+    bad = (
+        Bad("<mass>«1,5»</mass>", says="`1,5` is read as 1"),
+        Bad("<mass>«1.5kg»</mass>", says="`1.5kg` is read as 1.5"),
+        Bad("<mass>1 «2»</mass>", says="`mass` is read as 1: a second number is ignored"),
+        Bad("<mass>«true»</mass>", says="`true` is read as 1"),
+        Bad("<pose>0 0 1 0 0 «90deg»</pose>", scaffold=IN_LINK, says="`90deg` is read as 90"),
+        Bad("<pose>0 0 1 <!-- rpy --> «0 0 0»</pose>", scaffold=IN_LINK, says="`pose` ends at the comment"),
+        Bad("<visibility_mask>«-1»</visibility_mask>", scaffold=IMAGE, says="`-1` is read as 4294967295"),
+    )
+    good = (
+        Good("<mass>1.5 <!-- kg --></mass>", why="nothing stands behind the comment"),
+        Good("<mass>1e-3</mass>"),
+        Good(
+            "<image><width>320.0</width><height>240</height></image>",
+            why="read as it is meant",
+            scaffold=IMAGE,
+        ),
+    )
+
+    def check(self, problem: problems.MisreadValue | problems.CutText) -> Iterator[Diagnostic]:
+        name = problem.value.attribute or problem.value.element.name
+        if isinstance(problem, problems.CutText):
+            yield self.diagnostic(
+                problem.rest, f"`{name}` ends at the comment: what stands behind it is not read"
+            )
+            return
+        reading, part = problem.reading, problem.span.text
+        cause = reading.cause.name if reading.cause else ""
+        if cause == "EXTRA":
+            yield self.diagnostic(
+                problem.span, f"`{name}` is read as {reading.read_as}: a second number is ignored"
+            )
+            return
+        as_meant = cause == "HEXADECIMAL" or part.rstrip(",") == reading.read_as
+        yield self.diagnostic(
+            problem.span,
+            f"`{part}` is read as {reading.read_as}",
+            severity=Severity.WARNING if as_meant else None,
+            help="numbers have a decimal point and are parted by spaces" if cause == "COMMA" else None,
+        )

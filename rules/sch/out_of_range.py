@@ -1,0 +1,64 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_COLLISION, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+
+CAMERA = (
+    '<sdf version="1.12"><model name="m"><link name="base"><sensor name="s" type="camera">'
+    "<camera>{}</camera></sensor></link></model></sdf>"
+)
+
+
+class OutOfRange(Rule):
+    """A number lies outside the range that the format states or that its quantity has.
+
+    The bounds of the tables are enforced: outside them libsdformat refuses the document,
+    which is an error. Others are stated and checked by nobody, or a default is taken
+    instead, as for a shape whose size is not positive.
+    """
+
+    code = "SCH014"
+    name = "out-of-range"
+    severity = Severity.WARNING
+    explains = (problems.ValueOutOfRange, problems.ReversedRange)
+    scaffold = CAMERA
+
+    bad = (
+        Bad(
+            "<horizontal_fov>«90»</horizontal_fov>",
+            says="`horizontal_fov` must be from 0.001 to 6.283186, not 90",
+        ),
+        Bad(
+            "<image><width>«0»</width><height>240</height></image>",
+            says="`width` should be at least 1, not 0",
+        ),
+        Bad(
+            "<clip><near>«10»</near><far>1</far></clip>",
+            says="near 10 is above far 1",
+        ),
+        Bad(
+            "<geometry><box><size>1 «0» 1</size></box></geometry>",
+            scaffold=IN_COLLISION,
+            says="`size` should be above 0, not 0, so 1 1 1 is taken",
+        ),
+        Bad(
+            '<physics type="ode"><max_step_size>0.001</max_step_size>'
+            "<ode><solver><min_step_size>«0.01»</min_step_size></solver></ode></physics>",
+            scaffold=IN_WORLD,
+            says="min_step_size 0.01 is above max_step_size 0.001",
+        ),
+    )
+    good = (
+        Good("<clip><near>0.1</near><far>inf</far></clip>", why="there is no end to what it sees"),
+        Good("<clip><near>1</near><far>1</far></clip>"),
+    )
+
+    def check(self, problem: problems.ValueOutOfRange | problems.ReversedRange) -> Iterator[Diagnostic]:
+        if isinstance(problem, problems.ReversedRange):
+            yield self.diagnostic(problem.lower, problem.text, labels={problem.upper: "the upper end"})
+            return
+        name = problem.value.attribute or problem.value.element.name
+        must = "must" if problem.refused else "should"
+        message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
+        if problem.instead is not None:
+            message += f", so {problem.instead} is taken"
+        yield self.diagnostic(problem.span, message, severity=Severity.ERROR if problem.refused else None)

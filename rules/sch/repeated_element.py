@@ -1,0 +1,59 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, SDF, Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class RepeatedElement(Rule):
+    """An element that may occur once is given again.
+
+    Readers take the first one; what the others say is lost without a word. A second
+    model, light or actor at the top of the file is an error, because libsdformat takes
+    one entity from a file, and refuses it otherwise.
+    """
+
+    code = "SCH006"
+    name = "repeated-element"
+    severity = Severity.WARNING
+    explains = (problems.RepeatedElement,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            "<inertial><mass>1</mass><«mass»>2</mass></inertial>",
+            says="`mass` is given again in `inertial`; only the first counts",
+        ),
+        Bad(
+            '<model name="a"><link name="l"/></model><«model» name="b"><link name="l"/></model>',
+            scaffold=SDF,
+            says="model `b` cannot stand beside model `a`",
+        ),
+        Bad(
+            '<model name="a"><link name="l"/></model><«light» name="b" type="point"/>',
+            scaffold=SDF,
+            says="light `b` cannot stand beside model `a`",
+        ),
+    )
+    good = (
+        Good(
+            "<gravity>false</gravity><p:gravity xmlns:p='https://example.org/p'>true</p:gravity>",
+            why="the second is another element",
+        ),
+        Good(
+            '<world name="a"/><world name="b"/><model name="m"><link name="l"/></model>',
+            why="worlds may be several, and stand beside an entity",
+            scaffold=SDF,
+        ),
+    )
+
+    def check(self, problem: problems.RepeatedElement) -> Iterator[Diagnostic]:
+        element, first = problem.element, problem.first
+        if problem.refused:
+            yield self.diagnostic(
+                element,
+                f"{element.title} cannot stand beside {first.title}: a file holds one model, light or actor",
+                labels={first: "the first one"},
+                severity=Severity.ERROR,
+            )
+            return
+        message = f"`{element.name}` is given again in {problem.parent.title}; only the first counts"
+        yield self.diagnostic(element, message, labels={first: "the first one"})

@@ -1,0 +1,43 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+POLYLINE = "<polyline><height>1</height><point>0 0</point><point>0 1</point><point>1 1</point></polyline>"
+
+
+class SeveralShapes(Rule):
+    """A geometry has more than one shape.
+
+    libsdformat takes one of them, not the first in the file but the first in an order
+    of its own (box, capsule, cone, cylinder, ellipsoid, plane, sphere, mesh, heightmap,
+    polyline), and drops the others without a word. Each shape needs a visual or
+    collision of its own.
+    """
+
+    code = "SCH020"
+    name = "several-shapes"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "drops all but one", Consumer.DRAKE: "drops all but one"}
+    explains = (problems.SeveralShapes,)
+    scaffold = IN_COLLISION
+
+    bad = (
+        Bad(
+            "<geometry><«sphere»><radius>1</radius></sphere><box><size>1 1 1</size></box></geometry>",
+            says="`sphere` is dropped, because the geometry has a `box`",
+        ),
+    )
+    good = (
+        Good(
+            f"<geometry>{POLYLINE}{POLYLINE}</geometry>",
+            why="polylines make one shape together",
+        ),
+    )
+
+    def check(self, problem: problems.SeveralShapes) -> Iterator[Diagnostic]:
+        element, first = problem.element, problem.first
+        yield self.diagnostic(
+            element,
+            f"`{element.name}` is dropped, because the geometry has a `{first.name}`",
+            labels={first: "the shape that is taken"},
+        )

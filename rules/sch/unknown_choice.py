@@ -1,0 +1,64 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+
+MANY = 8
+"""More choices than this are not worth a list beside a good guess."""
+
+
+class UnknownChoice(Rule):
+    """A value is none of those that its place knows.
+
+    libsdformat refuses unknown types of joints, sensors, lights and noise, unknown image
+    formats and the like; case counts in most of them. What it keeps as it stands (a
+    physics engine's name, a lens) is a warning: the program that looks for it finds nothing.
+    """
+
+    code = "SCH015"
+    name = "unknown-choice"
+    severity = Severity.ERROR
+    explains = (problems.UnknownChoice,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            '<sensor name="s" type="«camra»"/>',
+            says="unknown `type` of sensor `s`: `camra`; did you mean `camera`?",
+        ),
+        Bad('<light name="l" type="«Point»"/>', says="did you mean `point`?"),
+        Bad(
+            '<joint name="j" type="«hinge»"><parent>world</parent><child>base</child></joint>',
+            scaffold=IN_MODEL,
+            says="unknown `type` of joint `j`: `hinge`",
+        ),
+        Bad('<physics type="«odee»"/>', scaffold=IN_WORLD, says="did you mean `ode`?"),
+        Bad('<pose rotation_format="«quaternion»">0 0 0 0 0 0</pose>', says="unknown `rotation_format`"),
+    )
+    good = (
+        Good(
+            '<joint name="j" type="FIXED"><parent>world</parent><child>base</child></joint>',
+            why="of joint types any case is read",
+            scaffold=IN_MODEL,
+        ),
+        Good(
+            '<sensor name="s" type="wideanglecamera"><camera/></sensor>',
+            why="another spelling of wide_angle_camera",
+        ),
+    )
+
+    def check(self, problem: problems.UnknownChoice) -> Iterator[Diagnostic]:
+        value, choices = problem.value, [choice for choice in problem.choices if choice]
+        place = f"`{value.element.name}`"
+        if value.attribute is not None:
+            place = f"`{value.attribute}` of {value.element.title}"
+        message = f"unknown {place}: `{value.text.strip()}`"
+        known = f"known are {', '.join(choices)}" if len(choices) > 1 else f"known is {choices[0]}"
+        guess = problem.suggestion
+        if guess is not None:
+            message += f"; did you mean `{guess}`?"
+        yield self.diagnostic(
+            value,
+            message,
+            help=known if guess is None or len(choices) <= MANY else None,
+            severity=None if problem.refused else Severity.WARNING,
+        )

@@ -1,0 +1,63 @@
+"""Texts that an element holds in several pieces, and which of them readers pass over."""
+
+from __future__ import annotations
+
+import re
+
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.text import Span
+
+_PIECE = re.compile(r"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|([^<]+)|<", re.DOTALL)
+
+
+def part(value: Value, start: int, end: int) -> Span:
+    """The place of a part of a value; all of it where the text in the file is spelt otherwise (entities)."""
+    span = value.span
+    if span.text == value.text:
+        return Span(span.source, span.start + start, span.start + end)
+    return span
+
+
+def cut_text(element: Element) -> Span | None:
+    """The text behind a comment in the middle of a value, which no reader sees."""
+    pieces = [element.text, *(node.tail for node in element if not isinstance(node.tag, str))]
+    filled = [piece for piece in pieces if piece and piece.strip()]
+    if len(filled) < 2:
+        return None
+    spans = element.document.spans
+    place = spans.place(element)
+    source = element.document.source
+    first = spans.text(element)
+    for piece in _PIECE.finditer(source.text, first.end, place.close):
+        if (found := _filled(piece)) is not None:
+            return source.span(*found)
+    return None
+
+
+def stray_line(element: Element) -> Span | None:
+    """The first line of the text between an element's children; None if it is in CDATA sections only.
+
+    A CDATA section beside elements is a way to write notes: nobody means it as a value.
+    """
+    spans = element.document.spans
+    source = element.document.source
+    place = spans.place(element)
+    edges = [place.end]
+    for child in element.children():
+        edges += [spans.place(child).start, spans.place(child).close_end]
+    edges.append(place.close)
+    for start, end in zip(edges[::2], edges[1::2], strict=True):
+        for piece in _PIECE.finditer(source.text, start, end):
+            if (found := _filled(piece)) is not None:
+                line = source.text[slice(*found)].splitlines()[0].rstrip()
+                return source.span(found[0], found[0] + len(line))
+    return None
+
+
+def _filled(piece: re.Match[str]) -> tuple[int, int] | None:
+    """Where the text of a piece begins and ends; None if it is blank, or no text."""
+    text = piece[1] or ""
+    if not text.strip():
+        return None
+    start = piece.start(1) + len(text) - len(text.lstrip())
+    return start, start + len(text.strip())
