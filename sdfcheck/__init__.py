@@ -46,9 +46,39 @@ _HOMES = {
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names.split()}
 
-__all__ = [  # noqa: PLE0604 - the table above is the list
+__all__ = [
+    "Applicability",
+    "Bad",
+    "Consumer",
+    "Diagnostic",
+    "Document",
+    "Edit",
+    "Element",
+    "Fix",
+    "Good",
+    "IN_COLLISION",
+    "IN_JOINT",
+    "IN_LINK",
+    "IN_MODEL",
+    "IN_ROBOT",
+    "IN_URDF_JOINT",
+    "IN_URDF_LINK",
+    "IN_VISUAL",
+    "IN_WORLD",
+    "Label",
+    "Origin",
+    "Position",
+    "Rule",
+    "SDF",
+    "Severity",
+    "Source",
+    "Span",
+    "Target",
+    "Value",
     "__version__",
-    *_HOME_OF,
+    "edit",
+    "problems",
+    "replace",
 ]
 
 

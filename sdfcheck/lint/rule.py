@@ -56,13 +56,16 @@ class Rule:
         target: Target,
         message: str,
         *,
-        labels: Mapping[Target, str] | None = None,
+        labels: Mapping[Any, str] | None = None,
         fix: Fix | None = None,
         help: str | None = None,
         severity: Severity | None = None,
         origins: tuple[Origin, ...] = (),
     ) -> Diagnostic:
-        """A diagnostic of this rule; ``severity`` only where it depends on the case."""
+        """A diagnostic of this rule; ``labels`` are further targets and what they have to do with it.
+
+        ``severity`` is given only where it depends on the case.
+        """
         return Diagnostic(
             self.code,
             self.name,

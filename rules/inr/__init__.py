@@ -1,0 +1,1 @@
+"""INR: mass and inertia, of links that move."""

@@ -1,0 +1,49 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class ImplausibleInertia(Rule):
+    """An inertia is off by more than a hundredfold from a solid of the link's mass and shapes.
+
+    Hollow or weighted bodies differ by a small factor from solid ones; a factor of a hundred
+    is usually a unit (mm for m, g for kg) or another link's numbers.
+    """
+
+    code = "INR006"
+    name = "implausible-inertia"
+    severity = Severity.WARNING
+    explains = (problems.ImplausibleInertia,)
+    affects = {
+        Consumer.GAZEBO: "takes it: the link turns too easily or hardly at all",
+        Consumer.DRAKE: "takes it: the link turns too easily or hardly at all",
+        Consumer.MUJOCO: "takes it: the link turns too easily or hardly at all",
+    }
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            "<inertial><mass>2</mass><«inertia»><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia></inertial>"
+            '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
+            says="1e+03 times",
+        ),
+    )
+    good = (
+        Good(
+            "<inertial><mass>2</mass><inertia><ixx>0.004</ixx><iyy>0.004</iyy><izz>0.004</izz></inertia></inertial>"
+            '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
+            why="twice a solid ball: a hollow one",
+        ),
+        Good(
+            "<inertial><mass>2</mass><inertia><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia></inertial>"
+            '<collision name="c"><geometry><mesh><uri>https://example.org/a.dae</uri></mesh></geometry></collision>',
+            why="a mesh may be of any size",
+        ),
+    )
+
+    def check(self, problem: problems.ImplausibleInertia) -> Iterator[Diagnostic]:
+        ratio = problem.ratio
+        much = f"{ratio:.1g} times" if ratio > 1 else f"1/{1 / ratio:.3g} of"
+        message = f"the inertia is {much} that of a solid of this mass in the link's shapes"
+        labels = {problem.link: "this link", problem.shape: "compared with this shape"}
+        yield self.diagnostic(problem.inertia, message, labels=labels)

@@ -1,0 +1,40 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class ImpossibleInertia(Rule):
+    """Principal moments break the triangle inequality, which no distribution of mass can.
+
+    However a mass is spread, each principal moment of inertia is at most the sum of the
+    other two. libsdformat and Drake refuse the model, MuJoCo unless told otherwise.
+    """
+
+    code = "INR003"
+    name = "impossible-inertia"
+    severity = Severity.ERROR
+    explains = (problems.ImpossibleInertia,)
+    affects = {
+        Consumer.GAZEBO: "refuses the model",
+        Consumer.DRAKE: "refuses the model",
+        Consumer.MUJOCO: "refuses the model",
+    }
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            "<inertial><mass>1</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>«0.1»</izz></inertia></inertial>",
+            says="0.1 > 0.001 + 0.001",
+        ),
+    )
+    good = (
+        Good(
+            "<inertial><mass>1</mass><inertia><ixx>0.05</ixx><iyy>0.05</iyy><izz>0.1</izz></inertia></inertial>",
+            why="a thin disc: just on the border",
+        ),
+    )
+
+    def check(self, problem: problems.ImpossibleInertia) -> Iterator[Diagnostic]:
+        low, middle, high = (f"{moment:.6g}" for moment in problem.principal)
+        message = f"no body has these principal moments: {high} > {low} + {middle}"
+        yield self.diagnostic(problem.value, message, labels={problem.link: "the inertia of this link"})

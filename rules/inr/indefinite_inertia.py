@@ -1,0 +1,51 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class IndefiniteInertia(Rule):
+    """An inertia tensor is not positive definite, so the body would gain energy from turning.
+
+    libsdformat refuses the model, Drake and MuJoCo too. Common causes are a sign lost on
+    the way from a CAD program, and products of inertia that are larger than the moments.
+    """
+
+    code = "INR002"
+    name = "indefinite-inertia"
+    severity = Severity.ERROR
+    explains = (problems.IndefiniteInertia,)
+    affects = {
+        Consumer.GAZEBO: "refuses the model",
+        Consumer.DRAKE: "refuses the model",
+        Consumer.MUJOCO: "refuses the model",
+    }
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            "<inertial><mass>1</mass><inertia><ixx>«-0.1»</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>",
+            says="ixx -0.1 is negative",
+        ),
+        Bad(
+            "<inertial><mass>1</mass><«inertia»><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz><ixy>0.5</ixy>"
+            "</inertia></inertial>",
+            says="smallest principal moment is -0.4",
+        ),
+    )
+    good = (
+        Good(
+            "<inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz><ixy>-0.01</ixy>"
+            "</inertia></inertial>",
+            why="products may be negative",
+        ),
+    )
+
+    def check(self, problem: problems.IndefiniteInertia) -> Iterator[Diagnostic]:
+        labels = {problem.link: "the inertia of this link"}
+        if problem.value is not None:
+            name = problem.value.attribute or problem.value.element.name
+            message = f"{name} {problem.value.text} is negative: the inertia is not positive definite"
+            yield self.diagnostic(problem.value, message, labels=labels)
+            return
+        message = f"the inertia is not positive definite: its smallest principal moment is {problem.smallest:.6g}"
+        yield self.diagnostic(problem.inertia, message, labels=labels)

@@ -1,0 +1,49 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class InertiaAboutWrongPoint(Rule):
+    """An inertia fits the link's shapes only if it is about the link's origin.
+
+    SDFormat and URDF want the moments about the centre of mass, in the frame of the
+    inertial's own pose. CAD programs offer both; with the wrong one the link is far too
+    slow to turn.
+    """
+
+    code = "INR007"
+    name = "inertia-about-wrong-point"
+    severity = Severity.WARNING
+    explains = (problems.InertiaAboutWrongPoint,)
+    affects = {
+        Consumer.GAZEBO: "takes it: the link turns too slowly",
+        Consumer.DRAKE: "takes it: the link turns too slowly",
+        Consumer.MUJOCO: "takes it: the link turns too slowly",
+    }
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            "<inertial><pose>0 0 0.5 0 0 0</pose><mass>1</mass>"
+            "<«inertia»><ixx>0.2517</ixx><iyy>0.2517</iyy><izz>0.0017</izz></inertia></inertial>"
+            '<collision name="c"><pose>0 0 0.5 0 0 0</pose><geometry><box><size>0.1 0.1 0.1</size></box></geometry>'
+            "</collision>",
+            says="0.5 m away",
+        ),
+    )
+    good = (
+        Good(
+            "<inertial><pose>0 0 0.5 0 0 0</pose><mass>1</mass>"
+            "<inertia><ixx>0.0017</ixx><iyy>0.0017</iyy><izz>0.0017</izz></inertia></inertial>"
+            '<collision name="c"><pose>0 0 0.5 0 0 0</pose><geometry><box><size>0.1 0.1 0.1</size></box></geometry>'
+            "</collision>",
+            why="about the centre of mass",
+        ),
+    )
+
+    def check(self, problem: problems.InertiaAboutWrongPoint) -> Iterator[Diagnostic]:
+        message = (
+            f"the inertia seems to be about the link's origin, {problem.offset:.3g} m away from the centre of mass: "
+            f"it is {problem.ratio:.1f} times that of a solid"
+        )
+        yield self.diagnostic(problem.inertia, message, labels={problem.link: "this link"})

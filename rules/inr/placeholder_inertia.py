@@ -1,0 +1,47 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class PlaceholderInertia(Rule):
+    """The unit inertia stands for a body that it cannot belong to.
+
+    Moments of 1 kg·m² are what exporters write and readers take when nobody gave any. For a
+    link of this mass and size they are off by more than a hundredfold: it will hardly turn.
+    """
+
+    code = "INR005"
+    name = "placeholder-inertia"
+    severity = Severity.WARNING
+    explains = (problems.PlaceholderInertia,)
+    affects = {
+        Consumer.GAZEBO: "takes it: the link hardly turns",
+        Consumer.DRAKE: "takes it: the link hardly turns",
+        Consumer.MUJOCO: "takes it: the link hardly turns",
+    }
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            "<inertial><mass>0.1</mass><«inertia»><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
+            '<collision name="c"><geometry><box><size>0.1 0.1 0.1</size></box></geometry></collision>',
+            says="6e+03 times",
+        ),
+        Bad(
+            "<«inertial»><mass>0.1</mass></inertial>"
+            '<collision name="c"><geometry><box><size>0.1 0.1 0.1</size></box></geometry></collision>',
+            says="left out",
+        ),
+    )
+    good = (
+        Good(
+            "<inertial><mass>6</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
+            '<collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision>',
+            why="right for this box",
+        ),
+    )
+
+    def check(self, problem: problems.PlaceholderInertia) -> Iterator[Diagnostic]:
+        how = "unit inertia" if problem.written else "an inertia that is left out, so 1 kg·m² about each axis,"
+        message = f"{how} is {problem.ratio:.1g} times what {problem.mass:.6g} kg in this link's shapes have"
+        yield self.diagnostic(problem.place, message, labels={problem.link: "this link"})

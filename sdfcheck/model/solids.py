@@ -1,0 +1,100 @@
+"""Mass properties of homogeneous solids, in closed form.
+
+Lengths in m, masses in kg, moments in kg·m². Moments are about the solid's centre of
+mass, in axes parallel to its own; lengths of cylinders, capsules and cones run along z.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+
+class Moments(NamedTuple):
+    """A symmetric 3×3 inertia tensor."""
+
+    ixx: float
+    iyy: float
+    izz: float
+    ixy: float = 0.0
+    ixz: float = 0.0
+    iyz: float = 0.0
+
+    @property
+    def trace(self) -> float:
+        """The sum of the diagonal, which no rotation changes."""
+        return self.ixx + self.iyy + self.izz
+
+    def plus(self, other: Moments) -> Moments:
+        return Moments(*(a + b for a, b in zip(self, other, strict=True)))
+
+    def times(self, factor: float) -> Moments:
+        return Moments(*(value * factor for value in self))
+
+    def moved(self, mass: float, x: float, y: float, z: float) -> Moments:
+        """About a point ``(x, y, z)`` off the centre of mass (parallel-axis theorem)."""
+        return self.plus(
+            Moments(y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z).times(mass)
+        )
+
+    def principal(self) -> tuple[float, float, float]:
+        """The principal moments, the smallest first (closed form for symmetric 3×3 matrices)."""
+        off = self.ixy**2 + self.ixz**2 + self.iyz**2
+        scale = max(abs(value) for value in self)
+        if off <= (scale * 1e-15) ** 2:
+            low, middle, high = sorted(self[:3])
+            return low, middle, high
+        mean = self.trace / 3
+        spread = sum((value - mean) ** 2 for value in self[:3]) + 2 * off
+        size = math.sqrt(spread / 6)
+        a, b, c = ((value - mean) / size for value in self[:3])
+        d, e, f = (value / size for value in self[3:])
+        half = (a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e)) / 2
+        angle = math.acos(max(-1.0, min(1.0, half))) / 3
+        high = mean + 2 * size * math.cos(angle)
+        low = mean + 2 * size * math.cos(angle + 2 * math.pi / 3)
+        return low, self.trace - low - high, high
+
+
+class Solid(NamedTuple):
+    """Volume (m³), moments per kg, and the height of the centre of mass along z."""
+
+    volume: float
+    moments: Moments
+    centre: float = 0.0
+
+
+def box(x: float, y: float, z: float) -> Solid:
+    return Solid(x * y * z, Moments((y * y + z * z) / 12, (x * x + z * z) / 12, (x * x + y * y) / 12))
+
+
+def cylinder(radius: float, length: float) -> Solid:
+    side = (3 * radius**2 + length**2) / 12
+    return Solid(math.pi * radius**2 * length, Moments(side, side, radius**2 / 2))
+
+
+def sphere(radius: float) -> Solid:
+    return ellipsoid(radius, radius, radius)
+
+
+def ellipsoid(a: float, b: float, c: float) -> Solid:
+    moments = Moments((b * b + c * c) / 5, (a * a + c * c) / 5, (a * a + b * b) / 5)
+    return Solid(4 / 3 * math.pi * a * b * c, moments)
+
+
+def capsule(radius: float, length: float) -> Solid:
+    """A cylinder of ``length`` between two half balls."""
+    tube, ball = cylinder(radius, length), sphere(radius)
+    volume = tube.volume + ball.volume
+    part, cap = tube.volume / volume, ball.volume / volume
+    # A half ball's centre of mass is 3/8 of the radius off its flat side.
+    offset = length / 2 + 3 / 8 * radius
+    side = cap * (2 / 5 * radius**2 - (3 / 8 * radius) ** 2 + offset**2)
+    caps = Moments(side, side, cap * 2 / 5 * radius**2)
+    return Solid(volume, tube.moments.times(part).plus(caps))
+
+
+def cone(radius: float, length: float) -> Solid:
+    """A cone with its tip up, whose origin is half way up; the centre of mass is lower."""
+    side = 3 / 80 * (4 * radius**2 + length**2)
+    return Solid(math.pi * radius**2 * length / 3, Moments(side, side, 3 / 10 * radius**2), -length / 4)
