@@ -1,0 +1,219 @@
+"""Proof that two descriptions are one robot.
+
+Both are read by their own readers into :class:`~sdfcheck.model.robot.Robot`; at random
+joint positions the poses of all links and the mass, centre of mass and inertia of the
+whole are compared, then the links' geometry and the joints' limits.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sdfcheck.model.kinematics import Positions, degrees_of_freedom, link_poses, total_body
+from sdfcheck.model.robot import Axis, Geometry, Joint, Robot
+from sdfcheck.model.rotations import Array, angle_between, inverse
+
+TOLERANCE = 1e-9
+CONFIGURATIONS = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Counterpart:
+    """Where a link of the source is in the result: the link, and the 4×4 pose of the source's frame in it."""
+
+    link: str
+    offset: Array = field(default_factory=lambda: np.eye(4))
+
+
+@dataclass(frozen=True, slots=True)
+class Correspondence:
+    """What became of the source's links and joints; what is not named keeps its name, or is ``dropped``."""
+
+    links: Mapping[str, Counterpart] = field(default_factory=dict)
+    joints: Mapping[str, str] = field(default_factory=dict)
+    reversed_joints: frozenset[str] = frozenset()
+    """Source joints whose parent and child have changed places in the result."""
+    dropped_links: frozenset[str] = frozenset()
+    dropped_joints: frozenset[str] = frozenset()
+    dropped_geometries: frozenset[str] = frozenset()
+    """Kinds of shape that the result cannot hold."""
+    changed_bodies: bool = False
+    """Mass properties were given to links that had none, or left out: masses are not compared."""
+
+    def link(self, name: str) -> Counterpart:
+        return self.links.get(name) or Counterpart(name)
+
+    def joint(self, name: str) -> str:
+        return self.joints.get(name, name)
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """One thing in which source and result are not equal."""
+
+    what: str
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """What was compared, and the largest differences that were met (m, rad, relative for the mass)."""
+
+    links: int
+    configurations: int
+    position: float
+    angle: float
+    inertia: float
+    differences: tuple[Difference, ...]
+
+    @property
+    def is_equal(self) -> bool:
+        return not self.differences
+
+    def __str__(self) -> str:
+        links = f"{self.links} link{'s' * (self.links != 1)}"
+        largest = max(self.position, self.angle)
+        return f"{links}, {self.configurations} configurations, max pose error {largest:.0e} m"
+
+
+def verify(
+    source: Robot,
+    result: Robot,
+    correspondence: Correspondence | None = None,
+    *,
+    configurations: int = CONFIGURATIONS,
+    tolerance: float = TOLERANCE,
+) -> Verification:
+    """Compare two robots; the positions are random, and the same at every call."""
+    return _Comparison(source, result, correspondence or Correspondence(), tolerance).run(configurations)
+
+
+class _Comparison:
+    def __init__(self, source: Robot, result: Robot, correspondence: Correspondence, tolerance: float) -> None:
+        self.source = source
+        self.result = result
+        self.to = correspondence
+        self.tolerance = tolerance
+        self.found: dict[tuple[str, str], Difference] = {}
+        self.position = self.angle = self.inertia = 0.0
+        self.compared = [name for name in source.links if name not in correspondence.dropped_links]
+
+    def run(self, configurations: int) -> Verification:
+        missing = [name for name in self.compared if self.to.link(name).link not in self.result.links]
+        for name in missing:
+            self.differ("link", name, "is missing")
+        self.compared = [name for name in self.compared if name not in missing]
+        if self.compared:
+            random = np.random.default_rng(20_170_613)
+            for number in range(configurations):
+                # The first is the configuration in which the file places the links.
+                self.compare_at({} if number == 0 else self.draw(random))
+        self.compare_joints()
+        self.compare_geometries()
+        return Verification(
+            len(self.compared), configurations, self.position, self.angle, self.inertia, tuple(self.found.values())
+        )
+
+    def draw(self, random: np.random.Generator) -> Positions:
+        return {
+            joint.name: tuple(random.uniform(-1, 1, degrees_of_freedom(joint)))
+            for joint in self.source.joints.values()
+            if degrees_of_freedom(joint) and joint.name not in self.to.dropped_joints
+        }
+
+    def translate(self, positions: Positions) -> Positions:
+        """The same configuration in the result's joints."""
+        return {self.to.joint(name): values for name, values in positions.items()}
+
+    def compare_at(self, positions: Positions) -> None:
+        ours = link_poses(self.source, positions)
+        theirs = link_poses(self.result, self.translate(positions))
+        root = self.compared[0]
+        our_root, their_root = ours.get(root), self.seen(theirs, root)
+        if our_root is None or their_root is None:
+            self.differ("link", root, "is part of a ring of joints")
+            return
+        for name in self.compared:
+            mine, other = ours.get(name), self.seen(theirs, name)
+            if mine is None or other is None:
+                continue
+            here, there = inverse(our_root) @ mine, inverse(their_root) @ other
+            position = float(np.linalg.norm(here[:3, 3] - there[:3, 3]))
+            angle = angle_between(here[:3, :3], there[:3, :3])
+            self.position, self.angle = max(self.position, position), max(self.angle, angle)
+            scale = max(1.0, float(np.linalg.norm(here[:3, 3])))
+            if position > self.tolerance * scale or angle > self.tolerance:
+                self.differ("link", name, f"is {position:.3g} m and {angle:.3g} rad off")
+        if not self.to.changed_bodies:
+            self.compare_totals(ours, theirs, our_root, their_root)
+
+    def seen(self, poses: Mapping[str, Array], name: str) -> Array | None:
+        """The pose of a source's link frame in the result."""
+        counterpart = self.to.link(name)
+        pose = poses.get(counterpart.link)
+        return None if pose is None else pose @ counterpart.offset
+
+    def compare_totals(
+        self, ours: Mapping[str, Array], theirs: Mapping[str, Array], our_root: Array, their_root: Array
+    ) -> None:
+        first, second = total_body(self.source, ours), total_body(self.result, theirs)
+        if first is None or second is None:
+            if first is not second and (first or second).mass > 0:  # type: ignore[union-attr]
+                self.differ("mass", self.source.name, "is given on one side only")
+            return
+        a, b = first.seen_from(inverse(our_root)), second.seen_from(inverse(their_root))
+        scale = max(abs(a.mass), 1e-9)
+        moments = max(float(np.abs(a.moments).max()), 1e-9)
+        errors = {
+            "mass": abs(a.mass - b.mass) / scale,
+            "centre of mass": float(np.linalg.norm(a.centre - b.centre)) if a.mass else 0.0,
+            "inertia": float(np.abs(a.moments - b.moments).max()) / moments,
+        }
+        for what, error in errors.items():
+            self.inertia = max(self.inertia, error)
+            if error > self.tolerance:
+                self.differ(what, self.source.name, f"differs by {error:.3g}")
+
+    def compare_joints(self) -> None:
+        for name, joint in self.source.joints.items():
+            if name in self.to.dropped_joints or not joint.moves:
+                continue
+            other = self.result.joints.get(self.to.joint(name))
+            if other is None:
+                self.differ("joint", name, "is missing")
+                continue
+            for mine, theirs in zip(joint.axes, other.axes, strict=False):
+                self.compare_axes(joint, mine, theirs)
+
+    def compare_axes(self, joint: Joint, mine: Axis, theirs: Axis) -> None:
+        for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):
+            a, b = getattr(mine, what), getattr(theirs, what)
+            if a != b and not math.isclose(a, b, rel_tol=1e-12, abs_tol=1e-12):
+                self.differ(what, joint.name, f"was {a:g} and is {b:g}")
+
+    def compare_geometries(self) -> None:
+        for name in self.compared:
+            counterpart = self.to.link(name)
+            wanted = [g for g in self.source.links[name].geometries if g.kind not in self.to.dropped_geometries]
+            there = list(self.result.links[counterpart.link].geometries)
+            for geometry in wanted:
+                match = next((g for g in there if self.same(geometry, g, counterpart.offset)), None)
+                if match is None:
+                    self.differ(geometry.role, name, f"{geometry.kind} has no equal in the result")
+                else:
+                    there.remove(match)
+
+    def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
+        if (mine.role, mine.kind, len(mine.size)) != (theirs.role, theirs.kind, len(theirs.size)):
+            return False
+        if not np.allclose(mine.size, theirs.size, rtol=1e-9, atol=1e-12):
+            return False
+        return bool(np.allclose(offset @ mine.pose, theirs.pose, rtol=0, atol=max(self.tolerance, 1e-9)))
+
+    def differ(self, what: str, name: str, text: str) -> None:
+        self.found.setdefault((what, name), Difference(what, name, text))
