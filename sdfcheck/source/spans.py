@@ -30,24 +30,33 @@ class Spans:
         self._numbers = {element: n for n, element in enumerate(root.iter(etree.Element))}
 
     def place(self, element: Element) -> ElementPlace:
-        """Offsets of the element's start and end tags."""
+        """Offsets of the element's start and end tags in its :meth:`home`."""
         return self.scan.place(self._numbers[element])
+
+    def home(self, element: Element) -> Source:
+        """The text in which the element stands."""
+        return self.source
+
+    def span(self, element: Element, start: int, end: int) -> Span:
+        """A range of the text in which the element stands."""
+        return self.source.span(start, end)
 
     def name(self, element: Element) -> Span:
         tag = self.start_tag(element)
-        return self.source.span(tag.name_start, tag.name_end)
+        return self.span(element, tag.name_start, tag.name_end)
 
     def whole(self, element: Element) -> Span:
         """From the start tag's ``<`` to behind the end tag."""
         place = self.place(element)
-        return self.source.span(place.start, place.close_end)
+        return self.span(element, place.start, place.close_end)
 
     def end_name(self, element: Element) -> Span | None:
         """The name in the end tag; None if there is no end tag."""
         place = self.place(element)
         if place.close == place.close_end:
             return None
-        return self.source.span(place.close + 2, place.close + 2 + len(element.name))
+        name = self.start_tag(element).name
+        return self.span(element, place.close + 2, place.close + 2 + len(name))
 
     def start_tag(self, element: Element) -> StartTag:
         number = self._numbers[element]
@@ -56,7 +65,7 @@ class Spans:
 
     def attribute_name(self, element: Element, name: str) -> Span:
         place = self._attribute(element, name)
-        return self.source.span(place.name_start, place.name_end) if place else self.name(element)
+        return self.span(element, place.name_start, place.name_end) if place else self.name(element)
 
     def attribute_value(self, element: Element, name: str) -> Span:
         """The value between its quotes; the attribute's name where the value is empty."""
@@ -64,33 +73,34 @@ class Spans:
         if place is None:
             return self.name(element)
         if place.value_start == place.value_end:
-            return self.source.span(place.name_start, place.name_end)
-        return self.source.span(place.value_start, place.value_end)
+            return self.span(element, place.name_start, place.name_end)
+        return self.span(element, place.value_start, place.value_end)
 
     def attribute_whole(self, element: Element, name: str) -> Span:
         """Name, equals sign and quoted value, with the blanks before them: what deleting it takes."""
         place = self._attribute(element, name)
         if place is None:
             return self.name(element)
+        text = self.home(element).text
         start = place.name_start
-        while self.source.text[start - 1].isspace():
+        while text[start - 1].isspace():
             start -= 1
         end = place.value_end
-        if self.source.text[end : end + 1] in {'"', "'"}:
+        if text[end : end + 1] in {'"', "'"}:
             end += 1
-        return self.source.span(start, end)
+        return self.span(element, start, end)
 
     def text(self, element: Element) -> Span:
         """The text that simulators read, without blanks around it; the element's name if there is none."""
         place = self.place(element)
-        for piece in _PIECE.finditer(self.source.text, place.end, place.close):
+        for piece in _PIECE.finditer(self.home(element).text, place.end, place.close):
             if piece["markup"]:
                 break
             group = "cdata" if piece["cdata"] is not None else "text"
             raw = piece[group] or ""
             if raw.strip():
                 start = piece.start(group) + len(raw) - len(raw.lstrip())
-                return self.source.span(start, start + len(raw.strip()))
+                return self.span(element, start, start + len(raw.strip()))
         return self.name(element)
 
     def part(self, span: Span, index: int) -> Span:

@@ -1,0 +1,205 @@
+"""ROS packages without ROS: where the folder of a package is. Everything here only reads."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+FOLDER_LIMIT = 20_000
+"""So many folders are looked into below one root, no more."""
+
+_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
+_COMMENT = re.compile(r"<!--.*?-->", re.S)
+_FOREIGN = frozenset({"build", "install", "log", "devel", "node_modules", "site-packages", "__pycache__"})
+_BUILT = ("install", "devel", "build")
+_INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.I)
+_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.I)
+_REMARK = re.compile(r"#[^\n]*")
+_STOP = frozenset({"PATTERN", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "PERMISSIONS", "RENAME", "OPTIONAL"})
+
+
+def project_root(path: Path) -> Path:
+    """The folder that a file's project fills: its workspace, else its repository, else what can be guessed.
+
+    Without either it is the current folder if the file lies below it, else the folder
+    above the outermost ``package.xml``, else the one above the file's own. The home
+    folder and what is above it never count.
+    """
+    file = Path(os.path.abspath(path))
+    home = Path(os.path.expanduser("~"))
+    shared = {home, *home.parents}
+    own = [folder for folder in file.parents if folder not in shared]
+    for folder in own:
+        if folder.name == "src" and any((folder.parent / name).is_dir() for name in _BUILT):
+            return folder
+    for folder in own:
+        if (folder / ".git").exists():
+            return folder
+    here = Path.cwd()
+    if here in own:
+        return here
+    described = [folder for folder in own if (folder / "package.xml").is_file()]
+    if described:
+        above = described[-1].parent
+        return above if above in own else described[-1]
+    return own[1] if len(own) > 1 else file.parent
+
+
+class Packages:
+    """Finds packages by name: those that were named, then those around, then those of a ROS installation.
+
+    ``given`` maps names to folders; ``paths`` are folders below which to look for
+    ``package.xml``; ``root`` is the project; ``environment`` may hold
+    ROS_PACKAGE_PATH and AMENT_PREFIX_PATH.
+    """
+
+    __slots__ = ("_below", "_found", "_installed", "environment", "given", "paths", "root")
+
+    def __init__(
+        self,
+        root: Path,
+        given: Mapping[str, Path] | None = None,
+        paths: Sequence[Path] = (),
+        environment: Mapping[str, str] | None = None,
+    ) -> None:
+        self.root = root
+        self.given = dict(given or {})
+        self.paths = tuple(paths)
+        self.environment = dict(os.environ if environment is None else environment)
+        self._below: dict[Path, dict[str, Path]] = {}
+        self._found: dict[str, Path | None] = {}
+        self._installed: dict[Path, list[tuple[str, str]]] = {}
+
+    def find(self, name: str) -> Path | None:
+        """The folder of a package, None if nothing of that name is there."""
+        if name not in self._found:
+            self._found[name] = next(self._candidates(name), None)
+        return self._found[name]
+
+    @property
+    def searched(self) -> tuple[Path, ...]:
+        """Where packages are looked for, in that order."""
+        places = [*self.paths, self.root, *self._of_environment("ROS_PACKAGE_PATH")]
+        places += [prefix / "share" for prefix in self._of_environment("AMENT_PREFIX_PATH")]
+        return tuple(dict.fromkeys(places))
+
+    @property
+    def names(self) -> list[str]:
+        """The packages that are there, sorted."""
+        known = set(self.given)
+        for folder in self.searched:
+            known.update(self._package_files(folder))
+        return sorted(known)
+
+    def trusted(self) -> tuple[Path, ...]:
+        """The folders that a person or the ROS environment pointed out."""
+        prefixes = self._of_environment("AMENT_PREFIX_PATH")
+        return (*self.given.values(), *self.paths, *self._of_environment("ROS_PACKAGE_PATH"), *prefixes)
+
+    def locate(self, path: Path) -> Path:
+        """The file behind a path into a package, which may hold only once the package is installed.
+
+        ``<package>/urdf/arm.xacro`` is ``<package>/description/urdf/arm.xacro`` if
+        CMakeLists.txt installs it so. A path that leads nowhere is returned as it is.
+        """
+        if path.exists():
+            return path
+        for folder in path.parents:
+            lists = folder / "CMakeLists.txt"
+            if not lists.is_file():
+                continue
+            rest = path.relative_to(folder).as_posix()
+            for installed, source in self._layout(folder, lists):
+                if rest == installed or rest.startswith(f"{installed}/") or not installed:
+                    found = folder / source / rest[len(installed) :].lstrip("/")
+                    if found.exists():
+                        return found
+            break
+        return path
+
+    def _candidates(self, name: str) -> Iterator[Path]:
+        if name in self.given:
+            yield self.given[name]
+        for folder in (*self.paths, self.root, *self._of_environment("ROS_PACKAGE_PATH")):
+            if name in (below := self._package_files(folder)):
+                yield below[name]
+        for prefix in self._of_environment("AMENT_PREFIX_PATH"):
+            if (share := prefix / "share" / name).is_dir():
+                yield share
+        for folder in (*self.paths, self.root):
+            same = [place for place in _folders(folder) if place.name == name]
+            if len(same) == 1:
+                yield same[0]
+
+    def _package_files(self, root: Path) -> dict[str, Path]:
+        """Package name → folder, of every ``package.xml`` below a folder."""
+        known = self._below.get(root)
+        if known is None:
+            known = {}
+            for folder in _folders(root):
+                name = _package_name(folder / "package.xml")
+                if name:
+                    known.setdefault(name, folder)
+            self._below[root] = known
+        return known
+
+    def _of_environment(self, variable: str) -> list[Path]:
+        return [Path(entry) for entry in self.environment.get(variable, "").split(os.pathsep) if entry]
+
+    def _layout(self, folder: Path, lists: Path) -> list[tuple[str, str]]:
+        if folder not in self._installed:
+            self._installed[folder] = list(_install_rules(_read(lists)))
+        return self._installed[folder]
+
+
+def _folders(root: Path) -> Iterator[Path]:
+    """The folder and those below it, without hidden ones and what build tools write."""
+    for count, (folder, names, _) in enumerate(os.walk(root)):
+        if count >= FOLDER_LIMIT:
+            return
+        names[:] = sorted(name for name in names if name[0] != "." and name not in _FOREIGN)
+        yield Path(folder)
+
+
+def _package_name(path: Path) -> str:
+    match = _NAME.search(_COMMENT.sub("", _read(path))) if path.is_file() else None
+    return match[1] if match else ""
+
+
+def _read(path: Path) -> str:
+    try:
+        with path.open(encoding="utf-8", errors="replace") as stream:
+            return stream.read(1_000_000)
+    except OSError:
+        return ""
+
+
+def _install_rules(text: str) -> Iterator[tuple[str, str]]:
+    """(place below the share folder, place in the source) of the folders and files that are installed."""
+    text = _REMARK.sub("", text)
+    project = _PROJECT.search(text)
+    name = project[1] if project else ""
+    for variable in ("${PROJECT_NAME}", "${CMAKE_PROJECT_NAME}"):
+        text = text.replace(variable, name)
+    for match in _INSTALL.finditer(text):
+        words = [word.strip('"') for word in match[2].split()]
+        if "DESTINATION" not in words:
+            continue
+        at = words.index("DESTINATION")
+        destination = words[at + 1] if at + 1 < len(words) else ""
+        for prefix in (f"share/{name}", "${CATKIN_PACKAGE_SHARE_DESTINATION}"):
+            if destination == prefix or destination.startswith(f"{prefix}/"):
+                below = destination[len(prefix) :].strip("/")
+                yield from _installed(match[1].upper(), words[:at], below)
+
+
+def _installed(kind: str, sources: list[str], below: str) -> Iterator[tuple[str, str]]:
+    for source in sources:
+        if source in _STOP:
+            return
+        plain = source.rstrip("/")
+        own = "" if kind == "DIRECTORY" and source.endswith("/") else plain.rpartition("/")[2]
+        if "$" not in source and plain:
+            yield "/".join(part for part in (below, own) if part), plain

@@ -1,0 +1,1 @@
+"""xacro: expansion with places, and what can be told without expanding."""

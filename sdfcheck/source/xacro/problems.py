@@ -1,0 +1,129 @@
+"""What can be wrong with xacro files, whether found by reading or by expanding them.
+
+``origins`` lead from the nearest macro call or include outwards; they are empty where
+no expansion was needed to find the problem.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from sdfcheck.source.record import Record
+from sdfcheck.source.text import Span, Step
+
+
+class Failure(Enum):
+    """The ways in which an expansion fails that have no kind of problem of their own."""
+
+    EXPRESSION = "expression"
+    ARGUMENT = "argument"
+    VARIABLE = "variable"
+    FILE = "file"
+    SYNTAX = "syntax"
+    RECURSION = "recursion"
+    LIMIT = "limit"
+    REFUSED = "refused"
+
+
+class ExpansionFailure(Record):
+    """xacro cannot expand the file; ``detail`` is the name or the reason that the kind of failure has."""
+
+    span: Span
+    kind: Failure
+    detail: str
+    expression: str = ""
+    origins: tuple[Step, ...] = ()
+
+
+class UndeclaredXacroPrefix(Record):
+    """``xacro:`` is used ``count`` times, and the root does not declare it; ``insertion`` is where it should."""
+
+    span: Span
+    count: int
+    insertion: Span
+
+
+class UndefinedMacro(Record):
+    """A call of a macro that is defined nowhere; ``near`` is a known name that may be meant."""
+
+    span: Span
+    name: str
+    near: str | None = None
+    origins: tuple[Step, ...] = ()
+
+
+class UndefinedProperty(Record):
+    """An expression uses a name that is no property, parameter or function."""
+
+    span: Span
+    name: str
+    near: str | None = None
+    origins: tuple[Step, ...] = ()
+
+
+class UnusedProperty(Record):
+    """A property that nothing reads."""
+
+    span: Span
+    name: str
+
+
+class UnusedMacroParameter(Record):
+    """A parameter that its macro's body does not read."""
+
+    span: Span
+    name: str
+    macro: str
+
+
+class IncludeCycle(Record):
+    """A file that includes itself, directly or by way of others; ``steps`` are the includes on the way."""
+
+    span: Span
+    name: str
+    steps: tuple[Span, ...] = ()
+    origins: tuple[Step, ...] = ()
+
+
+class UnknownPackage(Record):
+    """``$(find name)``, and no package of that name is known."""
+
+    span: Span
+    name: str
+    near: str | None
+    searched: tuple[str, ...]
+    origins: tuple[Step, ...] = ()
+
+
+class Mismatch(Enum):
+    """How a call and a macro's parameters disagree."""
+
+    MISSING = "missing"
+    UNKNOWN = "unknown"
+    MISSING_BLOCK = "missing block"
+    EXTRA_BLOCK = "extra block"
+
+
+class WrongMacroArguments(Record):
+    """A call that gives a macro other parameters than it takes; ``names`` are those at fault."""
+
+    span: Span
+    macro: str
+    kind: Mismatch
+    names: tuple[str, ...]
+    parameters: tuple[str, ...]
+    definition: Span | None
+    origins: tuple[Step, ...] = ()
+
+
+Problem = (
+    ExpansionFailure
+    | UndeclaredXacroPrefix
+    | UndefinedMacro
+    | UndefinedProperty
+    | UnusedProperty
+    | UnusedMacroParameter
+    | IncludeCycle
+    | UnknownPackage
+    | WrongMacroArguments
+)
