@@ -12,7 +12,7 @@ from lxml import etree
 from sdfcheck.source.decode import decode
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source
+from sdfcheck.source.text import Source, Step
 
 if TYPE_CHECKING:
     from sdfcheck.source.library import Library
@@ -93,6 +93,10 @@ class Document:
             assert self.root is not None, "spans belong to elements, and there is none"
             self._spans = Spans(self.source, self.scan, self.root)
         return self._spans
+
+    def origins(self, element: Element) -> tuple[Step, ...]:
+        """The macro calls and includes that led to an element, the nearest first."""
+        return ()
 
     def view(self, compute: Callable[[Document], T]) -> T:
         """The result of ``compute(self)``, computed once."""
