@@ -24,7 +24,8 @@ class MalformedValue(Rule):
 
     libsdformat refuses the whole document for one such value, and says of it only that
     some element could not be read. Numbers have a decimal point and are parted by
-    spaces; a truth value is true, false, 1 or 0.
+    spaces; a truth value is true, false, 1 or 0. Where a value may be left out, an empty
+    one is the default, and gets a warning.
     """
 
     code = "SCH011"
@@ -42,6 +43,7 @@ class MalformedValue(Rule):
         Bad("<mass>«1e400»</mass>", scaffold=INERTIAL, says="`1e400` is too large for `mass`"),
         Bad('<pose degrees="«on»">0 0 0 0 0 0</pose>', says="`degrees` should be true or false"),
         Bad("<geometry><mesh><«uri»/></mesh></geometry>", scaffold=IN_COLLISION, says="`uri` is empty"),
+        Bad("<«mass»></mass>", scaffold=INERTIAL, says="`mass` is empty, so 1.0 is taken"),
     )
     good = (
         Good("<gravity>TRUE</gravity>", why="any case is read"),
@@ -57,11 +59,21 @@ class MalformedValue(Rule):
         value, reading, part = problem.value, problem.reading, problem.span.text
         name = value.attribute or value.element.name
         if reading.cause is None:
-            message = f"`{name}` is empty"
-        elif reading.cause.name in WORDS:
+            yield from self.empty(problem)
+            return
+        if reading.cause.name in WORDS:
             message = WORDS[reading.cause.name].format(name=name, expected=reading.expected, part=part)
         elif part == value.text.strip():
             message = f"`{name}` should be {reading.expected}, not `{part}`"
         else:
             message = f"`{name}` should be {reading.expected}, and `{part}` is none"
         yield self.diagnostic(problem.span, message)
+
+    def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
+        """No value at all, for which a default is taken if the file is read."""
+        message = f"`{problem.value.attribute or problem.value.element.name}` is empty"
+        if problem.reading.refused:
+            yield self.diagnostic(problem.span, message)
+            return
+        message += f", so {problem.definition.default} is taken"
+        yield self.diagnostic(problem.span, message, severity=Severity.WARNING)

@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_MODEL, IN_VISUAL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_COLLISION,
+    IN_LINK,
+    IN_MODEL,
+    IN_VISUAL,
+    Bad,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+)
 
 
 class MissingElement(Rule):
@@ -24,6 +35,11 @@ class MissingElement(Rule):
             '<«joint» name="j" type="fixed"><parent>base</parent></joint>',
             scaffold=IN_MODEL,
             says="joint `j` has no `child`",
+        ),
+        Bad(
+            "<«inertial»><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>",
+            scaffold=IN_LINK,
+            says="`inertial` has no `mass`, so 1 is taken",
         ),
         Bad(
             "<geometry><mesh><uri>model://arm/arm.dae</uri><«submesh»/></mesh></geometry>",

@@ -186,7 +186,7 @@ class BadValue(Record):
 
 
 class MalformedValue(BadValue):
-    """Not of the type: refused."""
+    """Not of the type, which is refused; or empty, where (unless refused) the default is taken."""
 
 
 class MisreadValue(BadValue):

@@ -39,6 +39,7 @@ def structure_problems(document: Document) -> list[object]:
     return [
         *_root(document),
         *_shapes(surveyed),
+        *_inertials(surveyed),
         *sensor_problems(surveyed),
         *_shaders(surveyed),
         *_surfaces(surveyed),
@@ -51,12 +52,13 @@ def _root(document: Document) -> Iterator[object]:
     if root is None or root.name != "sdf":
         return
     first: Element | None = None
-    for child in root:
-        if child.tag in _ENTITIES:
-            if first is None:
-                first = child
-            else:
-                yield problems.RepeatedElement(child, first, root, refused=True)
+    for child in root.children():
+        if child.name not in _ENTITIES:
+            continue
+        if first is None:
+            first = child
+        else:
+            yield problems.RepeatedElement(child, first, root, refused=True)
 
 
 def _shapes(surveyed: Survey) -> Iterator[object]:
@@ -89,6 +91,23 @@ def _shapes_of(geometry: Element) -> Iterator[object]:
 
 def _stands_in(element: Element, parent: str) -> bool:
     return element.parent is not None and element.parent.name == parent
+
+
+def _inertials(surveyed: Survey) -> Iterator[object]:
+    """Moments that belong to no mass: the default of one kilogram was not meant."""
+    for inertial in surveyed.index.get("inertial", ()):
+        if inertial.has("inertia") and not inertial.has("mass") and not _is_static(inertial):
+            yield problems.MissingElement(inertial, "mass", "1")
+
+
+def _is_static(element: Element) -> bool:
+    parent = element.parent
+    while parent is not None:
+        static = parent.find("static")
+        if static is not None and static.content.lower() in {"true", "1"}:
+            return True
+        parent = parent.parent
+    return False
 
 
 def _shaders(surveyed: Survey) -> Iterator[object]:

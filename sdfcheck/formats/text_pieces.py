@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+from lxml import etree
+
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
 
@@ -20,7 +22,8 @@ def part(value: Value, start: int, end: int) -> Span:
 
 def cut_text(element: Element) -> Span | None:
     """The text behind a comment in the middle of a value, which no reader sees."""
-    pieces = [element.text, *(node.tail for node in element if not isinstance(node.tag, str))]
+    others = element.iterchildren(etree.Comment, etree.ProcessingInstruction)
+    pieces = [element.text, *(other.tail for other in others)]
     filled = [piece for piece in pieces if piece and piece.strip()]
     if len(filled) < 2:
         return None

@@ -28,7 +28,8 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     if rotation is not None and degrees is not None and _exclude_each_other(rotation, degrees):
         yield problems.ConflictingRotation(degrees, rotation)
     elif not value.text:
-        if definition.needs_value:
+        # An empty pose is a usual way to leave it at the default, an empty number is none.
+        if definition.needs_value or definition.type not in {"pose", "string"}:
             yield problems.MalformedValue(value, definition, definition.read(""), element.span)
     elif cut := cut_text(element):
         yield problems.CutText(value, cut)

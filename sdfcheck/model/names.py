@@ -205,9 +205,9 @@ def _references(surveyed: Survey) -> Iterator[Problem]:
     index = surveyed.index
     for kind, names in _REFERENCE_ATTRIBUTES.items():
         for element in index.get(kind, ()):
-            for name, text in element.items():
-                if name in names and "::" in text and "" in text.strip().split("::"):
-                    yield MalformedScopedName(Value(element, name, text))
+            for value in filter(None, map(element.attribute, names)):
+                if "::" in value.text and "" in value.text.strip().split("::"):
+                    yield MalformedScopedName(value)
     for kind in _REFERENCE_ELEMENTS:
         for element in index.get(kind, ()):
             if "::" in (text := element.content) and "" in text.split("::"):

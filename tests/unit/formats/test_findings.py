@@ -1,0 +1,309 @@
+"""What the walk over a document finds, as values; the words are tested with the rules."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sdfcheck.formats import problems
+from sdfcheck.formats.survey import survey
+from sdfcheck.source.document import read
+
+MODEL = '<sdf version="{version}"><model name="m"><link name="l">{text}</link></model></sdf>'
+MESH = '<visual name="v"><geometry><mesh>{}</mesh></geometry></visual>'
+BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
+FRICTION = f'<collision name="c">{BOX}<surface><friction><ode>{{}}</ode></friction></surface></collision>'
+
+
+def found(text: str) -> list[Any]:
+    return survey(read(text.encode(), Path("example.sdf"))).problems
+
+
+def only(text: str, kind: type) -> Any:
+    problem, *others = found(text)
+    assert type(problem) is kind, problem
+    assert not others
+    return problem
+
+
+def in_link(text: str, version: str = "1.12") -> list[Any]:
+    return found(MODEL.format(version=version, text=text))
+
+
+def only_in_link(text: str, kind: type, version: str = "1.12") -> Any:
+    return only(MODEL.format(version=version, text=text), kind)
+
+
+def test_a_sound_document() -> None:
+    assert in_link("<pose>0 0 1 0 0 0</pose><inertial><mass>1</mass></inertial>") == []
+
+
+# The version
+
+
+@pytest.mark.parametrize(
+    ("attributes", "empty"), [("", False), (' version=""', True), (' version="  "', True)]
+)
+def test_missing_version(attributes: str, empty: bool) -> None:
+    problem = only(f"<sdf{attributes}/>", problems.MissingVersion)
+    assert problem.empty is empty
+    assert str(problem.assumed) == "1.12"
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("1.6.0", "1.6"),
+        ("1.06", "1.6"),
+        (" 1.12", "1.12"),
+        ("1,9", "1.9"),
+        ("v1.10", "1.10"),
+        ("1.13", None),
+        ("1.1", None),
+        ("2.0", None),
+        ("newest", None),
+    ],
+)
+def test_unknown_version(text: str, meant: str | None) -> None:
+    problem = only(f'<sdf version="{text}"/>', problems.UnknownVersion)
+    assert problem.meant == meant
+    assert (str(problem.oldest), str(problem.newest)) == ("1.2", "1.12")
+
+
+# Elements
+
+
+@pytest.mark.parametrize(
+    ("text", "places"),
+    [
+        ("<mass>1</mass>", ("inertial",)),
+        ("<static>true</static>", ("model",)),
+        ("<inertial><inertia><pose/></inertia></inertial>", ("inertial", "link", "model")),
+        (FRICTION.format("<max_vel>1</max_vel>"), ("surface/contact/ode",)),
+    ],
+)
+def test_misplaced_elements_know_where_they_belong(text: str, places: tuple[str, ...]) -> None:
+    misplaced = [p for p in in_link(text) if isinstance(p, problems.MisplacedElement)]
+    assert [p.places for p in misplaced] == [places]
+    assert misplaced[0].ignored
+
+
+def test_includes_are_followed_wherever_they_stand() -> None:
+    problem = only('<sdf version="1.9"><include/></sdf>', problems.MisplacedElement)
+    assert not problem.ignored
+    assert problem.places == ("model", "world")
+
+
+def test_unknown_elements() -> None:
+    problem = only_in_link("<inertail/>", problems.UnknownElement)
+    assert problem.suggestion == "inertial"
+    assert not problem.refused
+
+
+def test_workflows_of_pbr_are_a_closed_list() -> None:
+    text = f'<visual name="v">{BOX}<material><pbr><shiny/></pbr></material></visual>'
+    assert only_in_link(text, problems.UnknownElement).refused
+
+
+def test_too_new_elements_are_told_once_with_all_uses() -> None:
+    shapes = "".join(
+        f'<visual name="{name}"><geometry><capsule><radius>1</radius><length>1</length></capsule></geometry>'
+        "</visual>"
+        for name in "abc"
+    )
+    problem = only_in_link(shapes, problems.TooNewElement, "1.7")
+    assert [use.name for use in problem.uses] == ["capsule"] * 3
+    assert (str(problem.since), problem.declaration.text) == ("1.8", "1.7")
+
+
+def test_what_is_too_new_is_looked_into() -> None:
+    text = '<visual name="v"><geometry><capsule><radius>wide</radius></capsule></geometry></visual>'
+    kinds = {type(p).__name__ for p in in_link(text, "1.7")}
+    assert kinds == {"TooNewElement", "MalformedValue", "MissingElement"}
+
+
+def test_too_new_attributes() -> None:
+    problem = only_in_link(
+        '<pose relative_to="l" degrees="true">0 0 0 0 0 0</pose>', problems.TooNewAttribute, "1.8"
+    )
+    assert (problem.attribute, str(problem.since)) == ("degrees", "1.9")
+
+
+def test_removed_elements() -> None:
+    physics = '<physics type="ode"><gravity>0 0 0</gravity></physics>'
+    world = f'<sdf version="{{}}"><world name="w">{physics}</world></sdf>'
+    assert found(world.format("1.5")) == []
+    problem = only(world.format("1.6"), problems.RemovedElement)
+    assert (problem.attribute, str(problem.until), problem.successor) == (None, "1.5", "world/gravity")
+
+
+def test_removed_attributes() -> None:
+    assert in_link('<pose frame="l"/>', "1.6") == []
+    problem = only_in_link('<pose frame="l"/>', problems.RemovedElement, "1.7")
+    assert (problem.attribute, str(problem.until)) == ("frame", "1.6")
+
+
+def test_repeated_elements() -> None:
+    problem = only_in_link("<inertial><mass>1</mass><mass>2</mass></inertial>", problems.RepeatedElement)
+    assert problem.element.content == "2"
+    assert problem.first.content == "1"
+    assert not problem.refused
+
+
+def test_polylines_make_one_shape_together() -> None:
+    line = "<polyline><point>0 0</point><point>0 1</point><height>1</height></polyline>"
+    assert in_link(f'<visual name="v"><geometry>{line}{line}</geometry></visual>') == []
+
+
+@pytest.mark.parametrize(
+    ("text", "child", "default", "refused"),
+    [
+        ("<visual name='v'><geometry><box/></geometry></visual>", "size", "1 1 1", False),
+        ("<projector name='p'><fov>1</fov></projector>", "texture", None, False),
+        (
+            "<visual name='v'><geometry><mesh><uri>a</uri><submesh/></mesh></geometry></visual>",
+            "name",
+            None,
+            True,
+        ),
+    ],
+)
+def test_missing_elements(text: str, child: str, default: str | None, refused: bool) -> None:
+    problem = only_in_link(text, problems.MissingElement)
+    assert (problem.child, problem.default, problem.refused) == (child, default, refused)
+
+
+@pytest.mark.parametrize("kind", ["revolute", "fixed", "ball"])
+def test_joints_need_both_ends(kind: str) -> None:
+    missing = found(f'<sdf version="1.9"><model name="m"><joint name="j" type="{kind}"/></model></sdf>')
+    assert [(p.child, p.refused) for p in missing] == [("parent", True), ("child", True)]
+
+
+def test_a_custom_element_may_have_been_put_in_place_of_a_required_one() -> None:
+    sphere = '<visual name="v"><geometry><sphere>{}</sphere></geometry></visual>'
+    problem = only_in_link(sphere.format("<p:diameter>2</p:diameter>"), problems.ReplacedElement)
+    assert (problem.custom.name, problem.child) == ("p:diameter", "radius")
+    only_in_link(sphere.format("<p:colour>red</p:colour>"), problems.MissingElement)
+
+
+def test_deprecated_elements() -> None:
+    text = (
+        '<sdf version="1.12"><model name="m"><joint name="j" type="screw"><parent>a</parent><child>b</child>'
+        "<thread_pitch>1</thread_pitch></joint></model></sdf>"
+    )
+    problem = only(text, problems.DeprecatedElement)
+    assert (problem.successor, problem.since, problem.announced) == ("screw_thread_pitch", "1.10", False)
+
+
+@pytest.mark.parametrize(
+    ("text", "stray"),
+    [
+        ("<inertial>\n  5 kg\n  heavy <mass>1</mass></inertial>", "5 kg"),
+        ("<inertial><mass>1</mass> end</inertial>", "end"),
+        ("<inertial><!-- a --> middle <!-- b --></inertial>", "middle"),
+    ],
+)
+def test_stray_text(text: str, stray: str) -> None:
+    assert only_in_link(text, problems.StrayText).span.text == stray
+
+
+def test_character_data_beside_elements_is_a_note() -> None:
+    assert in_link("<inertial><![CDATA[a note]]><mass>1</mass></inertial>") == []
+
+
+# Attributes
+
+
+def test_unknown_attributes() -> None:
+    problem = only_in_link('<pose relativ_to="l"/>', problems.UnknownAttribute)
+    assert (problem.attribute, problem.suggestion) == ("relativ_to", "relative_to")
+
+
+def test_custom_attributes_are_free() -> None:
+    assert in_link('<pose p:unit="m" xmlns:p="https://example.org/p"/>') == []
+
+
+@pytest.mark.parametrize(("attribute", "empty"), [("", False), ('type=""', True), ('type=" "', True)])
+def test_missing_attributes(attribute: str, empty: bool) -> None:
+    problem = only_in_link(f'<sensor name="s" {attribute}/>', problems.MissingAttribute)
+    assert (problem.attribute, problem.empty, problem.until) == ("type", empty, None)
+
+
+def test_attributes_that_are_no_longer_required() -> None:
+    plugin = '<sdf version="{}"><world name="w"><plugin filename="p"{}/></world></sdf>'
+    assert found(plugin.format("1.10", "")) == []
+    assert str(only(plugin.format("1.9", ""), problems.MissingAttribute).until) == "1.9"
+    assert str(only(plugin.format("1.9", ' name=""'), problems.EmptyName).until) == "1.9"
+
+
+def test_empty_names() -> None:
+    assert only_in_link('<visual name=" ">' + BOX + "</visual>", problems.EmptyName).until is None
+
+
+# Values
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "part"),
+    [
+        ("<pose>0 0 x 0 0 0</pose>", problems.MalformedValue, "x"),
+        ("<pose>0 0 0</pose>", problems.WrongComponentCount, "0 0 0"),
+        ("<pose>0 0 0 0 0 0 7 8</pose>", problems.WrongComponentCount, "7 8"),
+        ("<pose>0 0 0 0 0 1,5</pose>", problems.MisreadValue, "1,5"),
+        ('<pose rotation_format="quat_xyzw">0 0 0 0 0 0</pose>', problems.WrongComponentCount, "0 0 0 0 0 0"),
+        ("<inertial><mass/></inertial>", problems.MalformedValue, "mass"),
+        (
+            "<sensor name='s' type='imu'><update_rate>-1</update_rate></sensor>",
+            problems.ValueOutOfRange,
+            "-1",
+        ),
+        ("<inertial><mass>inf</mass></inertial>", problems.ValueOutOfRange, "inf"),
+        ("<light name='l' type='area'/>", problems.UnknownChoice, "area"),
+    ],
+)
+def test_values(text: str, kind: type, part: str) -> None:
+    problem = only_in_link(text, kind)
+    span = problem.value.span if kind is problems.UnknownChoice else problem.span
+    assert span.text == part
+
+
+def test_an_empty_value_is_refused_or_the_default() -> None:
+    assert not only_in_link("<inertial><mass/></inertial>", problems.MalformedValue).reading.refused
+    assert only_in_link(MESH.format("<uri/>"), problems.MalformedValue).reading.refused
+    assert in_link("<pose/>") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "rest"),
+    [
+        ("<pose>0 0 0 <!-- rpy --> 0 0 0</pose>", "0 0 0"),
+        ("<pose><!-- a -->0 0 0 0 0<!-- b --><!-- c -->0</pose>", "0"),
+        ("<inertial><mass>1<!-- kg -->.5</mass></inertial>", ".5"),
+    ],
+)
+def test_values_end_at_a_comment(text: str, rest: str) -> None:
+    assert only_in_link(text, problems.CutText).rest.text == rest
+
+
+def test_comments_around_a_value_do_no_harm() -> None:
+    assert in_link("<pose><!-- a --> 0 0 0 0 0 0 <!-- b --></pose>") == []
+
+
+def test_degrees_and_quaternions() -> None:
+    pose = '<pose degrees="{}" rotation_format="quat_xyzw">0 0 0 0 0 0 1</pose>'
+    problem = only_in_link(pose.format("true"), problems.ConflictingRotation)
+    assert (problem.value.text, problem.format.text) == ("true", "quat_xyzw")
+    assert in_link(pose.format("false")) == []
+
+
+def test_what_the_newest_version_accepts_is_accepted() -> None:
+    camera = "<sensor name='s' type='camera'><camera><horizontal_fov>3</horizontal_fov></camera></sensor>"
+    assert in_link(camera, "1.4") == []
+
+
+def test_choices_of_a_list_that_nobody_enforces() -> None:
+    world = '<sdf version="1.9"><world name="w"><physics type="{}"/></world></sdf>'
+    assert not only(world.format("quick"), problems.UnknownChoice).refused
+    assert found(world.format("dart")) == []
