@@ -12,7 +12,7 @@ WORDS = {
     "FRACTION": "`{name}` should be {expected}, and `{part}` is a fraction",
     "HEXADECIMAL": "`{name}` should be {expected}, and `{part}` is hexadecimal",
     "NOT_A_BOOLEAN": "`{name}` should be {expected}, not `{part}`",
-    "NOT_FINITE": "`{name}` should be {expected}, and `{part}` is none",
+    "NOT_FINITE": "`{name}` should be {expected}, and `{part}` is not finite",
     "TOO_LARGE": "`{part}` is too large for `{name}`",
     "TOO_SMALL": "`{part}` is too near to zero for `{name}`",
 }
