@@ -46,6 +46,8 @@ _CLOSED = frozenset(("material/pbr",))
 # The table allows one, and the readers take all.
 _REPEATABLE = frozenset(("geometry/polyline",))
 
+_FIVE, _SEVEN = Version(1, 5), Version(1, 7)
+
 _VERSION = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
 
 
@@ -139,8 +141,20 @@ class Findings:
             if custom.content and child.accepts(custom.content):
                 return problems.ReplacedElement(custom, parent, name)
         default = None if child.default == NOT_GIVEN else child.default
-        refused = (place.path, name) in _REFUSED
+        refused = (place.path, name) in _REFUSED or self.is_refused_axis(parent, name)
         return problems.MissingElement(parent, name, default or None, refused)
+
+    def is_refused_axis(self, axis: Element, name: str) -> bool:
+        """An axis without direction in the frame of the model, as older files say it.
+
+        The conversion says so on its ``xyz``, and makes an empty one, which is refused.
+        """
+        if name != "xyz" or self.version >= _SEVEN:
+            return False
+        frame = axis.find("use_parent_model_frame")
+        if frame is None:
+            return self.version < _FIVE  # where that is what goes without saying
+        return frame.content.lower() in {"true", "1"}
 
     def stray_text(self, element: Element) -> None:
         if element in self.stray:

@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats import problems
-from sdfcheck.formats.sensors import sensor_problems
 from sdfcheck.formats.survey import Survey, survey
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+
+_SIX = Version(1, 6)
 
 # The order in which libsdformat looks for a shape; the first one found is taken.
 SHAPES = (
@@ -39,8 +41,9 @@ def structure_problems(document: Document) -> list[object]:
     return [
         *_root(document),
         *_shapes(surveyed),
+        *_lights(surveyed),
         *_inertials(surveyed),
-        *sensor_problems(surveyed),
+        *_sensors(surveyed),
         *_shaders(surveyed),
         *_surfaces(surveyed),
         *_order(surveyed),
@@ -93,6 +96,13 @@ def _stands_in(element: Element, parent: str) -> bool:
     return element.parent is not None and element.parent.name == parent
 
 
+def _lights(surveyed: Survey) -> Iterator[object]:
+    """Up to 1.5 a light needed no name; all readers now ask for one."""
+    for light in surveyed.index.get("light", ()):
+        if surveyed.version < _SIX and "name" not in light.attributes:
+            yield problems.MissingAttribute(light, "name", empty=False)
+
+
 def _inertials(surveyed: Survey) -> Iterator[object]:
     """Moments that belong to no mass: the default of one kilogram was not meant."""
     for inertial in surveyed.index.get("inertial", ()):
@@ -108,6 +118,13 @@ def _is_static(element: Element) -> bool:
             return True
         parent = parent.parent
     return False
+
+
+def _sensors(surveyed: Survey) -> Iterator[object]:
+    if surveyed.index.get("sensor"):
+        from sdfcheck.formats.sensors import sensor_problems
+
+        yield from sensor_problems(surveyed)
 
 
 def _shaders(surveyed: Survey) -> Iterator[object]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sdfcheck.formats import history
 from sdfcheck.formats.survey import Survey, survey
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
@@ -161,13 +160,20 @@ def _unfolded(surveyed: Survey, siblings: dict[Element, list[_Named]]) -> dict[E
     return foreign_references(surveyed)
 
 
+def _is_checked(kind: str) -> bool:
+    """Whether names of elements of a kind are compared with the reserved ones."""
+    from sdfcheck.formats.history import reserved_name_holders
+
+    return kind in reserved_name_holders()
+
+
 def _unsound(
     surveyed: Survey, children: list[_Named], foreign: dict[Element, Value | Element]
 ) -> Iterator[Problem]:
     """Names that are wrong by themselves."""
     for kind, name, value in children:
         element = value.element
-        if is_reserved(name) and kind in history.reserved_name_holders():
+        if is_reserved(name) and _is_checked(kind):
             yield ReservedName(value)
         if "::" in name and ":" not in kind and kind != "plugin":
             yield DelimiterInName(value, surveyed.version >= _EIGHT, foreign.get(element))

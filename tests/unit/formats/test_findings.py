@@ -181,6 +181,28 @@ def test_joints_need_both_ends(kind: str) -> None:
     assert [(p.child, p.refused) for p in missing] == [("parent", True), ("child", True)]
 
 
+@pytest.mark.parametrize(
+    ("version", "frame", "refused"),
+    [
+        ("1.4", "", True),
+        ("1.4", "<use_parent_model_frame>false</use_parent_model_frame>", False),
+        ("1.5", "", False),
+        ("1.6", "<use_parent_model_frame>true</use_parent_model_frame>", True),
+        ("1.6", "<use_parent_model_frame>0</use_parent_model_frame>", False),
+        ("1.7", "", False),
+    ],
+)
+def test_an_axis_without_direction_in_an_old_file(version: str, frame: str, refused: bool) -> None:
+    ends = "<parent>a</parent><child>b</child>"
+    joint = f'<joint name="j" type="revolute">{ends}<axis>{frame}</axis></joint>'
+    missing = [
+        problem
+        for problem in found(f'<sdf version="{version}"><model name="m">{joint}</model></sdf>')
+        if isinstance(problem, problems.MissingElement)
+    ]
+    assert [(problem.child, problem.refused) for problem in missing] == [("xyz", refused)]
+
+
 def test_a_custom_element_may_have_been_put_in_place_of_a_required_one() -> None:
     sphere = '<visual name="v"><geometry><sphere>{}</sphere></geometry></visual>'
     problem = only_in_link(sphere.format("<p:diameter>2</p:diameter>"), problems.ReplacedElement)

@@ -75,6 +75,20 @@ def test_references_are_no_shapes() -> None:
     assert in_link(contact + sonar) == []
 
 
+# Lights
+
+
+@pytest.mark.parametrize("version", ["1.4", "1.5"])
+def test_lights_of_old_files_need_a_name_too(version: str) -> None:
+    problem = only(in_link('<light type="point"/>', version), problems.MissingAttribute)
+    assert (problem.attribute, problem.empty) == ("name", False)
+    assert in_link('<light name="l" type="point"/>', version) == []
+
+
+def test_what_the_table_asks_for_is_told_by_the_walk() -> None:
+    assert in_link('<light type="point"/>', "1.6") == []
+
+
 # Inertia
 
 
