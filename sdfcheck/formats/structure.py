@@ -65,10 +65,11 @@ def _root(document: Document) -> Iterator[object]:
 
 
 def _shapes(surveyed: Survey) -> Iterator[object]:
+    shaped = _parents(surveyed, "geometry")
     for kind in ("visual", "collision"):
         for element in surveyed.index.get(kind, ()):
             # Elsewhere a collision is a reference, which holds its name.
-            if _stands_in(element, "link") and not element.has("geometry"):
+            if element not in shaped and _stands_in(element, "link"):
                 yield problems.MissingShape(element)
     for geometry in surveyed.index.get("geometry", ()):
         if len(geometry) == 1 and geometry[0].tag in SHAPES:
@@ -92,6 +93,11 @@ def _shapes_of(geometry: Element) -> Iterator[object]:
             yield problems.SeveralShapes(shape, taken)
 
 
+def _parents(surveyed: Survey, name: str) -> set[Element | None]:
+    """The elements that hold one of a name."""
+    return {element.parent for element in surveyed.index.get(name, ())}
+
+
 def _stands_in(element: Element, parent: str) -> bool:
     return element.parent is not None and element.parent.name == parent
 
@@ -105,8 +111,9 @@ def _lights(surveyed: Survey) -> Iterator[object]:
 
 def _inertials(surveyed: Survey) -> Iterator[object]:
     """Moments that belong to no mass: the default of one kilogram was not meant."""
+    massive, turning = _parents(surveyed, "mass"), _parents(surveyed, "inertia")
     for inertial in surveyed.index.get("inertial", ()):
-        if inertial.has("inertia") and not inertial.has("mass") and not _is_static(inertial):
+        if inertial not in massive and inertial in turning and not _is_static(inertial):
             yield problems.MissingElement(inertial, "mass", "1")
 
 

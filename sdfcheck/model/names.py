@@ -7,6 +7,7 @@ nested models share one name space, in a world models, joints and frames do; the
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -18,6 +19,9 @@ from sdfcheck.source.record import Record
 
 FRAME_KINDS = frozenset({"link", "joint", "frame", "model"})
 """Elements whose names make frames, and so share one name space in their scope."""
+
+# Among names, one a line: what may be reserved, has blanks at its ends, or a colon in it.
+_ODD_LINE = re.compile(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
 
 _SEVEN, _EIGHT = Version(1, 7), Version(1, 8)
 
@@ -111,6 +115,8 @@ class _Named(NamedTuple):
 def problems(document: Document) -> list[Problem]:
     """Everything about names that is wrong in an SDF document, in no particular order."""
     surveyed = survey(document)
+    included = list(_included(surveyed))
+    doubtful = {*_doubtful(surveyed), *(parent for parent, _ in included)}
     siblings = {
         parent: [
             _Named(kind, text.strip(), Value(element, "name", text))
@@ -118,16 +124,31 @@ def problems(document: Document) -> list[Problem]:
             if text.strip()
         ]
         for parent, children in surveyed.named.items()
+        if parent in doubtful
     }
-    for parent, named in _included(surveyed):
+    for parent, named in included:
         siblings.setdefault(parent, []).append(named)
     found: list[Problem] = []
     foreign = _unfolded(surveyed, siblings)
     for parent, children in siblings.items():
         found += _unsound(surveyed, children, foreign)
         found += _repeated(surveyed, parent, children)
-    found += _references(surveyed)
+    if _has_odd_delimiter(document.source.text):
+        found += _references(surveyed)
+    found += _root_references(surveyed)
     return found
+
+
+def _doubtful(surveyed: Survey) -> Iterator[Element]:
+    """The cheap question whose children may have names that something is wrong with."""
+    named = surveyed.named
+    lines = (name for children in named.values() for kind, name, _ in children if kind != "plugin")
+    if _ODD_LINE.search("\n".join(lines)):
+        yield from named
+        return
+    for parent, children in named.items():
+        if len(children) > 1 and len({name for _, name, _ in children}) < len(children):
+            yield parent
 
 
 def is_reserved(name: str) -> bool:
@@ -207,6 +228,15 @@ def _repeated(surveyed: Survey, parent: Element, children: list[_Named]) -> Iter
         )
 
 
+def _has_odd_delimiter(text: str) -> bool:
+    """The cheap question whether any ``::`` has nothing before or behind it."""
+    ends = frozenset("\"'<>: \t\r\n")
+    return any(
+        text[match.start() - 1] in ends or text[match.end() : match.end() + 1] in ends
+        for match in re.finditer("::", text)
+    )
+
+
 def _references(surveyed: Survey) -> Iterator[Problem]:
     index = surveyed.index
     for kind, names in _REFERENCE_ATTRIBUTES.items():
@@ -218,7 +248,10 @@ def _references(surveyed: Survey) -> Iterator[Problem]:
         for element in index.get(kind, ()):
             if "::" in (text := element.content) and "" in text.split("::"):
                 yield MalformedScopedName(element.own_value)
-    for element in index.get("custom_rpy", ()):
+
+
+def _root_references(surveyed: Survey) -> Iterator[Problem]:
+    for element in surveyed.index.get("custom_rpy", ()):
         frame = element.attribute("parent_frame")
         if frame is not None and frame.text.strip() == "__root__":
             yield ReservedName(frame, is_reference=True)
