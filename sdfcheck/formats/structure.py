@@ -69,7 +69,7 @@ def _shapes(surveyed: Survey) -> Iterator[object]:
     for kind in ("visual", "collision"):
         for element in surveyed.index.get(kind, ()):
             # Elsewhere a collision is a reference, which holds its name.
-            if element not in shaped and _stands_in(element, "link"):
+            if element not in shaped and _stands_in(element, "link") and not _is_state(element):
                 yield problems.MissingShape(element)
     for geometry in surveyed.index.get("geometry", ()):
         if len(geometry) == 1 and geometry[0].tag in SHAPES:
@@ -98,6 +98,11 @@ def _parents(surveyed: Survey, name: str) -> set[Element | None]:
     return {element.parent for element in surveyed.index.get(name, ())}
 
 
+def _is_state(element: Element) -> bool:
+    """Is it the state of something? Up to 1.11 states go by the name of what they are of."""
+    return any(ancestor.tag == "state" for ancestor in element.iterancestors())
+
+
 def _stands_in(element: Element, parent: str) -> bool:
     return element.parent is not None and element.parent.name == parent
 
@@ -105,7 +110,7 @@ def _stands_in(element: Element, parent: str) -> bool:
 def _lights(surveyed: Survey) -> Iterator[object]:
     """Up to 1.5 a light needed no name; all readers now ask for one."""
     for light in surveyed.index.get("light", ()):
-        if surveyed.version < _SIX and "name" not in light.attributes:
+        if surveyed.version < _SIX and "name" not in light.attributes and not _is_state(light):
             yield problems.MissingAttribute(light, "name", empty=False)
 
 

@@ -89,6 +89,11 @@ def test_what_the_table_asks_for_is_told_by_the_walk() -> None:
     assert in_link('<light type="point"/>', "1.6") == []
 
 
+def test_states_are_not_what_they_are_of() -> None:
+    link = '<model name="m"><link name="l"><collision name="c"/></link></model>'
+    assert found(f'<world name="w"><state world_name="w">{link}</state></world>', "1.9") == []
+
+
 # Inertia
 
 
