@@ -31,19 +31,23 @@ class Survey:
     __slots__ = ("customs", "document", "index", "named", "places", "problems", "version")
 
     def __init__(self, document: Document) -> None:
+        root = document.root
+        text = document.version if root is not None and root.name == "sdf" else None
+        self.prepare(document, (Version.parse(text) if text else None) or NEWEST)
+        if root is not None and root.name == "sdf":
+            self.problems = _Walk(self).run(root)
+
+    def prepare(self, document: Document, version: Version) -> None:
+        """Be empty."""
         self.document = document
+        self.version = version
+        """The declared version; the newest one where none or an unknown one is declared."""
         self.index: defaultdict[str, list[Element]] = defaultdict(list)
         self.named: defaultdict[Element, list[tuple[str, str, Element]]] = defaultdict(list)
         """Parent → (element name, value of its ``name``, element)."""
         self.customs: list[tuple[Element, Element, Definition]] = []
         """Custom elements that stand in standard ones, with their parent and its definition."""
         self.problems: list[object] = []
-        root = document.root
-        text = document.version if root is not None and root.name == "sdf" else None
-        self.version = (Version.parse(text) if text else None) or NEWEST
-        """The declared version; the newest one where none or an unknown one is declared."""
-        if root is not None and root.name == "sdf":
-            self.problems = _Walk(self).run(root)
 
 
 def survey(document: Document) -> Survey:
@@ -54,6 +58,13 @@ def survey(document: Document) -> Survey:
 def problems(document: Document) -> list[object]:
     """What the walk found wrong."""
     return survey(document).problems
+
+
+def examine(element: Element, definition: Definition) -> list[object]:
+    """What is wrong with an element where the walk does not go, taken for what ``definition`` describes."""
+    notes = Survey.__new__(Survey)
+    notes.prepare(element.document, definition.version)
+    return _Walk(notes).part(element, definition)
 
 
 class _Walk:
@@ -79,6 +90,16 @@ class _Walk:
         if len(items) != 1 or not definition.attributes["version"].accepts(items[0][1]):
             self.findings.root(root, definition)
         self.children(root, definition)
+        return self._findings.conclude() if self._findings else []
+
+    def part(self, element: Element, definition: Definition) -> list[object]:
+        parent = element.parent
+        assert parent is not None
+        self.attributes(element, parent, definition, element.items())
+        if definition.type is not None:
+            self.findings.value(element, parent, definition)
+        elif not definition.open:
+            self.children(element, definition)
         return self._findings.conclude() if self._findings else []
 
     def children(self, parent: Element, place: Definition) -> None:

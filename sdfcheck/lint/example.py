@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 MARK_START, MARK_END = "«", "»"
@@ -42,6 +43,8 @@ class Bad(NamedTuple):
     file: str = ""
     """File name, where the snippet's kind cannot be told from its root element."""
     scaffold: str | None = None
+    files: Mapping[str, str] | None = None
+    """Other files on disk: path beside the snippet's file → text. None: nothing is looked up."""
 
 
 class Good(NamedTuple):
@@ -51,6 +54,7 @@ class Good(NamedTuple):
     why: str = ""
     file: str = ""
     scaffold: str | None = None
+    files: Mapping[str, str] | None = None
 
 
 def fill(scaffold: str, example: Bad | Good) -> str:

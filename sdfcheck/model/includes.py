@@ -6,10 +6,14 @@ in which it looks.
 
 from __future__ import annotations
 
+import os
+from enum import Enum
 from pathlib import Path
 from typing import NamedTuple
 
-from sdfcheck.formats.version import Version
+from sdfcheck.formats.problems import MisplacedElement
+from sdfcheck.formats.survey import survey
+from sdfcheck.model.model_config import config_of, model_file
 from sdfcheck.model.uris import Location, locate
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -18,26 +22,44 @@ INCLUDABLE = ("model", "actor", "light")
 """What an included file may hold, in the order in which libsdformat prefers them."""
 
 
+class Obstacle(Enum):
+    """Why an include brings nothing."""
+
+    NO_URI = "no uri"
+    NOT_FOUND = "not found"
+    NO_CONFIG = "no model.config"
+    BAD_CONFIG = "bad model.config"
+    UNREADABLE = "unreadable"
+    BROKEN = "broken"
+    FOREIGN = "foreign"
+    XACRO = "xacro"
+    NO_MODEL = "no model"
+
+
 class Included(NamedTuple):
     """What one ``include`` brings.
 
     ``model`` is the included file's model, actor or light (or a URDF's robot), in a
-    document of its own, None where there is none to be had; ``kind`` is what it counts
-    as. ``name`` is the name by which it goes here, None where it is not known.
+    document of its own, None where there is none to be had, for the reason in
+    ``obstacle``; ``kind`` is what it counts as. ``name`` is the name by which it goes
+    here, None where it is not known.
     """
 
     include: Element
     uri: Value | None
     location: Location | None
     file: Path | None
-    """The file that was read, behind a folder's ``model.config``."""
+    """The file that is meant, behind a folder's ``model.config``."""
+    document: Document | None
+    """The file as it was read, also where it holds no model."""
+    config: Document | None
+    """The ``model.config`` of the folder that the uri leads to."""
     model: Element | None
     kind: str | None
     name: str | None
     merge: bool
     is_static: bool
-    cycle: tuple[Value, ...] = ()
-    """The chain of includes that leads back to a file that is being read, from the outside in."""
+    obstacle: Obstacle | None = None
 
 
 def included(document: Document, include: Element) -> Included:
@@ -48,47 +70,15 @@ def included(document: Document, include: Element) -> Included:
     return resolved[include]
 
 
-class _Resolved(dict[Element, Included]):
-    def __init__(self, document: Document) -> None:
-        super().__init__()
-
-
-def _resolve(document: Document, include: Element) -> Included:
-    name, static, uri = include.find("name"), include.find("static"), include.find("uri")
-    result = Included(
-        include,
-        uri.own_value if uri is not None and uri.content else None,
-        None,
-        None,
-        None,
-        None,
-        (name.content or None) if name is not None else None,
-        _is_true(include.attributes.get("merge", "")),
-        static is not None and _is_true(static.content),
-    )
-    if result.uri is None:
-        return result
-    location = locate(document, result.uri.text)
-    result = result._replace(location=location)
-    if location.path is None:
-        return result
-    file = model_file(document, location.path)
-    if file is None:
-        return result
-    result = result._replace(file=file)
-    if cycle := _cycle(document, file, result.uri):
-        return result._replace(cycle=cycle)
-    library = document.library
-    other = library.document(file) if library is not None else None
-    if other is None or other.root is None:
-        return result
-    other.included_by = (*document.included_by, result.uri)
-    model = included_element(other)
-    if model is None:
-        return result
-    kind = "model" if model.name == "robot" else model.name
-    own = model.attributes.get("name", "").strip() or None
-    return result._replace(model=model, kind=kind, name=result.name or own)
+def includes_of(document: Document) -> list[Element]:
+    """The includes that libsdformat follows: those in place, and misplaced ones too."""
+    surveyed = survey(document)
+    misplaced = [
+        problem.element
+        for problem in surveyed.problems
+        if isinstance(problem, MisplacedElement) and problem.element.tag == "include"
+    ]
+    return [*surveyed.index.get("include", ()), *misplaced]
 
 
 def included_element(document: Document) -> Element | None:
@@ -98,37 +88,102 @@ def included_element(document: Document) -> Element | None:
         return None
     if root.name == "robot":
         return root
+    if root.name != "sdf":
+        return None
     return next((found for kind in INCLUDABLE if (found := root.find(kind)) is not None), None)
 
 
-def model_file(document: Document, path: Path) -> Path | None:
-    """The description behind a path: itself, or what a folder's ``model.config`` names."""
-    if not path.is_dir():
-        return path
-    library = document.library
-    config = library.document(path / "model.config") if library is not None else None
-    if config is None or config.root is None:
-        return None
-    entries = [entry for entry in config.root.children("sdf") if entry.content]
-    if not entries:
-        return None
-
-    def rank(entry: Element) -> tuple[int, int]:
-        return Version.parse(entry.attributes.get("version", "").strip()) or (0, 0)
-
-    chosen = max(entries, key=rank)
-    file = path / chosen.content
-    return file if file.is_file() else None
-
-
-def _cycle(document: Document, file: Path, uri: Value) -> tuple[Value, ...]:
-    """The includes that lead from ``file`` back to itself; empty if they don't."""
-    chain = (*document.included_by, uri)
-    real = file.resolve()
-    for number, step in enumerate(chain):
-        if step.element.document.path.resolve() == real:
-            return chain[number:]
+def ring(document: Document, include: Element) -> tuple[Value, ...]:
+    """The includes that lead from one in this document back to it, outside in; empty if none do."""
+    goal = os.path.realpath(document.path)
+    seen: set[Document] = set()
+    # Depth first without recursion: a chain of includes may be long.
+    stack: list[tuple[Document, Element, tuple[Value, ...]]] = [(document, include, ())]
+    while stack:
+        holder, element, chain = stack.pop()
+        found = included(holder, element)
+        if found.document is None or found.uri is None:
+            continue
+        chain = (*chain, found.uri)
+        if os.path.realpath(found.document.path) == goal:
+            return chain
+        if found.document not in seen and len(chain) < _LONGEST_CHAIN:
+            seen.add(found.document)
+            stack += [(found.document, deeper, chain) for deeper in reversed(includes_of(found.document))]
     return ()
+
+
+_LONGEST_CHAIN = 100
+
+
+class _Resolved(dict[Element, Included]):
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+
+
+def _resolve(document: Document, include: Element) -> Included:
+    name, static, uri = include.find("name"), include.find("static"), include.find("uri")
+    found = Included(
+        include,
+        uri.own_value if uri is not None and uri.content else None,
+        None,
+        None,
+        None,
+        None,
+        None,
+        None,
+        (name.content or None) if name is not None else None,
+        _is_true(include.attributes.get("merge", "")),
+        static is not None and _is_true(static.content),
+    )
+    if found.uri is None:
+        return found._replace(obstacle=Obstacle.NO_URI)
+    location = locate(document, found.uri.text)
+    found = found._replace(location=location)
+    if location.path is None or document.library is None:
+        return found._replace(obstacle=Obstacle.NOT_FOUND)
+    found = _find_file(document, found, location.path)
+    return found if found.file is None else _read(document, found, found.file)
+
+
+def _find_file(document: Document, found: Included, path: Path) -> Included:
+    """The file itself, or what the folder's ``model.config`` says."""
+    if not os.path.isdir(path):
+        return found._replace(file=path)
+    config = config_of(document, path)
+    if config is None:
+        return found._replace(obstacle=Obstacle.NO_CONFIG)
+    _note_origin(document, config, found.uri)
+    file = model_file(config)
+    return found._replace(config=config, file=file, obstacle=None if file else Obstacle.BAD_CONFIG)
+
+
+def _read(document: Document, found: Included, file: Path) -> Included:
+    library = document.library
+    assert library is not None
+    other = library.document(file)
+    if other is None:
+        return found._replace(obstacle=Obstacle.UNREADABLE)
+    _note_origin(document, other, found.uri)
+    found = found._replace(document=other)
+    if other.root is None:
+        return found._replace(obstacle=Obstacle.BROKEN)
+    if other.root.name not in {"sdf", "robot"}:
+        return found._replace(obstacle=Obstacle.FOREIGN)
+    if other.root.name == "robot" and "<xacro:" in other.source.text:
+        return found._replace(obstacle=Obstacle.XACRO)
+    model = included_element(other)
+    if model is None:
+        return found._replace(obstacle=Obstacle.NO_MODEL)
+    kind = "model" if model.name == "robot" else model.name
+    own = model.attributes.get("name", "").strip() or None
+    return found._replace(model=model, kind=kind, name=found.name or own)
+
+
+def _note_origin(document: Document, other: Document, uri: Value | None) -> None:
+    """The first include that leads to a file tells how it was reached."""
+    if uri is not None and not other.included_by and other is not document:
+        other.included_by = (*document.included_by, uri)
 
 
 def _is_true(text: str) -> bool:

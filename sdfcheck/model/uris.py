@@ -17,6 +17,9 @@ from sdfcheck.source.document import Document
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):/*")
 REMOTE_SCHEMES = frozenset({"http", "https", "fuel", "ftp"})
+SEARCHED_SCHEMES = frozenset({"model", "package"})
+LOCAL_SCHEMES = frozenset({"file", *SEARCHED_SCHEMES})
+
 _CLIMB = 6
 """How many folders above the referring file may hold the model or package that it names."""
 
@@ -25,14 +28,15 @@ class Location(NamedTuple):
     """Where a URI leads.
 
     ``path`` is the file or folder, None if nothing is there. ``tried`` are the paths
-    that were looked at, ``near`` one that differs only in case. ``owner`` is the folder
-    of the model or package if that was found, though not the file in it.
+    that were looked at, ``near`` one that differs only in case. ``name`` is the model or
+    package that is named, ``owner`` its folder if that was found, though not the file in it.
     """
 
     scheme: str
     path: Path | None
     tried: tuple[Path, ...] = ()
     near: Path | None = None
+    name: str = ""
     owner: Path | None = None
 
     @property
@@ -42,52 +46,74 @@ class Location(NamedTuple):
     @property
     def is_searched_for(self) -> bool:
         """Does the place depend on search paths, which another computer may have set otherwise?"""
-        return self.scheme in {"model", "package"}
+        return self.scheme in SEARCHED_SCHEMES
+
+    @property
+    def is_local(self) -> bool:
+        """Is the scheme one that leads to a file, none included?"""
+        return not self.scheme or self.scheme in LOCAL_SCHEMES
+
+
+def scheme_of(uri: str) -> str:
+    """The scheme in lower case, empty if there is none; the letter of a Windows drive is none."""
+    match = _SCHEME.match(uri.strip())
+    return match[1].lower() if match else ""
 
 
 def locate(document: Document, uri: str) -> Location:
-    """Find what a URI in a document names; nothing is fetched, nothing is read."""
-    text = uri.strip()
+    """Find what a URI in a document names; nothing is fetched, nothing is read.
+
+    Each URI of a document is looked up once.
+    """
+    known = document.view(_Located)
+    found = known.get(uri)
+    if found is None:
+        found = known[uri] = _locate(document, uri.strip())
+    return found
+
+
+class _Located(dict[str, Location]):
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+
+
+def _locate(document: Document, text: str) -> Location:
     match = _SCHEME.match(text)
     scheme = match[1].lower() if match else ""
-    if scheme in REMOTE_SCHEMES:
+    if scheme and scheme not in LOCAL_SCHEMES:
         return Location(scheme, None)
     rest = text[match.end() :] if match else text
+    folder = document.path.parent
     if scheme == "file":
-        rest = text[len("file://") :] if text[:7].lower() == "file://" else text[len("file:") :]
-        return _first(scheme, [_folder(document) / rest])
-    if scheme in {"model", "package"}:
-        name, _, inside = rest.partition("/")
+        return _first(scheme, [folder / file_path(text)])
+    name, _, inside = rest.partition("/")
+    if scheme:
         owners = list(_models(document, name) if scheme == "model" else _packages(document, name))
         found = _first(scheme, [owner / inside if inside else owner for owner in owners])
-        existing = next((owner for owner in owners if owner.is_dir()), None)
-        return found._replace(owner=existing)
-    if scheme:
-        return Location(scheme, None)
-    name, _, inside = rest.partition("/")
-    return _first("", [_folder(document) / rest, *(folder / inside for folder in _models(document, name))])
+        owner = next((owner for owner in owners if os.path.isdir(owner)), None)
+        return found._replace(name=name, owner=owner)
+    return _first("", [folder / rest, *(models / inside for models in _models(document, name))])
+
+
+def file_path(uri: str) -> str:
+    """The path behind ``file://``, as libsdformat and Gazebo cut it; a host is taken for a folder."""
+    rest = uri.strip()[len("file:") :]
+    return rest[2:] if rest[:2] == "//" else rest
 
 
 def _first(scheme: str, candidates: list[Path]) -> Location:
     for path in candidates:
-        if path.exists():
+        if os.path.exists(path):
             return Location(scheme, path)
-    near = next((found for path in candidates if (found := _ignoring_case(path)) is not None), None)
-    return Location(scheme, None, tuple(dict.fromkeys(candidates)), near)
-
-
-def _folder(document: Document) -> Path:
-    return document.path.parent
-
-
-def _model_folders(document: Document) -> Iterator[Path]:
-    if document.library is not None:
-        yield from document.library.search.model_folders
+    tried = tuple(dict.fromkeys(Path(os.path.normpath(path)) for path in candidates))
+    near = next((found for path in tried if (found := _ignoring_case(path)) is not None), None)
+    return Location(scheme, None, tried, near)
 
 
 def _models(document: Document, name: str) -> Iterator[Path]:
-    for folder in _model_folders(document):
-        yield folder / name
+    if document.library is not None:
+        for folder in document.library.model_folders:
+            yield folder / name
     # The usual layout needs no setting: models side by side, or in a `models` folder near by.
     for folder in _above(document):
         yield folder / name
@@ -96,9 +122,9 @@ def _models(document: Document, name: str) -> Iterator[Path]:
 
 def _packages(document: Document, name: str) -> Iterator[Path]:
     if document.library is not None:
-        search = document.library.search
-        yield from (path for package, path in search.packages if package == name)
-        yield from (folder / name for folder in search.packages_in)
+        found = document.library.packages(document.path).find(name)
+        if found is not None:
+            yield found
     for folder in _above(document):
         if folder.name == name:
             yield folder
@@ -106,25 +132,26 @@ def _packages(document: Document, name: str) -> Iterator[Path]:
 
 
 def _above(document: Document) -> list[Path]:
-    folder = Path(os.path.abspath(_folder(document)))  # noqa: PTH100 - resolve() would follow links
+    folder = Path(os.path.abspath(document.path.parent))  # resolve() would follow links
     return [folder, *folder.parents][:_CLIMB]
 
 
 def _ignoring_case(path: Path) -> Path | None:
     """A path that exists and differs from this one only in the case of letters."""
-    path = Path(os.path.normpath(path))
     missing: list[str] = []
     at = path
-    while not at.exists():
+    while not os.path.exists(at):
         if at.parent == at:
             return None
         missing.insert(0, at.name)
         at = at.parent
     for name in missing:
-        if not at.is_dir():
+        try:
+            names = sorted(os.listdir(at))
+        except OSError:
             return None
-        at_name = next((entry for entry in sorted(os.listdir(at)) if entry.lower() == name.lower()), None)  # noqa: PTH208
-        if at_name is None:
+        same = next((entry for entry in names if entry.lower() == name.lower()), None)
+        if same is None:
             return None
-        at = at / at_name
+        at = at / same
     return at

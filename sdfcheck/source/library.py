@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
+    from sdfcheck.source.packages import Packages
+    from sdfcheck.source.sniff import Kind
 
 MODEL_PATH_VARIABLES = (
     "GZ_SIM_RESOURCE_PATH",
@@ -43,35 +46,63 @@ class SearchPaths(NamedTuple):
 class Library:
     """Reads the files that documents refer to, each once, and remembers them for the run."""
 
-    __slots__ = ("_documents", "search")
+    __slots__ = ("_documents", "_hashes", "_packages", "_unseen", "model_folders", "search")
 
     def __init__(self, search: SearchPaths | None = None) -> None:
         self.search = search or SearchPaths()
-        self._documents: dict[Path, Document | None] = {}
+        self.model_folders = tuple(dict.fromkeys(self.search.model_folders))
+        self._documents: dict[str, Document | None] = {}
+        self._hashes: dict[str, int] = {}
+        self._unseen: list[Document] = []
+        self._packages: dict[Path, Packages] = {}
 
-    def add(self, document: Document) -> None:
-        """Take in a document that somebody has read already."""
-        self._documents[_key(document.path)] = document
-
-    def document(self, path: Path) -> Document | None:
+    def document(self, path: Path, kind: Kind | None = None) -> Document | None:
         """The document of a file; None if it cannot be read."""
-        key = _key(path)
+        key = os.path.realpath(path)
         if key not in self._documents:
-            self._documents[key] = self._read(path)
+            document = self._documents[key] = self._read(path, key, kind)
+            if document is not None:
+                self._unseen.append(document)
         return self._documents[key]
 
-    def _read(self, path: Path) -> Document | None:
+    def known(self, data: bytes, path: Path) -> Document | None:
+        """The document of a file that was read before and held these bytes; it goes by this path now."""
+        if not self._documents:
+            return None
+        key = os.path.realpath(path)
+        document = self._documents.get(key)
+        if document is None or self._hashes[key] != hash(data):
+            return None
+        document.source.path = path
+        return document
+
+    def unseen(self) -> Iterator[Document]:
+        """The documents that were read and not handed out here before; looking at them may bring in more."""
+        while self._unseen:
+            yield self._unseen.pop(0)
+
+    def packages(self, path: Path) -> Packages:
+        """The packages around a file."""
+        from sdfcheck.source.packages import Packages, project_root
+
+        root = project_root(path)
+        if root not in self._packages:
+            self._packages[root] = Packages(root, dict(self.search.packages), self.search.packages_in)
+        return self._packages[root]
+
+    def _read(self, path: Path, key: str, kind: Kind | None) -> Document | None:
         from sdfcheck.source.document import read
 
         try:
-            if path.stat().st_size > SIZE_LIMIT:
+            status = path.stat()
+            # A device or a pipe has no end, or none that would come.
+            if not stat.S_ISREG(status.st_mode) or status.st_size > SIZE_LIMIT:
                 return None
-            document = read(path.read_bytes(), path)
+            data = path.read_bytes()
         except OSError:
             return None
+        plain = os.path.normpath(path)
+        document = read(data, Path(plain) if os.path.realpath(plain) == key else path, kind)
+        self._hashes[key] = hash(data)
         document.library = self
         return document
-
-
-def _key(path: Path) -> Path:
-    return Path(os.path.realpath(path))

@@ -1,0 +1,1 @@
+"""RES: files, includes and plugins."""

@@ -1,0 +1,55 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+SELF = (
+    '<sdf version="1.12"><model name="{}"><link name="l"/>'
+    "<include><uri>{}</uri><name>again</name></include></model></sdf>"
+)
+
+
+class IncludeCycle(Rule):
+    """A model includes itself, directly or by way of others.
+
+    No reader guards against it: libsdformat and Gazebo include until the stack is full,
+    and crash.
+    """
+
+    code = "RES003"
+    name = "include-cycle"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "crashes", Consumer.DRAKE: "crashes"}
+    explains = (problems.IncludeCycle,)
+
+    bad = (
+        Bad(
+            SELF.format("self", "«self.sdf»"),
+            file="self.sdf",
+            files={"self.sdf": SELF.format("self", "self.sdf")},
+            says="includes itself",
+        ),
+        Bad(
+            SELF.format("a", "«b.sdf»"),
+            file="a.sdf",
+            files={"a.sdf": SELF.format("a", "b.sdf"), "b.sdf": SELF.format("b", "a.sdf")},
+            says="by way of b.sdf",
+        ),
+    )
+    good = (
+        Good(
+            '<sdf version="1.12"><model name="m"><link name="l"/>'
+            "<include><uri>arm.sdf</uri><name>left</name></include>"
+            "<include><uri>arm.sdf</uri><name>right</name></include></model></sdf>",
+            files={"arm.sdf": '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'},
+            why="twice is not in a circle",
+        ),
+    )
+
+    def check(self, problem: problems.IncludeCycle) -> Iterator[Diagnostic]:
+        first, *others = problem.steps
+        name = first.element.document.path.name
+        ways = [step.element.document.path.name for step in others]
+        message = f"{name} includes itself"
+        if ways:
+            message += f" by way of {', '.join(ways)}"
+        yield self.diagnostic(first, message, labels=dict.fromkeys(others, "and from here"))

@@ -1,0 +1,79 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems
+
+CONFIG = "model.config"
+ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
+MESSAGES = {
+    problems.ConfigFault.NO_MODEL: "the root element of a model.config is `model`, not `{}`",
+    problems.ConfigFault.NO_NAME: "the model has no `name`",
+    problems.ConfigFault.NO_NAME_NO_FILE: "neither `name` nor `sdf` says what the model is",
+    problems.ConfigFault.NO_FILE: "no `sdf` says which file is the model",
+    problems.ConfigFault.EMPTY_FILE: "`sdf` names no file",
+    problems.ConfigFault.NO_VERSION: "`sdf` has no `version`",
+    problems.ConfigFault.BAD_VERSION: "`{}` is no version of SDFormat",
+    problems.ConfigFault.TOO_NEW: "version {} is newer than any reader knows",
+    problems.ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
+}
+
+
+class InvalidModelConfig(Rule):
+    """A `model.config` does not say which file is the model.
+
+    A model folder is included through it: libsdformat takes the `sdf` element of the
+    highest version that it knows. A missing file or version, or a version from the
+    future, fails the including document; with neither `name` nor `sdf` libsdformat
+    crashes. A missing name alone is a warning.
+    """
+
+    code = "RES007"
+    name = "invalid-model-config"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "refuses the model"}
+    explains = (problems.InvalidModelConfig, problems.OldManifest)
+    scaffold = "<model><name>arm</name>{}</model>"
+
+    bad = (
+        Bad('<sdf version="1.12">«gone.sdf»</sdf>', file=CONFIG, files={}, says="no file `gone.sdf`"),
+        Bad("<«sdf»>arm.sdf</sdf>", file=CONFIG, files={"arm.sdf": ARM}, says="no `version`"),
+        Bad('<sdf version="«1.99»">arm.sdf</sdf>', file=CONFIG, files={"arm.sdf": ARM}, says="newer"),
+        Bad(
+            '<sdf version="«new»">arm.sdf</sdf>',
+            file=CONFIG,
+            files={"arm.sdf": ARM},
+            says="no version of SDF",
+        ),
+        Bad('<«sdf» version="1.12"/>', file=CONFIG, says="names no file"),
+        Bad("<«model»><name>arm</name></model>", file=CONFIG, scaffold="{}", says="no `sdf`"),
+        Bad("<«model»/>", file=CONFIG, scaffold="{}", says="neither"),
+        Bad('<«model»><sdf version="1.12">a.sdf</sdf></model>', file=CONFIG, scaffold="{}", says="no `name`"),
+        Bad(
+            "<include><uri>«arm»</uri></include>",
+            scaffold=IN_WORLD,
+            files={
+                "arm/manifest.xml": '<model><name>arm</name><sdf version="1.12">arm.sdf</sdf></model>',
+                "arm/arm.sdf": ARM,
+            },
+            says="manifest.xml",
+        ),
+    )
+    good = (
+        Good(
+            '<sdf version="1.5">arm.sdf</sdf><sdf version="1.12">arm.sdf</sdf>',
+            file=CONFIG,
+            files={"arm.sdf": ARM},
+        ),
+    )
+
+    def check(self, problem: problems.InvalidModelConfig | problems.OldManifest) -> Iterator[Diagnostic]:
+        if isinstance(problem, problems.OldManifest):
+            message = f"`{problem.uri.text}` has only a manifest.xml, which model.config came after"
+            yield self.diagnostic(problem.uri, message)
+            return
+        place, fault = problem.place, problem.fault
+        named = place.text.strip() if isinstance(place, Value) else place.name
+        message = MESSAGES[fault].format(named)
+        if problem.near is not None:
+            message += f", did you mean `{problem.near}`?"
+        severity = Severity.WARNING if fault is problems.ConfigFault.NO_NAME else Severity.ERROR
+        yield self.diagnostic(place, message, severity=severity)

@@ -1,0 +1,87 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_URDF_LINK,
+    IN_VISUAL,
+    IN_WORLD,
+    Bad,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    replace,
+)
+from sdfcheck_rules.res.places import needs_no_escape
+
+MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
+URDF_MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
+
+
+class MalformedUri(Rule):
+    """A URI is spelt so that readers do not find what it names.
+
+    A slash too few or too many, backslashes, capital letters in the scheme, a scheme
+    that nobody knows, blanks. Readers differ in what they forgive: libsdformat cuts any
+    scheme off, ROS hands the address to a web client that insists on it.
+    """
+
+    code = "RES004"
+    name = "malformed-uri"
+    severity = Severity.ERROR
+    explains = (problems.MalformedUri,)
+    scaffold = IN_VISUAL
+
+    bad = (
+        Bad(
+            URDF_MESH.format("«package:/arm/arm.stl»"),
+            fixed=URDF_MESH.format("package://arm/arm.stl"),
+            scaffold=IN_URDF_LINK,
+            says="two slashes",
+        ),
+        Bad(
+            MESH.format("«model:\\\\arm\\arm.dae»"),
+            fixed=MESH.format("model://arm/arm.dae"),
+            says="backslashes",
+        ),
+        Bad(
+            MESH.format("«Model://arm/arm.dae»"),
+            fixed=MESH.format("model://arm/arm.dae"),
+            says="small letters",
+        ),
+        Bad(
+            "<include><uri>«modle://arm»</uri></include>",
+            fixed="<include><uri>model://arm</uri></include>",
+            scaffold=IN_WORLD,
+            says="no reader knows the scheme `modle`",
+        ),
+        Bad(MESH.format("«model://»"), says="names no model"),
+        Bad(
+            URDF_MESH.format("« package://arm/arm.stl»"),
+            fixed=URDF_MESH.format("package://arm/arm.stl"),
+            scaffold=IN_URDF_LINK,
+            says="blank",
+        ),
+    )
+    good = (
+        Good(MESH.format("model://Double pendulum/arm.dae"), why="names may have blanks"),
+        Good(MESH.format("\n  meshes/arm.dae\n"), why="blanks around the text of an element do not count"),
+    )
+
+    def check(self, problem: problems.MalformedUri) -> Iterator[Diagnostic]:
+        text, fault, meant = problem.value.text, problem.fault, problem.meant
+        scheme = text.strip().partition(":")[0]
+        message = {
+            problems.UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
+            problems.UriFault.SLASHES: f"`{scheme}:` is followed by two slashes, not as in `{text}`",
+            problems.UriFault.SCHEME_CASE: f"the scheme `{scheme}` is spelt in small letters",
+            problems.UriFault.UNKNOWN_SCHEME: f"no reader knows the scheme `{scheme}`",
+            problems.UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
+            problems.UriFault.BLANK: f"a blank too many in `{text}`",
+        }[fault]
+        if meant is None:
+            yield self.diagnostic(problem.value, message)
+            return
+        message += f", did you mean `{meant}`?"
+        fix = replace(problem.value, meant, f"write {meant}") if needs_no_escape(meant) else None
+        yield self.diagnostic(problem.value, message, fix=fix)

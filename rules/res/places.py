@@ -1,0 +1,34 @@
+"""How the rules of this family speak of paths."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from sdfcheck import Document, Value
+
+_SHOWN = 3
+
+
+def place(document: Document, path: Path) -> str:
+    """A path as seen from the folder of the document, if that is shorter."""
+    whole = os.path.normpath(path)
+    try:
+        short = os.path.relpath(path, os.path.abspath(document.path.parent))
+    except ValueError:  # another drive
+        return whole
+    return min(short, whole, key=len)
+
+
+def looked_for(value: Value, paths: Sequence[Path]) -> str:
+    """Where something was looked for, the first few places."""
+    document = value.element.document
+    shown = [place(document, path) for path in paths[:_SHOWN]]
+    more = f" and {len(paths) - len(shown)} more places" if len(paths) > len(shown) else ""
+    return f"looked for {', '.join(shown)}{more}"
+
+
+def needs_no_escape(text: str) -> bool:
+    """Can the text stand in XML as it is?"""
+    return not set(text) & set("<>&\"'")

@@ -1,0 +1,47 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_VISUAL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck_rules.res.places import needs_no_escape, place
+
+MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
+ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
+
+
+class WrongCasePath(Rule):
+    """A path is right but for capital letters.
+
+    Windows and macOS find the file all the same; on Linux it is missing. An include of
+    it is an error, because the document is refused there.
+    """
+
+    code = "RES005"
+    name = "wrong-case-path"
+    severity = Severity.WARNING
+    explains = (problems.WrongCase,)
+    scaffold = IN_VISUAL
+
+    bad = (
+        Bad(
+            MESH.format("«meshes/Arm.DAE»"),
+            fixed=MESH.format("meshes/arm.dae"),
+            files={"meshes/arm.dae": ""},
+            says="is spelt `meshes/arm.dae` on disk",
+        ),
+        Bad(
+            "<include><uri>«model://Arm/arm.sdf»</uri></include>",
+            fixed="<include><uri>model://arm/arm.sdf</uri></include>",
+            scaffold=IN_WORLD,
+            files={"arm/arm.sdf": ARM},
+        ),
+    )
+    good = (Good(MESH.format("Meshes/arm.dae"), files={"Meshes/arm.dae": ""}),)
+
+    def check(self, problem: problems.WrongCase) -> Iterator[Diagnostic]:
+        value, meant = problem.value, problem.meant
+        there = meant or place(value.element.document, problem.near)
+        severity = self.severity
+        if value.element.parent is not None and value.element.parent.name == "include":
+            severity = Severity.ERROR
+        fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
+        message = f"`{value.text.strip()}` is spelt `{there}` on disk"
+        yield self.diagnostic(value, message, severity=severity, fix=fix)

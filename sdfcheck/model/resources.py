@@ -1,0 +1,44 @@
+"""What a document takes from elsewhere: the gate to the analyses of includes and files.
+
+A document that takes nothing from elsewhere loads none of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.formats.survey import survey
+from sdfcheck.source.document import Document
+
+_NAMING_FILES = (
+    "mesh", "heightmap", "image", "script", "audio_source", "skin", "animation", "projector", "texture",
+    "sky", "particle_emitter", "pbr", "shader",
+)  # fmt: skip
+
+
+def problems(document: Document) -> Iterator[object]:
+    """What is wrong with the includes, files and collision references of an SDF document."""
+    index = survey(document).index
+    if "<include" in document.source.text:
+        from sdfcheck.model import include_checks
+
+        yield from include_checks.problems(document)
+    if any(name in index for name in _NAMING_FILES):
+        from sdfcheck.model import file_checks
+
+        yield from file_checks.problems(document)
+    if "contact" in index or "gripper" in index:
+        from sdfcheck.model import collision_references
+
+        yield from collision_references.problems(document)
+
+
+def urdf_problems(document: Document) -> Iterator[object]:
+    """What is wrong with the files that a URDF document names."""
+    from sdfcheck.formats import urdf_survey
+
+    index = urdf_survey.survey(document).index
+    if "mesh" in index or "texture" in index:
+        from sdfcheck.model import file_checks
+
+        yield from file_checks.urdf_problems(document)
