@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from sdfcheck.model.frames import *  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
     from sdfcheck.model.names import *  # noqa: F403
+    from sdfcheck.model.rotation_checks import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
 
 _HOMES = (
@@ -23,6 +24,7 @@ _HOMES = (
     "sdfcheck.model.names",
     "sdfcheck.model.frames",
     "sdfcheck.model.joint_problems",
+    "sdfcheck.model.rotation_checks",
     "sdfcheck.model.joint_problems",
 )
 

@@ -42,6 +42,7 @@ _ANALYSES = {
         "sdfcheck.model.names:problems",
         "sdfcheck.model.frames:problems",
         "sdfcheck.model.joints:problems",
+        "sdfcheck.model.rotation_checks:problems",
     ),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""

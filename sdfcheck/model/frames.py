@@ -9,8 +9,6 @@ FrameSemantics.cc and parser.cc, checked against what they report.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-
 from sdfcheck.formats.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.model.scopes import NEVER_A_REFERENCE, Frame, Scope, Scopes, scopes
@@ -40,7 +38,7 @@ class UnknownFrame(Record):
 
 
 class TopLevelPose(Record):
-    """The pose of a model at the top of the file is relative to a frame, and there is none to be relative to."""
+    """The pose of a model at the top of the file is relative to a frame, and there is none."""
 
     value: Value
 
@@ -66,12 +64,14 @@ class UnknownCanonicalLink(Record):
 
 
 class UnknownPlacementFrame(Record):
+    """``placement_frame``, of a model or of the include that brings it, names nothing in the model."""
+
     value: Value
     suggestion: str | None
 
 
 class ModelWithoutLink(Record):
-    """A model that is not static and holds no link, not even in a nested model."""
+    """A model that is not static and holds neither link nor nested model."""
 
     element: Element
 
@@ -88,55 +88,60 @@ def problems(document: Document) -> list[Problem]:
 
 class _Analysis:
     def __init__(self, document: Document) -> None:
+        self.document = document
         self.survey = survey(document)
         self.scopes: Scopes = scopes(document)
-        self.relative = "frame" if self.survey.version < _SEVEN else "relative_to"
         self.found: list[Problem] = []
         self.relative_to: dict[Element, Value] = {}
-        """Element → the reference of its own pose."""
+        """Element → the reference of its own pose, where the pose makes a frame."""
 
     def run(self) -> list[Problem]:
-        for pose in self.survey.index.get("pose", ()):
-            self.look_at_pose(pose)
-        for axis in self.survey.index.get("xyz", ()):
+        index = self.survey.index
+        for pose in index.get("pose", ()):
+            if items := pose.items():
+                self.look_at_pose(pose, items)
+        for axis in index.get("xyz", ()):
             self.look_at_reference(axis, "expressed_in")
-        for frame in self.survey.index.get("frame", ()):
+        for frame in index.get("frame", ()):
             self.look_at_reference(frame, "attached_to")
         for scope in self.scopes.all():
             if scope.kind == "model":
                 self.look_at_model(scope)
-        if self.survey.index.get("frame") or self.survey.index.get("joint") or self.relative_to:
-            for role, step in (("attached_to", self.attachment), ("relative_to", self.placement)):
-                self.look_for_cycles(role, step)
+        for placement in index.get("placement_frame", ()):
+            self.look_at_placement(placement)
+        if index.get("frame") or self.relative_to:
+            from sdfcheck.model.frame_cycles import frame_cycles
+
+            self.found += frame_cycles(self.scopes, self.relative_to)
         return self.found
 
     # References
 
-    def look_at_pose(self, pose: Element) -> None:
-        for name, text in pose.items():
+    def look_at_pose(self, pose: Element, items: list[tuple[str, str]]) -> None:
+        for name, text in items:
             if name not in {"relative_to", "frame"} or not text.strip():
-                continue
-            if name == "frame" and self.survey.version >= _SEVEN:
                 continue
             owner = pose.parent
             assert owner is not None
+            if owner.tag == "inertial" or (name == "frame" and self.survey.version >= _SEVEN):
+                continue  # nobody reads it
             value = Value(pose, name, text)
-            if owner.tag in _POSE_FRAMES:
-                self.relative_to[owner] = value
             scope = self.scopes.of(owner)
             if scope is None:
                 if owner.tag in {"model", "include"}:
                     self.found.append(TopLevelPose(value))
                 continue
+            if owner.tag in _POSE_FRAMES:
+                self.relative_to[owner] = value
             if self.find(scope, value) is None:
                 self.unknown(scope, value, "relative_to")
 
     def look_at_reference(self, element: Element, role: str) -> None:
         value = element.attribute(role)
-        scope = self.scopes.of(element)
-        if value is None or not value.text.strip() or scope is None:
+        if value is None or not value.text.strip():
             return
-        if self.find(scope, value) is None:
+        scope = self.scopes.of(element)
+        if scope is not None and self.find(scope, value) is None:
             self.unknown(scope, value, role)
 
     def find(self, scope: Scope, value: Value) -> Frame | None:
@@ -144,121 +149,71 @@ class _Analysis:
         return None if text == NEVER_A_REFERENCE else scope.find(text)
 
     def unknown(self, scope: Scope, value: Value, role: str) -> None:
-        if "" not in value.text.strip().split("::") and not scope.may_hold(value.text.strip()):
-            suggestion, outside = guess(scope, value.text.strip())
-            self.found.append(UnknownFrame(value, role, scope.element, suggestion, outside))
+        name = value.text.strip()
+        if "" in name.split("::") or scope.may_hold(name):
+            return
+        from sdfcheck.model.near_names import near_names
+
+        owner = value.element.parent if value.element.tag == "pose" else value.element
+        own = owner.attributes.get("name", "") if owner is not None else ""
+        meant, outside = near_names(self.document).guess(scope, name, but=(own,))
+        self.found.append(UnknownFrame(value, role, scope.element, meant, outside))
 
     # Models
 
     def look_at_model(self, scope: Scope) -> None:
-        if not scope.is_static and not _has_link(scope):
-            self.found.append(ModelWithoutLink(scope.element))
-        value = scope.element.attribute("canonical_link")
-        if value is not None and value.text.strip():
-            self.look_at_canonical_link(scope, value)
-        value = scope.element.attribute("placement_frame")
-        if value is not None and value.text.strip() and self.find(scope, value) is None:
-            name = value.text.strip()
-            if not scope.may_hold(name):
-                self.found.append(UnknownPlacementFrame(value, guess(scope, name)[0]))
+        if not any(frame.kind in {"link", "model"} for frame in scope.frames.values()):
+            self.look_at_bare_model(scope)
+        link = scope.element.attribute("canonical_link")
+        if link is not None and link.text.strip():
+            self.look_at_canonical_link(scope, link)
+        placement = scope.element.attribute("placement_frame")
+        if placement is not None and placement.text.strip():
+            self.look_at_placement_in(scope, placement)
+
+    def look_at_bare_model(self, scope: Scope) -> None:
+        from sdfcheck.model.carriers import stands_still
+
+        element = scope.element
+        # Those without a name are no frames, which is said of them.
+        if (
+            scope.complete
+            and not stands_still(scope)
+            and not element.has("link")
+            and not element.has("model")
+        ):
+            self.found.append(ModelWithoutLink(element))
 
     def look_at_canonical_link(self, scope: Scope, value: Value) -> None:
+        from sdfcheck.model.near_names import near_names
+
         found = self.find(scope, value)
         name = value.text.strip()
         if found is not None and found.kind == "link":
             return
-        if found is None and scope.may_hold(name):
+        if "" in name.split("::") or (found is None and scope.may_hold(name)):
             return
-        links = [n for n in scope.names() if (frame := scope.find(n)) is not None and frame.kind == "link"]
-        from sdfcheck.formats.suggest import suggest
+        meant, _ = near_names(self.document).guess(scope, name, kind="link")
+        self.found.append(UnknownCanonicalLink(value, found.kind if found else None, meant))
 
-        self.found.append(
-            UnknownCanonicalLink(value, found.kind if found else None, suggest(name, links))
-        )
+    def look_at_placement(self, placement: Element) -> None:
+        """The placement frame of an include: a frame of the model that it brings."""
+        include, value = placement.parent, placement.own_value
+        if include is None or include.tag != "include" or not value.text:
+            return
+        from sdfcheck.model.includes import included
 
-    # Rings
+        brought = included(self.document, include)
+        if brought.kind == "model" and brought.model is not None:
+            scope = self.scopes.of_included(brought, self.scopes.of(include))
+            if scope is not None and value.text != NEVER_A_REFERENCE:
+                self.look_at_placement_in(scope, value)
 
-    def attachment(self, frame: Frame) -> tuple[Value | None, Frame | None]:
-        """What a frame moves with, and the reference that says so (None where it is implied)."""
-        if frame.kind == "frame":
-            value = frame.element.attribute("attached_to")
-            return self.follow(frame, value) if value else (None, None)
-        if frame.kind == "joint" and (child := frame.element.find("child")) is not None:
-            return self.follow(frame, child.own_value)
-        return None, None
+    def look_at_placement_in(self, scope: Scope, value: Value) -> None:
+        name = value.text.strip()
+        if self.find(scope, value) is not None or "" in name.split("::") or scope.may_hold(name):
+            return
+        from sdfcheck.model.near_names import near_names
 
-    def placement(self, frame: Frame) -> tuple[Value | None, Frame | None]:
-        """What a frame is placed relative to, and the reference that says so."""
-        value = self.relative_to.get(frame.element)
-        if value is not None:
-            return self.follow(frame, value)
-        return self.attachment(frame)
-
-    def follow(self, frame: Frame, value: Value) -> tuple[Value | None, Frame | None]:
-        return value, self.find(frame.scope, value)
-
-    def look_for_cycles(
-        self, role: str, step: Callable[[Frame], tuple[Value | None, Frame | None]]
-    ) -> None:
-        done: set[Frame] = set()
-        for scope in self.scopes.all():
-            for start in scope.frames.values():
-                path: dict[Frame, Value | None] = {}
-                at: Frame | None = start
-                while at is not None and at not in done and at not in path:
-                    path[at], at = step(at)
-                if at is not None and at in path:
-                    self.report_cycle(role, path, at)
-                done.update(path)
-
-    def report_cycle(self, role: str, path: dict[Frame, Value | None], first: Frame) -> None:
-        frames = list(path)
-        ring = frames[frames.index(first) :]
-        if role == "relative_to" and not any(frame.element in self.relative_to for frame in ring):
-            return  # the ring of attachments, told already
-        members = [(value, frame) for frame in ring if (value := path[frame]) is not None]
-        start = min(range(len(members)), key=lambda i: members[i][0].span.start)
-        members = members[start:] + members[:start]
-        values = tuple(value for value, _ in members)
-        if all(frame.kind == "joint" for frame in ring):
-            return  # a joint that names itself is said of the joint
-        self.found.append(FrameCycle(role, values, tuple(frame.name for _, frame in members)))
-
-
-def guess(scope: Scope, name: str) -> tuple[str | None, Element | None]:
-    """The name that was probably meant, and the element of an outer scope that has the name as written."""
-    names = list(scope.names())
-    deeper = [candidate for candidate in names if candidate.endswith(f"::{name}")]
-    outside = _outside(scope, name)
-    if len(deeper) == 1:
-        return deeper[0], None
-    if outside is not None:
-        return None, outside
-    from sdfcheck.formats.suggest import suggest
-
-    return suggest(name, names), None
-
-
-def _outside(scope: Scope, name: str) -> Element | None:
-    at = scope.parent
-    while at is not None:
-        found = at.find(name)
-        if found is not None:
-            return found.element
-        at = at.parent
-    return None
-
-
-def _has_link(scope: Scope) -> bool:
-    if not scope.complete or any(f.kind == "link" for f in scope.frames.values()):
-        return True
-    return any(
-        frame.kind == "model" and (frame.inner is None or frame.inner.is_static or _has_link(frame.inner))
-        for frame in scope.frames.values()
-    )
-
-
-def frames_of(document: Document) -> Iterator[Frame]:
-    """Every frame that this document's own elements define, in document order."""
-    for scope in scopes(document).all():
-        yield from scope.frames.values()
+        meant, _ = near_names(self.document).guess(scope, name)
+        self.found.append(UnknownPlacementFrame(value, meant))

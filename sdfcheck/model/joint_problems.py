@@ -6,7 +6,6 @@ dialect from building the robot that is written.
 
 from __future__ import annotations
 
-
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import Record
 
@@ -15,13 +14,24 @@ class UnknownJointEnd(Record):
     """A parent or child that names nothing in scope.
 
     ``role`` is ``parent`` or ``child``. ``suggestion`` is the name that was probably
-    meant: a near miss, or the scoped name of what exists elsewhere.
+    meant: a near miss, or the scoped name of what exists elsewhere. ``outside``: an
+    enclosing scope has the name, which cannot be reached from here.
     """
 
     value: Value
     joint: Element
     role: str
     suggestion: str | None = None
+    outside: Element | None = None
+
+
+class DetachedFrame(Record):
+    """A joint's end that moves with no link, because ``model``, to which it leads, is static."""
+
+    value: Value
+    joint: Element
+    role: str
+    model: Element
 
 
 class SelfJoint(Record):
@@ -99,11 +109,12 @@ class JointLoop(Record):
 
 
 class UnknownMimicLeader(Record):
-    """A mimic that follows a joint which does not exist."""
+    """A mimic that follows a joint which does not exist, or (``axis``) an axis that its leader lacks."""
 
     value: Value
     joint: Element
     suggestion: str | None = None
+    axis: str | None = None
 
 
 class MimicCycle(Record):
@@ -138,6 +149,7 @@ class UselessLimit(Record):
 
 Problem = (
     UnknownJointEnd
+    | DetachedFrame
     | SelfJoint
     | WorldAsChild
     | MissingAxis

@@ -1,0 +1,50 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class DetachedFrame(Rule):
+    """A joint ends at a frame that moves with no link.
+
+    The own frame of a static model, and what is attached to it, belongs to no link, so there is
+    nothing for a joint to hold. Drake stops at such a joint, and Gazebo's libsdformat
+    refuses some of them. A link of the static model can be named instead.
+    """
+
+    code = "FRM008"
+    name = "detached-frame"
+    severity = Severity.ERROR
+    affects = {Consumer.DRAKE: "refuses the file", Consumer.GAZEBO: "refuses the file in some versions"}
+    explains = (problems.DetachedFrame,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            '<model name="stand"><static>true</static><link name="l"/></model>'
+            '<joint name="j" type="fixed"><parent>«stand»</parent><child>base</child></joint>',
+            says="`stand` moves with no link, because model `stand` is static",
+        ),
+        Bad(
+            '<model name="stand"><static>true</static><link name="l"/></model>'
+            '<frame name="top" attached_to="stand"/>'
+            '<joint name="j" type="fixed"><parent>base</parent><child>«top»</child></joint>',
+            says="`top` moves with no link",
+        ),
+    )
+    good = (
+        Good(
+            '<model name="stand"><static>true</static><link name="l"/></model>'
+            '<joint name="j" type="fixed"><parent>stand::l</parent><child>base</child></joint>',
+            why="a link of a static model will do",
+        ),
+        Good(
+            '<model name="stand"><link name="l"/></model>'
+            '<joint name="j" type="fixed"><parent>stand</parent><child>base</child></joint>',
+            why="a model that moves stands for its canonical link",
+        ),
+    )
+
+    def check(self, problem: problems.DetachedFrame) -> Iterator[Diagnostic]:
+        model = problem.model
+        message = f"`{problem.value.text}` moves with no link, because {model.title} is static"
+        yield self.diagnostic(problem.value, message)

@@ -1,0 +1,66 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+
+_SHOWN = 6
+
+
+class FrameCycle(Rule):
+    """Frames are attached to, or placed relative to, each other in a ring.
+
+    None of them leads to a link or to the model's own frame, so where they are and what
+    they move with cannot be told. A joint counts too: it is placed at its child. libsdformat
+    refuses the file with one error for every member of the ring; here it is one for the ring.
+    """
+
+    code = "FRM002"
+    name = "frame-cycle"
+    severity = Severity.ERROR
+    explains = (problems.FrameCycle,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad('<frame name="a" attached_to="«a»"/>', says="`a` is attached to itself"),
+        Bad('<link name="arm"><pose relative_to="«arm»"/></link>', says="`arm` is placed relative to itself"),
+        Bad(
+            '<frame name="a" attached_to="«b»"/><frame name="b" attached_to="c"/>'
+            '<frame name="c" attached_to="a"/>',
+            says="attached to each other in a ring: `a` → `b` → `c` → `a`",
+        ),
+        Bad(
+            '<link name="arm"><pose relative_to="«elbow»">0 0 1 0 0 0</pose></link>'
+            '<joint name="elbow" type="fixed"><parent>base</parent><child>arm</child></joint>',
+            says="placed relative to each other in a ring: `arm` → `elbow` → `arm`",
+        ),
+        Bad(
+            '<model name="n"><pose relative_to="«n::l»"/><link name="l"/></model>',
+            says="`n` is placed relative to itself",
+        ),
+    )
+    good = (
+        Good(
+            '<frame name="a" attached_to="b"/><frame name="b" attached_to="base"/>',
+            why="frames may be defined in any order",
+        ),
+        Good(
+            '<link name="arm"/><joint name="elbow" type="fixed"><pose relative_to="base"/>'
+            "<parent>base</parent><child>arm</child></joint>"
+            '<frame name="f"><pose relative_to="elbow"/></frame>',
+        ),
+    )
+
+    def check(self, problem: problems.FrameCycle) -> Iterator[Diagnostic]:
+        names, members = problem.names, problem.members
+        tied = "attached to" if problem.role == "attached_to" else "placed relative to"
+        if len(names) == 1:
+            yield self.diagnostic(members[0], f"`{names[0]}` is {tied} itself")
+            return
+        shown = [f"`{name}`" for name in names[:_SHOWN]]
+        more = ["…"] if len(names) > _SHOWN else []
+        ring = " → ".join((*shown, *more, f"`{names[0]}`"))
+        message = f"{len(names)} frames are {tied} each other in a ring: {ring}"
+        labels = {
+            value: f"leads on from `{name}`"
+            for value, name in zip(members[1:_SHOWN], names[1:], strict=False)
+        }
+        yield self.diagnostic(members[0], message, labels=labels)

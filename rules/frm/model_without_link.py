@@ -1,0 +1,37 @@
+from collections.abc import Iterator
+
+from sdfcheck import SDF, Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class ModelWithoutLink(Rule):
+    """A model that is not static has no link.
+
+    Nothing of it can move or be seen. libsdformat refuses the file unless the model is
+    static or holds another model; that the model around it is static does not help.
+    """
+
+    code = "FRM005"
+    name = "model-without-link"
+    severity = Severity.ERROR
+    explains = (problems.ModelWithoutLink,)
+    scaffold = SDF
+
+    bad = (
+        Bad('<«model» name="m"/>', says="model `m` has no link"),
+        Bad('<«model» name="m"><frame name="f"/></model>', says="model `m` has no link"),
+        Bad('<model name="m"><static>true</static><«model» name="n"/></model>', says="model `n` has no link"),
+    )
+    good = (
+        Good('<model name="m"><static>true</static></model>', why="a static model needs none"),
+        Good(
+            '<model name="m"><model name="n"><link name="l"/></model></model>', why="the nested model has one"
+        ),
+        Good(
+            '<model name="m"><include><uri>model://not_here</uri></include></model>',
+            why="what could not be read may bring one",
+        ),
+    )
+
+    def check(self, problem: problems.ModelWithoutLink) -> Iterator[Diagnostic]:
+        element = problem.element
+        yield self.diagnostic(element, f"{element.title} has no link, and is not static")

@@ -1,0 +1,62 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+
+_ROUNDED = 0.01
+"""So far from 1 the length is a matter of rounding, and everybody means the same rotation."""
+
+
+class NonUnitQuaternion(Rule):
+    """The quaternion of a pose does not have the length 1.
+
+    libsdformat takes it as it is, so what becomes of it differs from program to program: some
+    make it of unit length, others stretch what they turn. One of four zeros is no rotation
+    at all; Drake refuses it.
+    """
+
+    code = "FRM007"
+    name = "non-unit-quaternion"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: "takes it as it is", Consumer.DRAKE: "normalizes it, and refuses zero"}
+    explains = (problems.NonUnitQuaternion,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            '<pose rotation_format="quat_xyzw">0 0 1 «0 0 0.706 0.706»</pose>',
+            fixed='<pose rotation_format="quat_xyzw">0 0 1 0 0 0.70710678118655 0.70710678118655</pose>',
+            says="the quaternion has the length 0.998",
+        ),
+        Bad(
+            '<pose rotation_format="quat_xyzw">0 0 1 «0 0 1 1»</pose>',
+            fixed='<pose rotation_format="quat_xyzw">0 0 1 0 0 0.70710678118655 0.70710678118655</pose>',
+            unsafe=True,
+            says="the quaternion has the length 1.41",
+        ),
+        Bad(
+            '<pose rotation_format="quat_xyzw">0 0 1 «0 0 0 0»</pose>',
+            fixed='<pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>',
+            unsafe=True,
+            says="the quaternion is zero",
+        ),
+    )
+    good = (
+        Good(
+            '<pose rotation_format="quat_xyzw">0 0 1 0 0 0.7071 0.7071</pose>', why="rounded to four digits"
+        ),
+        Good('<pose rotation_format="quat_xyzw"/>', why="the default"),
+    )
+
+    def check(self, problem: problems.NonUnitQuaternion) -> Iterator[Diagnostic]:
+        value = problem.value
+        first, last = value.part(3), value.part(6)
+        span = first._replace(end=last.end)
+        if problem.length == 0:
+            fix = edit("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
+            message = "the quaternion is zero, which is no rotation"
+            yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR)
+            return
+        text = " ".join(f"{number:.14g}" for number in problem.normalized)
+        is_unsafe = abs(problem.length - 1) > _ROUNDED
+        fix = edit("make its length 1", (Edit(span, text),), unsafe=is_unsafe)
+        yield self.diagnostic(span, f"the quaternion has the length {problem.length:.3g}, not 1", fix=fix)

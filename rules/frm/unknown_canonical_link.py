@@ -1,0 +1,49 @@
+from collections.abc import Iterator
+
+from sdfcheck import SDF, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+
+
+class UnknownCanonicalLink(Rule):
+    """The canonical link of a model is not one of its links.
+
+    The model's own frame moves with this link, so it must be a link of the model or, as
+    `A::b`, of a model nested in it (SDFormat 1.7). libsdformat refuses the file, also
+    where the name is that of a frame or a joint.
+    """
+
+    code = "FRM003"
+    name = "unknown-canonical-link"
+    severity = Severity.ERROR
+    explains = (problems.UnknownCanonicalLink,)
+    scaffold = SDF
+
+    bad = (
+        Bad(
+            '<model name="m" canonical_link="«bsae»"><link name="base"/></model>',
+            fixed='<model name="m" canonical_link="base"><link name="base"/></model>',
+            unsafe=True,
+            says="`bsae` is no link of model `m`; did you mean `base`?",
+        ),
+        Bad(
+            '<model name="m" canonical_link="«tool»"><link name="base"/><frame name="tool"/></model>',
+            says="`tool` is a frame, not a link",
+        ),
+    )
+    good = (
+        Good('<model name="m" canonical_link="b"><link name="a"/><link name="b"/></model>'),
+        Good('<model name="m" canonical_link="n::a"><model name="n"><link name="a"/></model></model>'),
+        Good('<model name="m" canonical_link=""><link name="a"/></model>', why="empty is the default"),
+    )
+
+    def check(self, problem: problems.UnknownCanonicalLink) -> Iterator[Diagnostic]:
+        value, meant = problem.value, problem.suggestion
+        name = value.text.strip()
+        if problem.found is not None:
+            yield self.diagnostic(value, f"`{name}` is a {problem.found}, not a link")
+            return
+        message = f"`{name}` is no link of {value.element.title}"
+        if meant is None:
+            yield self.diagnostic(value, message)
+            return
+        fix = replace(value, meant, f"write `{meant}`", unsafe=True)
+        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix)

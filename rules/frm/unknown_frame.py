@@ -1,0 +1,85 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, SDF, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+
+
+class UnknownFrame(Rule):
+    """A pose, an attachment or an axis refers to a frame that its scope does not have.
+
+    A reference sees the links, joints, frames and nested models of its own model or
+    world, and by `A::b` what is in nested models. It never sees what is around the model
+    (SDFormat 1.8, notes on naming). libsdformat refuses the file when the pose of a link,
+    joint, frame or model is concerned. It does not look at visuals, collisions, sensors
+    and lights, whose poses then cannot be worked out when the simulation starts.
+    """
+
+    code = "FRM001"
+    name = "unknown-frame"
+    severity = Severity.ERROR
+    explains = (problems.UnknownFrame,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            '<frame name="tool" attached_to="«bsae»"/>',
+            fixed='<frame name="tool" attached_to="base"/>',
+            unsafe=True,
+            says="`attached_to` names `bsae`, which is no frame of model `m`; did you mean `base`?",
+        ),
+        Bad(
+            '<link name="arm"><visual name="v"><pose relative_to="«elbow»">0 0 1 0 0 0</pose>'
+            "<geometry><sphere><radius>1</radius></sphere></geometry></visual></link>",
+            says="`relative_to` names `elbow`",
+        ),
+        Bad(
+            '<model name="gripper"><link name="palm"/></model><frame name="tool" attached_to="«palm»"/>',
+            fixed='<model name="gripper"><link name="palm"/></model>'
+            '<frame name="tool" attached_to="gripper::palm"/>',
+            unsafe=True,
+            says="in a nested model there is `gripper::palm`",
+        ),
+        Bad(
+            '<model name="gripper"><link name="palm"><pose relative_to="«base»"/></link></model>',
+            says="it is defined outside, out of reach",
+        ),
+        Bad('<frame name="origin" attached_to="«world»"/>', says="`world`, which is no frame of model `m`"),
+        Bad(
+            '<sdf version="1.5"><model name="m"><link name="base">'
+            '<pose frame="«tool»">0 0 1 0 0 0</pose></link></model></sdf>',
+            scaffold="",
+            says="`frame` names `tool`",
+        ),
+    )
+    good = (
+        Good('<frame name="tool" attached_to="base"/><link name="arm"><pose relative_to="tool"/></link>'),
+        Good('<frame name="tool" attached_to="__model__"/>', why="the model's own frame"),
+        Good('<frame name="tool" attached_to=""/>', why="empty is the default"),
+        Good('<frame name="tool" attached_to="base::"/>', why="malformed-scoped-name owns this one"),
+        Good(
+            '<model name="m"><include><uri>model://not_here</uri><name>arm</name></include>'
+            '<frame name="tool" attached_to="arm::wrist"/></model>',
+            scaffold=SDF,
+            why="what could not be read may hold it",
+        ),
+    )
+
+    def check(self, problem: problems.UnknownFrame) -> Iterator[Diagnostic]:
+        value, meant = problem.value, problem.suggestion
+        name = value.text.strip()
+        message = f"`{value.attribute}` names `{name}`, which is no frame of {problem.scope.title}"
+        if meant is not None:
+            is_deeper = meant.endswith(f"::{name}")
+            message += (
+                f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
+            )
+            yield self.diagnostic(value, message, fix=replace(value, meant, f"write `{meant}`", unsafe=True))
+        elif name == "world":
+            yield self.diagnostic(
+                value, message, help="inside a model the frame of the world is out of reach"
+            )
+        elif problem.outside is not None:
+            message += "; it is defined outside, out of reach"
+            labels = {problem.outside: f"`{name}` is defined here"}
+            yield self.diagnostic(value, message, labels=labels)
+        else:
+            yield self.diagnostic(value, message)

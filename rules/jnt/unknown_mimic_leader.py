@@ -1,0 +1,64 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+
+_LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
+
+
+class UnknownMimicLeader(Rule):
+    """A joint mimics a joint, or an axis of one, that does not exist.
+
+    libsdformat refuses it in SDFormat, except in nested models. urdfdom accepts the
+    file, and MoveIt and joint_state_publisher fail over it later.
+    """
+
+    code = "JNT009"
+    name = "unknown-mimic-leader"
+    severity = Severity.ERROR
+    explains = (problems.UnknownMimicLeader,)
+    scaffold = IN_JOINT
+
+    bad = (
+        Bad(
+            '<axis><xyz>0 0 1</xyz><mimic joint="«elbow»"><multiplier>1</multiplier></mimic></axis>',
+            says="joint `j` mimics `elbow`, which is no joint of its model",
+        ),
+        Bad(
+            '<axis><xyz>0 0 1</xyz><mimic joint="k" axis="«axis2»"><multiplier>1</multiplier></mimic></axis>'
+            '</joint><link name="hand"/><joint name="k" type="revolute">'
+            "<parent>arm</parent><child>hand</child><axis><xyz>0 0 1</xyz></axis>",
+            says="joint `j` mimics `axis2` of a joint that has no such axis",
+        ),
+        Bad(
+            f'<mimic joint="«elbow»"/>{_LIMIT}', scaffold=IN_URDF_JOINT, says="which is no joint of its model"
+        ),
+        Bad(
+            f'{_LIMIT}</joint><link name="hand"/><joint name="wrist" type="revolute"><parent link="arm"/>'
+            f'<child link="hand"/>{_LIMIT}<mimic joint="«J»"/>',
+            fixed=f'{_LIMIT}</joint><link name="hand"/><joint name="wrist" type="revolute">'
+            f'<parent link="arm"/><child link="hand"/>{_LIMIT}<mimic joint="j"/>',
+            unsafe=True,
+            scaffold=IN_URDF_JOINT,
+            says="did you mean `j`?",
+        ),
+    )
+    good = (
+        Good(
+            '<axis><xyz>0 0 1</xyz><mimic joint="k"><multiplier>1</multiplier></mimic></axis></joint>'
+            '<link name="hand"/><joint name="k" type="revolute"><parent>arm</parent><child>hand</child>'
+            "<axis><xyz>0 0 1</xyz></axis>",
+        ),
+    )
+
+    def check(self, problem: problems.UnknownMimicLeader) -> Iterator[Diagnostic]:
+        value, joint, meant = problem.value, problem.joint, problem.suggestion
+        if problem.axis is not None:
+            message = f"{joint.title} mimics `{problem.axis}` of a joint that has no such axis"
+            yield self.diagnostic(value, message)
+            return
+        message = f"{joint.title} mimics `{value.text.strip()}`, which is no joint of its model"
+        if meant is None:
+            yield self.diagnostic(value, message)
+            return
+        fix = replace(value, meant, f"write `{meant}`", unsafe=True)
+        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix)
