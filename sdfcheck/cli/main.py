@@ -16,6 +16,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
+    "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
     "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
 }

@@ -11,13 +11,15 @@ FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
 
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
-_COMMENT = re.compile(r"<!--.*?-->", re.S)
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _FOREIGN = frozenset({"build", "install", "log", "devel", "node_modules", "site-packages", "__pycache__"})
 _BUILT = ("install", "devel", "build")
-_INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.I)
-_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.I)
+_INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
+_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _REMARK = re.compile(r"#[^\n]*")
-_STOP = frozenset({"PATTERN", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "PERMISSIONS", "RENAME", "OPTIONAL"})
+_STOP = frozenset(
+    {"PATTERN", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "PERMISSIONS", "RENAME", "OPTIONAL"}
+)
 
 
 def project_root(path: Path) -> Path:
@@ -118,6 +120,16 @@ class Packages:
                         return found
             break
         return path
+
+    def files(self, suffix: str, limit: int) -> Iterator[Path]:
+        """The project's files of one suffix, at most ``limit``."""
+        count = 0
+        for folder in _folders(self.root):
+            for path in sorted(folder.glob(f"*{suffix}")):
+                count += 1
+                if count > limit:
+                    return
+                yield path
 
     def _candidates(self, name: str) -> Iterator[Path]:
         if name in self.given:

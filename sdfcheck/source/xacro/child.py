@@ -95,7 +95,8 @@ def _serve(raw: bytes) -> bytes:
 def _collect(stream: int, limits: dict[str, int]) -> tuple[bytes, str]:
     """All that the fork writes, or why it must be stopped."""
     deadline = time.monotonic() + limits["wall"]
-    pieces, size = [], 0
+    pieces: list[bytes] = []
+    size = 0
     while True:
         left = deadline - time.monotonic()
         if left <= 0 or not select.select([stream], [], [], left)[0]:

@@ -37,7 +37,7 @@ class Surroundings(NamedTuple):
     which files may be read; it is worked out for each file if it is not given.
     """
 
-    packages: Mapping[str, Path] = {}  # noqa: RUF012 - never written to
+    packages: Mapping[str, Path] = {}
     package_paths: tuple[Path, ...] = ()
     variables: tuple[str, ...] = ()
     root: Path | None = None

@@ -8,11 +8,13 @@ from types import FrameType, TracebackType
 from typing import Any
 from xml.parsers.expat import ExpatError, errors
 
+from xacro.substitution_args import ArgException
+
 from sdfcheck.source.xacro.sandbox import Refused, TooMuch
-from sdfcheck.source.xacro.trace import KEY, Data, Step, Tracer
+from sdfcheck.source.xacro.trace import KEY, Written, Step, Tracer
 
 _TEXT_NODE = 3
-_STACK = re.compile(r"\n?when evaluating expression .*", re.S)
+_STACK = re.compile(r"\n?when evaluating expression .*", re.DOTALL)
 _COUNTED = ("Invalid parameter", "Undefined parameters", "Not enough blocks", "Unused block")
 
 
@@ -24,6 +26,14 @@ class MissingVariable(Exception):
     """``$(env …)`` of a variable that is not passed on."""
 
 
+_NAMED = (
+    (NameError, "property"),
+    (MissingPackage, "package"),
+    (MissingVariable, "variable"),
+    (ArgException, "argument"),
+)
+_TOLD = ((TooMuch, "limit"), (Refused, "refused"))
+
 Record = dict[str, Any]
 
 
@@ -31,7 +41,7 @@ class Spot:
     """Where an expansion failed, as far as the frames tell."""
 
     def __init__(self) -> None:
-        self.data: Data | None = None
+        self.data: Written | None = None
         self.attribute = ""
         self.expression = ""
         self.macro: FrameType | None = None
@@ -109,34 +119,40 @@ def describe(error: BaseException, tracer: Tracer) -> Record:
 
 def _judge(error: BaseException, spot: Spot) -> Record:
     root = list(_causes(error))[-1]
-    name = getattr(root, "name", None)
-    if isinstance(root, NameError) and name is None:
-        name = str(root).partition("'")[2].partition("'")[0]
     message = str(root)
-    if isinstance(root, NameError):
-        return {"kind": "property", "name": name}
-    if isinstance(root, MissingPackage):
-        return {"kind": "package", "name": message}
-    if isinstance(root, MissingVariable):
-        return {"kind": "variable", "name": message}
-    if type(root).__name__ == "ArgException":
-        return {"kind": "argument", "name": message}
-    if isinstance(root, RecursionError):
-        return _recursion(spot)
+    for kinds, kind in _NAMED:
+        if isinstance(root, kinds):
+            return {"kind": kind, "name": _name(root) if kind == "property" else message}
+    for kinds, kind in _TOLD:
+        if isinstance(root, kinds):
+            return {"kind": kind, "message": message}
     if isinstance(root, MemoryError):
         return {"kind": "limit", "message": "more memory is asked for than an expansion may have"}
-    if isinstance(root, TooMuch | Refused):
-        return {"kind": "limit" if isinstance(root, TooMuch) else "refused", "message": message}
+    if isinstance(root, RecursionError):
+        return _recursion(spot)
     if isinstance(root, ExpatError):
-        what = errors.messages.get(root.code, str(root))
+        what = errors.messages.get(root.code, message)
         return {"kind": "syntax", "message": f"{what} (line {root.lineno}, column {root.offset + 1})"}
     if isinstance(root, OSError):
         return {"kind": "file", "name": str(root.filename), "message": (root.strerror or "").lower()}
+    return _of_xacro(root, spot)
+
+
+def _name(error: BaseException) -> str:
+    """The name that is not defined."""
+    return getattr(error, "name", None) or str(error).partition("'")[2].partition("'")[0]
+
+
+def _of_xacro(root: BaseException, spot: Spot) -> Record:
+    """What xacro itself complains of, told from its words."""
     text = _STACK.sub("", str(root.args[0] if root.args else root)).strip()
     if text.startswith("unknown macro name:"):
         return {"kind": "macro", "name": text.rpartition("xacro:")[2]}
     if text.startswith(_COUNTED) and spot.macro is not None:
         return _arguments(text, spot)
+    if text.startswith("Xacro conditional"):
+        spot.attribute, spot.expression = "value", ""
+        text = f"`{text.rpartition(' evaluated to ')[2].split(chr(34))[1]}` is neither true nor false"
     return {"kind": "other", "message": _words(root, text)}
 
 
@@ -149,27 +165,31 @@ def _words(root: BaseException, text: str) -> str:
         text = f"there is no {text}"
     if type(root).__module__.partition(".")[0] == "yaml":
         text = "malformed YAML: " + " ".join(str(root).split())
-    return text or type(root).__name__
+    return text.rstrip(".") or type(root).__name__
 
 
 def _arguments(text: str, spot: Spot) -> Record:
     assert spot.macro is not None
     names = spot.macro.f_locals
     macro = names["m"]
-    record: Record = {"kind": "arguments", "macro": macro.body.getAttribute("name"), "what": text.split()[0]}
-    record["parameters"] = list(macro.params)
+    record: Record = {
+        "kind": "arguments",
+        "macro": macro.body.getAttribute("name"),
+        "what": text.split(maxsplit=1)[0],
+        "parameters": list(macro.params),
+    }
     if text.startswith("Invalid"):
         record["names"] = [names["name"]]
         spot.attribute = names["name"]
     else:
         record["names"] = list(names["params"]) if text.startswith("Undefined") else []
         spot.attribute = ""
+    spot.at(names["node"], spot.attribute)
     if text.startswith("Unused"):
         record["names"] = [names["block"].tagName]
+        spot.at(names["block"])
     data = macro.body.getUserData(KEY)
     record["definition"] = data.place if data else None
-    spot.at(names["node"], spot.attribute)
-    spot.expression = ""
     return record
 
 
@@ -184,7 +204,7 @@ def _recursion(spot: Spot) -> Record:
     for step in reversed(steps):
         first = seen.setdefault((step.kind, step.name), step)
         if first is not step:
-            spot.data = Data(step.place, step.outer)
+            spot.data = Written(step.place, step.outer)
             spot.attribute = "filename" if step.kind == "include" else ""
             spot.expression = ""
             return {"kind": "recursion", "what": step.kind, "name": step.name}

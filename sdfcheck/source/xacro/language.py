@@ -10,18 +10,105 @@ PREFIX = "xacro:"
 NAMESPACE = "http://www.ros.org/wiki/xacro"
 
 KEYWORDS = frozenset(
-    "arg attribute call element if include insert_block macro property unless".split()
+    ["arg", "attribute", "call", "element", "if", "include", "insert_block", "macro", "property", "unless"]
 )
 """The elements of the language; any other ``xacro:…`` calls a macro."""
 
 # What expressions know without being told: Python's functions that xacro exposes, its modules, and math.
 BUILT_IN = frozenset(
-    "True False None list dict map len str float int bool min max round sorted range python math xacro "
-    "load_yaml abs_filename dotify arg message warning error print_location fatal tokenize "
-    "acos acosh asin asinh atan atan2 atanh cbrt ceil comb copysign cos cosh degrees dist e erf erfc exp exp2 expm1 "
-    "fabs factorial floor fma fmod frexp fsum gamma gcd hypot inf isclose isfinite isinf isnan isqrt lcm ldexp "
-    "lgamma log log10 log1p log2 modf nan nextafter perm pi pow prod radians remainder sin sinh sqrt sumprod tan "
-    "tanh tau trunc ulp".split()
+    [
+        "True",
+        "False",
+        "None",
+        "list",
+        "dict",
+        "map",
+        "len",
+        "str",
+        "float",
+        "int",
+        "bool",
+        "min",
+        "max",
+        "round",
+        "sorted",
+        "range",
+        "python",
+        "math",
+        "xacro",
+        "load_yaml",
+        "abs_filename",
+        "dotify",
+        "arg",
+        "message",
+        "warning",
+        "error",
+        "print_location",
+        "fatal",
+        "tokenize",
+        "acos",
+        "acosh",
+        "asin",
+        "asinh",
+        "atan",
+        "atan2",
+        "atanh",
+        "cbrt",
+        "ceil",
+        "comb",
+        "copysign",
+        "cos",
+        "cosh",
+        "degrees",
+        "dist",
+        "e",
+        "erf",
+        "erfc",
+        "exp",
+        "exp2",
+        "expm1",
+        "fabs",
+        "factorial",
+        "floor",
+        "fma",
+        "fmod",
+        "frexp",
+        "fsum",
+        "gamma",
+        "gcd",
+        "hypot",
+        "inf",
+        "isclose",
+        "isfinite",
+        "isinf",
+        "isnan",
+        "isqrt",
+        "lcm",
+        "ldexp",
+        "lgamma",
+        "log",
+        "log10",
+        "log1p",
+        "log2",
+        "modf",
+        "nan",
+        "nextafter",
+        "perm",
+        "pi",
+        "pow",
+        "prod",
+        "radians",
+        "remainder",
+        "sin",
+        "sinh",
+        "sqrt",
+        "sumprod",
+        "tan",
+        "tanh",
+        "tau",
+        "trunc",
+        "ulp",
+    ]
 )
 
 EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")

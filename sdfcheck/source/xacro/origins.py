@@ -24,9 +24,20 @@ _WORD = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\)|\S)+")
 
 
 class OriginSpan(Span):
-    """A place in a xacro file, reached by macro calls and includes: ``origins``, the nearest first."""
+    """A place in a xacro file, reached by macro calls and includes: ``origins``, the nearest first.
+
+    Reached in another way it is another place.
+    """
 
     origins: tuple[Step, ...] = ()
+
+    def __eq__(self, other: object) -> bool:
+        return tuple.__eq__(self, other) is True and self.origins == getattr(other, "origins", ())
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = Span.__hash__
 
     @classmethod
     def of(cls, span: Span, origins: tuple[Step, ...]) -> Span:
@@ -52,6 +63,7 @@ class Sources:
     """The files that took part, read once; ``top`` is at hand already."""
 
     def __init__(self, top: Source) -> None:
+        self.top = top
         self._known = {_key(top.path): top}
         self._scans: dict[int, Scan] = {}
         self._kept: list[Source] = []
@@ -83,7 +95,7 @@ def shown(path: Path) -> Path:
     """A path as people want to see it: without detours, from the current folder if it lies below that."""
     plain = os.path.normpath(path)
     here = os.getcwd() + os.sep
-    return Path(plain[len(here) :] if plain.startswith(here) else plain)
+    return Path(plain.removeprefix(here))
 
 
 def _key(path: Path) -> str:
@@ -93,7 +105,9 @@ def _key(path: Path) -> str:
 class Provenance:
     """The places of all elements of one expansion, by their number in document order."""
 
-    def __init__(self, sources: Sources, files: Sequence[str], calls: Sequence[Call], places: list[int]) -> None:
+    def __init__(
+        self, sources: Sources, files: Sequence[str], calls: Sequence[Call], places: list[int]
+    ) -> None:
         self.sources = sources
         self.files = [sources.get(Path(name)) for name in files]
         self.calls = calls
@@ -192,8 +206,29 @@ class ExpandedDocument(Document):
         assert isinstance(self._spans, OriginSpans)
         return self._spans
 
+    @property
+    def is_expanded(self) -> bool:
+        return True
+
     def origins(self, element: Element) -> tuple[Step, ...]:
         return self.spans.origins(element)
+
+    @property
+    def top(self) -> Source:
+        """The xacro file that was expanded."""
+        return self.provenance.sources.top
+
+    def origins_at(self, span: Span) -> tuple[Step, ...]:
+        """How a place came to be; for a plain place, how the first element written there did."""
+        if isinstance(span, OriginSpan):
+            return span.origins
+        best, number = -1, -1
+        for element in range(len(self.provenance.places) // 4):
+            if self.provenance.source(element) is span.source:
+                offset = self.provenance.offset(element)
+                if best < offset <= span.start:
+                    best, number = offset, element
+        return self.provenance.chain(number) if number >= 0 else ()
 
     def written(self, span: Span) -> Span:
         """The place behind one in the expanded text; any other place is returned as it is."""

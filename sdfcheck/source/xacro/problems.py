@@ -36,7 +36,7 @@ class ExpansionFailure(Record):
 
 
 class UndeclaredXacroPrefix(Record):
-    """``xacro:`` is used ``count`` times, and the root does not declare it; ``insertion`` is where it should."""
+    """``xacro:`` is used ``count`` times and not declared; ``insertion`` is where a declaration goes."""
 
     span: Span
     count: int
@@ -76,7 +76,7 @@ class UnusedMacroParameter(Record):
     macro: str
 
 
-class IncludeCycle(Record):
+class XacroIncludeCycle(Record):
     """A file that includes itself, directly or by way of others; ``steps`` are the includes on the way."""
 
     span: Span
@@ -123,7 +123,7 @@ Problem = (
     | UndefinedProperty
     | UnusedProperty
     | UnusedMacroParameter
-    | IncludeCycle
+    | XacroIncludeCycle
     | UnknownPackage
     | WrongMacroArguments
 )

@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from types import CodeType
 from typing import Any
 
@@ -19,13 +20,44 @@ VALUE_LIMIT = 10_000_000
 
 # Through these attributes code reaches other frames, and from them everything.
 _FRAMES = frozenset(
-    "gi_frame gi_code gi_yieldfrom cr_frame cr_code cr_await cr_origin ag_frame ag_code ag_await tb_frame tb_next "
-    "f_back f_builtins f_code f_globals f_locals f_trace func_globals func_code".split()
+    [
+        "gi_frame",
+        "gi_code",
+        "gi_yieldfrom",
+        "cr_frame",
+        "cr_code",
+        "cr_await",
+        "cr_origin",
+        "ag_frame",
+        "ag_code",
+        "ag_await",
+        "tb_frame",
+        "tb_next",
+        "f_back",
+        "f_builtins",
+        "f_code",
+        "f_globals",
+        "f_locals",
+        "f_trace",
+        "func_globals",
+        "func_code",
+    ]
 )
 # What evaluating and reading raise; anything else is none of an expansion's business.
 _HARMLESS = frozenset(
-    "builtins.id compile exec glob.glob glob.glob/2 object.__getattr__ os.listdir os.scandir os.walk "
-    "sys.excepthook sys.unraisablehook".split()
+    [
+        "builtins.id",
+        "compile",
+        "exec",
+        "glob.glob",
+        "glob.glob/2",
+        "object.__getattr__",
+        "os.listdir",
+        "os.scandir",
+        "os.walk",
+        "sys.excepthook",
+        "sys.unraisablehook",
+    ]
 )
 _WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 
@@ -73,10 +105,8 @@ def isolate_network() -> None:
     """Leave the network where the system lets an ordinary process do so."""
     unshare = getattr(os, "unshare", None)
     if unshare is not None:
-        try:
+        with suppress(OSError):
             unshare(os.CLONE_NEWUSER | os.CLONE_NEWNET)  # type: ignore[attr-defined,unused-ignore]
-        except OSError:
-            pass
 
 
 def limit(limits: Mapping[str, int]) -> None:
@@ -100,10 +130,8 @@ def limit(limits: Mapping[str, int]) -> None:
         (getattr(resource, "RLIMIT_NPROC", None), 0, 0),
     ):
         if what is not None:
-            try:
+            with suppress(OSError, ValueError):  # not every system has every limit
                 resource.setrlimit(what, (soft, hard))
-            except (OSError, ValueError):  # not every system has every limit
-                pass
 
 
 class Readable:

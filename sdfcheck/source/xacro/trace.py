@@ -29,7 +29,7 @@ class Step:
         self.outer = outer
 
 
-class Data:
+class Written:
     """What an element carries."""
 
     __slots__ = ("place", "step")
@@ -73,7 +73,7 @@ class Tracer:
         self.top = (path, text)
         self.crumbs = crumbs
         self.files: list[str] = []
-        self.definitions: dict[str, Data] = {}
+        self.definitions: dict[str, Written] = {}
         self.step: Step | None = None
         self.include: Step | None = None
         self.body: Any = None
@@ -98,7 +98,7 @@ class Tracer:
         if text is not None and filename == top:
             return Builder(self, self.number(filename)).parseString(text)
         try:
-            file = open(os.path.join(self.xacro.root_dir, filename))
+            file = open(os.path.join(self.xacro.root_dir, filename))  # noqa: SIM115 - closed below
         except OSError as error:
             self.xacro.filestack.pop()
             raise self.xacro.XacroException(f"{error.strerror}: {error.filename}", exc=error) from error
@@ -143,12 +143,12 @@ class Tracer:
 
     # the DOM's handler of user data
 
-    def handle(self, operation: int, key: str, data: Data, src: Any, dst: Any) -> None:
+    def handle(self, operation: int, key: str, data: Written, src: Any, dst: Any) -> None:
         """A copy was made: of a macro's body for a call, or of a block that was passed to one."""
         if self.body is not None:
             if src is self.body:
                 self.body = None
-            data = Data(data.place, self.call)
+            data = Written(data.place, self.call)
         dst.setUserData(KEY, data, self)
 
 
@@ -165,4 +165,4 @@ class Builder(ExpatBuilderNS):
         parser = self.getParser()
         place = (self.number, parser.CurrentLineNumber, parser.CurrentColumnNumber + 1)
         tracer = self.tracer
-        self.curNode.setUserData(KEY, Data(place, tracer.include), tracer)
+        self.curNode.setUserData(KEY, Written(place, tracer.include), tracer)

@@ -14,13 +14,13 @@ from sdfcheck.source.xacro.origins import Provenance
 from sdfcheck.source.xacro.problems import (
     ExpansionFailure,
     Failure,
-    IncludeCycle,
     Mismatch,
     Problem,
     UndefinedMacro,
     UndefinedProperty,
     UnknownPackage,
     WrongMacroArguments,
+    XacroIncludeCycle,
 )
 
 Report = Mapping[str, Any]
@@ -77,7 +77,7 @@ class _Case:
         return self.source.span(self.tag.name_start, self.tag.name_end)
 
     def span(self, word: str = "") -> Span:
-        """The smallest place known: the word in the failing expression, the expression, the value, the tag."""
+        """The smallest place known: the word in the expression, the expression, the value, the tag."""
         start, end = self.value()
         expression: str = self.report.get("expression", "")
         if expression:
@@ -155,7 +155,7 @@ def _file(case: _Case, packages: Packages) -> Problem:
 def _recursion(case: _Case, packages: Packages) -> Problem:
     name: str = case.report["name"]
     if case.report["what"] == "include":
-        return IncludeCycle(case.value_span(), name, (), case.origins)
+        return XacroIncludeCycle(case.value_span(), name, (), case.origins)
     return ExpansionFailure(case.name, Failure.RECURSION, name, "", case.origins)
 
 

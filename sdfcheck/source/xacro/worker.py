@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NamedTuple
 
@@ -25,12 +27,13 @@ class Limits(NamedTuple):
 
 
 class Worker:
-    """A process that expands files, one after the other. Start-up is paid once."""
+    """A process that expands files, one after the other. Start-up is paid once; it ends with this object."""
 
-    __slots__ = ("_process",)
+    __slots__ = ("__weakref__", "_process", "_stop")
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
+        self._stop: Callable[[], object] | None = None
 
     def ask(self, request: dict[str, Any], limits: Limits) -> dict[str, Any] | None:
         """The answer to a request, None if the process failed."""
@@ -58,20 +61,13 @@ class Worker:
         return answer if isinstance(answer, dict) else None
 
     def close(self) -> None:
-        process, self._process = self._process, None
-        if process is None:
-            return
-        for stream in (process.stdin, process.stdout):
-            assert stream
-            try:
-                stream.close()
-            except OSError:
-                pass
-        _kill(process)
-        process.wait()
+        if self._stop is not None:
+            self._stop()
+        self._process = self._stop = None
 
     def _start(self) -> subprocess.Popen[bytes]:
         import subprocess
+        from weakref import finalize
 
         command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", "utf8", "-c", _START, *_folders()]
         self._process = subprocess.Popen(
@@ -82,7 +78,17 @@ class Worker:
             env={"PATH": os.defpath, **_needed_by_the_system()},
             start_new_session=True,
         )
+        self._stop = finalize(self, _stop, self._process)
         return self._process
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    _kill(process)
+    for stream in (process.stdin, process.stdout):
+        assert stream
+        with suppress(OSError):  # what was to be written to a process that is gone
+            stream.close()
+    process.wait()
 
 
 def _kill(process: subprocess.Popen[bytes]) -> None:

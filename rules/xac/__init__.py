@@ -1,0 +1,1 @@
+"""XAC: xacro, the macro language in which most URDF is written."""

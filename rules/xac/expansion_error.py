@@ -1,0 +1,84 @@
+from collections.abc import Iterator, Mapping
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+_HELP: Mapping[str, str] = {
+    "argument": "give it a value: `sdfcheck expand FILE {detail}:=…`, or under `xacro` in the configuration",
+    "variable": "few variables are passed on; `sdfcheck expand --env {detail}` adds this one",
+    "refused": "an expansion may compute, and read files below the project and the package paths",
+}
+
+
+class ExpansionError(Rule):
+    """xacro cannot expand the file.
+
+    An expression fails, an included file is missing or malformed, a macro calls itself
+    without end, or a bound on time, memory or reach is met. The diagnostic stands at
+    the expression as it is written, and shows the macro calls and includes that lead
+    there. A substitution argument without a value is a warning: the file may be sound,
+    but it was not checked.
+
+    Expansion runs in a process of its own, without network, with few environment
+    variables, and reads nothing outside the project: a xacro file is a program.
+    """
+
+    code = "XAC001"
+    name = "expansion-error"
+    severity = Severity.ERROR
+    explains = (problems.ExpansionFailure,)
+    affects = dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO), "gets no robot description")
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad('<link name="a«${1 / 0}»"/>', file=FILE, says="division by zero"),
+        Bad(
+            '<xacro:property name="half" value="«${1 +}»"/><link name="a${half}"/>',
+            file=FILE,
+            says="`${1 +}` cannot be evaluated",
+        ),
+        Bad(
+            '<xacro:if value="«yes»"><link name="a"/></xacro:if>',
+            file=FILE,
+            says="`yes` is neither true nor false",
+        ),
+        Bad('<xacro:include filename="«missing.xacro»"/>', file=FILE, says="no such file"),
+        Bad('<link name="«$(arg prefix)»a"/>', file=FILE, says="argument `prefix` has no value"),
+        Bad(
+            '<xacro:macro name="m" params="n"><«xacro:m» n="${n + 1}"/></xacro:macro><xacro:m n="0"/>',
+            file=FILE,
+            says="without end",
+        ),
+    )
+    good = (
+        Good('<xacro:arg name="prefix" default="x"/><link name="$(arg prefix)a"/>', file=FILE),
+        Good(
+            '<xacro:if value="${1 > 2}"><link name="${1 / 0}"/></xacro:if>', why="never evaluated", file=FILE
+        ),
+    )
+
+    def check(self, problem: problems.ExpansionFailure) -> Iterator[Diagnostic]:
+        kind = problem.kind.value
+        advice = _HELP.get(kind)
+        yield self.diagnostic(
+            problem.span,
+            _message(problem),
+            help=advice.format(detail=problem.detail) if advice else None,
+            severity=Severity.WARNING if kind == "argument" else None,
+            origins=tuple(Origin(*step) for step in problem.origins),
+        )
+
+
+def _message(problem: problems.ExpansionFailure) -> str:
+    detail, kind = problem.detail, problem.kind.value
+    if kind == "argument":
+        return f"argument `{detail}` has no value, so the file is not expanded"
+    if kind == "variable":
+        return f"environment variable `{detail}` is not set for the expansion"
+    if kind == "syntax":
+        return f"the included file is not well-formed: {detail}"
+    if kind == "recursion":
+        return f"macro `{detail}` calls itself without end"
+    if kind == "expression" and problem.expression:
+        return f"`{problem.expression}` cannot be evaluated: {detail}"
+    return f"expansion fails: {detail}"

@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class UndefinedMacro(Rule):
+    """A macro is called that is defined neither here nor in an included file.
+
+    xacro stops at an element with its prefix that is none of its own and no macro. In
+    a macro library a call is reported only if no file of the project defines the macro
+    and a name at hand is close to it: who includes the library may bring the rest.
+    """
+
+    code = "XAC003"
+    name = "undefined-macro"
+    severity = Severity.ERROR
+    explains = (problems.UndefinedMacro,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:macro name="wheel" params="side"><link name="${side}"/></xacro:macro>'
+            '<xacro:«weel» side="left"/>',
+            file=FILE,
+            says="did you mean `wheel`?",
+        ),
+        Bad('<xacro:«proprety» name="w" value="1"/>', file=FILE, says="did you mean `property`?"),
+    )
+    good = (
+        Good(
+            '<xacro:macro name="wheel" params="side"><link name="${side}"/></xacro:macro>'
+            '<xacro:wheel side="left"/>',
+            file=FILE,
+        ),
+        Good(
+            '<root xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="cart" params="">'
+            "<xacro:wheel_of_somebody/></xacro:macro></root>",
+            why="a library: who includes it may define the macro",
+            file=FILE,
+            scaffold="{}",
+        ),
+    )
+
+    def check(self, problem: problems.UndefinedMacro) -> Iterator[Diagnostic]:
+        guess = f"; did you mean `{problem.near}`?" if problem.near else ""
+        message = f"macro `{problem.name}` is not defined{guess}"
+        yield self.diagnostic(problem.span, message, origins=tuple(Origin(*step) for step in problem.origins))

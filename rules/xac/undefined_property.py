@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class UndefinedProperty(Rule):
+    """An expression uses a name that is no property, macro parameter or function of xacro.
+
+    Properties are evaluated when they are first used, so a misspelt name may lie
+    dormant until a macro is called in another way. The diagnostic stands in the
+    expression that has the name, not where its value is used. In a macro library a
+    name is reported only if no file of the project defines it and a name at hand is close to it.
+    """
+
+    code = "XAC004"
+    name = "undefined-property"
+    severity = Severity.ERROR
+    explains = (problems.UndefinedProperty,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:property name="length" value="1"/><link name="l${«lenght»}"/>',
+            file=FILE,
+            says="did you mean `length`?",
+        ),
+        Bad(
+            '<xacro:property name="half" value="${«size» / 2}"/><link name="l${half}"/>',
+            file=FILE,
+            says="`size`",
+        ),
+        Bad(
+            '<xacro:macro name="m" params="side"><link name="${side}${«sied»}"/></xacro:macro>',
+            file=FILE,
+            says="did you mean `side`?",
+        ),
+    )
+    good = (
+        Good('<xacro:property name="r" value="1"/><link name="l${sin(r * pi) + max(r, 2)}"/>', file=FILE),
+        Good('<link name="l${[x * x for x in range(3)][0]}"/>', why="bound inside the expression", file=FILE),
+        Good('<link name="l$${later}"/>', why="escaped", file=FILE),
+    )
+
+    def check(self, problem: problems.UndefinedProperty) -> Iterator[Diagnostic]:
+        guess = f"; did you mean `{problem.near}`?" if problem.near else ""
+        message = f"property `{problem.name}` is not defined{guess}"
+        yield self.diagnostic(problem.span, message, origins=tuple(Origin(*step) for step in problem.origins))

@@ -1,0 +1,46 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class UnknownPackage(Rule):
+    """``$(find …)`` names a package that is nowhere to be found.
+
+    Packages are found without ROS: by ``packages`` in the configuration or
+    ``--package name=path``, by the ``package.xml`` files of the project and of
+    ``package-paths``, and in ROS_PACKAGE_PATH and AMENT_PREFIX_PATH. A warning, since
+    the package may exist on the computer that the file is meant for; the file is not
+    expanded, and so not checked, without it.
+    """
+
+    code = "XAC007"
+    name = "unknown-package"
+    severity = Severity.WARNING
+    explains = (problems.UnknownPackage,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:include filename="$(find «no_such_description»)/urdf/arm.xacro"/>',
+            file=FILE,
+            says="package `no_such_description`",
+        ),
+    )
+    good = (
+        Good(
+            '<xacro:if value="false"><xacro:include filename="$(find no_such)/a.xacro"/></xacro:if>',
+            why="never looked for",
+            file=FILE,
+        ),
+        Good('<link name="$$(find escaped)"/>', why="escaped", file=FILE),
+    )
+
+    def check(self, problem: problems.UnknownPackage) -> Iterator[Diagnostic]:
+        guess = f"; did you mean `{problem.near}`?" if problem.near else ""
+        yield self.diagnostic(
+            problem.span,
+            f"package `{problem.name}` is not found{guess}",
+            help=f"say where it is with `packages` in the configuration or `--package {problem.name}=PATH`",
+            origins=tuple(Origin(*step) for step in problem.origins),
+        )

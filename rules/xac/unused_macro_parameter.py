@@ -1,0 +1,46 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class UnusedMacroParameter(Rule):
+    """A macro takes a parameter that its body does not read.
+
+    Callers give it a value to no effect; often the body has a literal where the
+    parameter was meant, or an ``insert_block`` without its prefix. A macro that is
+    called in the body may read the parameter too: xacro looks names up in the caller.
+    """
+
+    code = "XAC009"
+    name = "unused-macro-parameter"
+    severity = Severity.INFO
+    explains = (problems.UnusedMacroParameter,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:macro name="m" params="side «mass»:=1"><link name="${side}"/></xacro:macro>',
+            file=FILE,
+            says="parameter `mass` of macro `m`",
+        ),
+        Bad('<xacro:macro name="m" params="«*origin»"><link name="a"/></xacro:macro>', file=FILE),
+    )
+    good = (
+        Good(
+            '<xacro:macro name="inner" params=""><link name="${side}"/></xacro:macro>'
+            '<xacro:macro name="outer" params="side"><xacro:inner/></xacro:macro>',
+            why="the macro that is called reads it",
+            file=FILE,
+        ),
+        Good(
+            '<xacro:macro name="m" params="*origin"><link name="a"><xacro:insert_block name="origin"/></link>'
+            "</xacro:macro>",
+            file=FILE,
+        ),
+    )
+
+    def check(self, problem: problems.UnusedMacroParameter) -> Iterator[Diagnostic]:
+        yield self.diagnostic(
+            problem.span, f"parameter `{problem.name}` of macro `{problem.macro}` is never read"
+        )

@@ -1,0 +1,60 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+_MACRO = '<xacro:macro name="leg" params="side length:=1 *origin"><link name="${side}${length}">'
+_MACRO += '<xacro:insert_block name="origin"/></link></xacro:macro>'
+
+
+class WrongMacroArguments(Rule):
+    """A macro is called without a parameter that it needs, or with one that it does not take.
+
+    xacro stops at either. Parameters with a default may be left out; those with a star
+    take the child elements of the call, one each, in their order.
+    """
+
+    code = "XAC008"
+    name = "wrong-macro-arguments"
+    severity = Severity.ERROR
+    explains = (problems.WrongMacroArguments,)
+    scaffold = IN_XACRO.replace("{}", _MACRO + "{}")
+
+    bad = (
+        Bad("<«xacro:leg»><visual/></xacro:leg>", file=FILE, says="without `side`"),
+        Bad(
+            '<xacro:leg side="l" «lenght»="2"><visual/></xacro:leg>',
+            file=FILE,
+            says="takes no parameter `lenght`",
+        ),
+        Bad('<«xacro:leg» side="l"/>', file=FILE, says="needs an element for `*origin`"),
+        Bad(
+            '<xacro:leg side="l"><visual/><«collision»/></xacro:leg>',
+            file=FILE,
+            says="takes no element <collision>",
+        ),
+    )
+    good = (
+        Good('<xacro:leg side="l"><visual/></xacro:leg>', why="length has a default", file=FILE),
+        Good('<xacro:leg side="l" length="2"><visual/></xacro:leg>', file=FILE),
+    )
+
+    def check(self, problem: problems.WrongMacroArguments) -> Iterator[Diagnostic]:
+        names = " and ".join(f"`{name}`" for name in problem.names)
+        kind, macro = problem.kind.value, f"macro `{problem.macro}`"
+        if kind == "missing":
+            message = f"{macro} is called without {names}"
+        elif kind == "unknown":
+            message = f"{macro} takes no parameter {names}"
+        elif kind == "missing block":
+            message = f"{macro} needs an element for {names or 'each of its blocks'}"
+        else:
+            message = f"{macro} takes no element {' '.join(f'<{name}>' for name in problem.names)} here"
+        takes = ", ".join(problem.parameters)
+        yield self.diagnostic(
+            problem.span,
+            message,
+            labels={problem.definition: "defined here"} if problem.definition else None,
+            help=f"it takes {takes}" if takes else "it takes no parameters",
+            origins=tuple(Origin(*step) for step in problem.origins),
+        )

@@ -1,0 +1,27 @@
+"""Lints a xacro file: as it is written, and as what it expands to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.engine import Dispatch, lint_document
+from sdfcheck.lint.fold import fold, settle
+from sdfcheck.source.document import Document
+from sdfcheck.source.xacro.expansion import Expander
+from sdfcheck.source.xacro.prepare import prepare
+
+
+def lint_xacro(
+    document: Document,
+    dispatch: Dispatch,
+    expander: Expander | None,
+    argument_sets: Iterable[Mapping[str, str]] = (),
+) -> list[Diagnostic]:
+    """All diagnostics of a xacro file, where people edit it; without ``expander`` it is only read."""
+    prepared = prepare(document, expander, argument_sets)
+    document.problems = [*document.problems, *prepared.problems]  # type: ignore[list-item]
+    found = lint_document(document, dispatch)
+    for expanded in prepared.documents:
+        found += settle(lint_document(expanded, dispatch), expanded)
+    return fold(found)

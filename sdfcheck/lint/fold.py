@@ -1,0 +1,67 @@
+"""Diagnostics of expanded documents: put in their places, and each defect said once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin
+from sdfcheck.lint.fix import Fix
+from sdfcheck.source.text import Source, Span
+from sdfcheck.source.xacro.origins import ExpandedDocument
+
+
+def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument) -> list[Diagnostic]:
+    """Move what points into the expanded text to where that was written, and add how it got there.
+
+    A fix stays if it edits the linted file alone, and no expression in it.
+    """
+    settled = []
+    for diagnostic in diagnostics:
+        span = document.written(diagnostic.span)
+        origins = tuple(Origin(*step) for step in document.origins_at(span))
+        labels = tuple(Label(document.written(label.span), label.text) for label in diagnostic.labels)
+        fix = diagnostic.fix
+        settled.append(
+            diagnostic._replace(
+                span=span,
+                labels=tuple(label for label in labels if label.span != span),
+                origins=diagnostic.origins or origins,
+                fix=fix if fix is not None and _holds(fix, document.top) else None,
+            )
+        )
+    return settled
+
+
+def _holds(fix: Fix, top: Source) -> bool:
+    return all(edit.span.source is top and "$" not in edit.span.text for edit in fix.edits)
+
+
+def fold(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """One diagnostic for each rule and place, with the number of expansions that it shows up in.
+
+    The first stands for all. Its fix stays if all have the same. What one expansion has to say
+    twice of a place is two things.
+    """
+    groups: dict[tuple[str, Span, int], list[Diagnostic]] = {}
+    heard: dict[tuple[str, Span, tuple[Origin, ...]], int] = {}
+    for diagnostic in sorted(dict.fromkeys(diagnostics), key=_order):
+        place = Span(*diagnostic.span)
+        key = (diagnostic.code, place, diagnostic.origins)
+        turn = heard[key] = heard.get(key, -1) + 1
+        groups.setdefault((diagnostic.code, place, turn), []).append(diagnostic)
+    return sorted((_one(group) for group in groups.values()), key=lambda diagnostic: diagnostic.sort_key)
+
+
+def _order(diagnostic: Diagnostic) -> tuple[tuple[tuple[str, int], ...], tuple[str, int, int, str, str]]:
+    """By the calls and includes, from the outside in, then by place."""
+    way = tuple((o.span.source.path.as_posix(), o.span.start) for o in reversed(diagnostic.origins))
+    return way, diagnostic.sort_key
+
+
+def _one(group: list[Diagnostic]) -> Diagnostic:
+    first, *others = group
+    if not others:
+        return first
+    same_fix = all(other.fix == first.fix for other in others)
+    message = f"{first.message} (in {len(group)} expansions)"
+    return first._replace(message=message, fix=first.fix if same_fix else None)

@@ -1,0 +1,77 @@
+"""What there is to lint about a xacro file: its own problems, and the documents that come of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.problems import SyntaxDefect
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.xacro import static
+from sdfcheck.source.xacro.expansion import Expander
+from sdfcheck.source.xacro.nearby import FILE_LIMIT, text_of
+from sdfcheck.source.xacro.origins import ExpandedDocument
+from sdfcheck.source.xacro.problems import (
+    ExpansionFailure,
+    Failure,
+    Problem,
+    UndeclaredXacroPrefix,
+    UndefinedMacro,
+    UndefinedProperty,
+)
+from sdfcheck.source.xacro.world import is_robot
+
+
+class Prepared(NamedTuple):
+    """``problems`` are those of the xacro file itself, ``documents`` its expansions."""
+
+    problems: tuple[Problem, ...]
+    documents: tuple[ExpandedDocument, ...]
+
+
+def prepare(
+    document: Document, expander: Expander | None, argument_sets: Iterable[Mapping[str, str]] = ()
+) -> Prepared:
+    """Read a xacro document, and expand it once for each set of arguments (without one: once).
+
+    A macro library is not expanded, and nothing is without ``expander``. Two problems
+    of one kind at one place are one.
+    """
+    if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
+        return Prepared((), ())
+    found: list[Problem] = list(static.problems(document))
+    documents: list[ExpandedDocument] = []
+    declared = not any(isinstance(problem, UndeclaredXacroPrefix) for problem in found)
+    if expander is not None and declared and is_robot(document):
+        for arguments in list(argument_sets) or [{}]:
+            expansion = expander.expand(document, arguments)
+            if expansion.document is not None and is_complete(expansion.document):
+                expansion.document.library = document.library
+                documents.append(expansion.document)
+            found += [p for p in expansion.problems if not (_needs_includer(p) and _is_included(document))]
+    return Prepared(tuple({(type(p), p.span): p for p in reversed(found)}.values())[::-1], tuple(documents))
+
+
+def is_complete(document: Document) -> bool:
+    """Whether a document can stand alone: a robot with links, or SDFormat."""
+    root = document.root
+    return root is not None and (document.kind is not Kind.URDF or root.has("link"))
+
+
+def _needs_includer(problem: Problem) -> bool:
+    """Whether a file that includes this one may give what an expansion lacks."""
+    if isinstance(problem, ExpansionFailure):
+        return problem.kind is Failure.ARGUMENT
+    return isinstance(problem, UndefinedMacro | UndefinedProperty)
+
+
+def _is_included(document: Document) -> bool:
+    """Whether a file of the project includes one of this name."""
+    if document.library is None:
+        return False
+    name = re.escape(document.path.name)
+    pattern = re.compile(rf"<xacro:include\b[^>]*?\sfilename\s*=\s*[\"'](?:[^\"']*/)?{name}[\"']")
+    files = document.library.packages(document.path).files(".xacro", FILE_LIMIT)
+    return any(pattern.search(text_of(path)) for path in files)

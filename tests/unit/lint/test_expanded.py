@@ -1,0 +1,130 @@
+"""A xacro file is linted as it is written and as what it expands to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.engine import Dispatch
+from sdfcheck.lint.expanded import lint_xacro
+from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.select import ActiveRules
+from sdfcheck.source.document import read
+from sdfcheck.source.library import Library
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.xacro.expansion import Expander
+from sdfcheck.source.xacro.static import problems
+from sdfcheck.source.xacro.world import is_robot
+
+HEAD = '<sdf version="1.12" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+LEG = (
+    '<xacro:macro name="leg" params="side mass">\n'
+    '<link name="${side}"><inertial><mass>${mass}</mass></inertial></link>'
+)
+
+
+@pytest.fixture(scope="module")
+def expander() -> Iterator[Expander]:
+    with Expander() as one:
+        yield one
+
+
+def lint(expander: Expander | None, path: Path, text: str, *sets: dict[str, str]) -> list[Diagnostic]:
+    path.write_text(text)
+    index = load_index()
+    document = read(path.read_bytes(), path, Kind.XACRO)
+    document.library = Library()
+    return lint_xacro(document, Dispatch(index, ActiveRules(index.facts, {})), expander, sets)
+
+
+def test_a_defect_in_a_macro_is_said_once_in_its_body(tmp_path: Path, expander: Expander) -> None:
+    calls = "".join(f'\n<xacro:leg side="{side}" mass="1,5"/>' for side in "abc")
+    text = f'{HEAD}<model name="m">{LEG}</xacro:macro>{calls}</model></sdf>'
+    found = [d for d in lint(expander, tmp_path / "r.sdf.xacro", text) if d.span.text == "${mass}"]
+    assert len(found) == 1
+    assert found[0].message.endswith("(in 3 expansions)")
+    assert found[0].span.begin.line == 2
+    assert [origin.span.begin.line for origin in found[0].origins] == [3]
+
+
+def test_the_chain_is_that_of_the_call_at_fault(tmp_path: Path, expander: Expander) -> None:
+    masses = ("1", "1,5", "2")
+    calls = "".join(f'\n<xacro:leg side="s{n}" mass="{mass}"/>' for n, mass in enumerate(masses))
+    text = f'{HEAD}<model name="m">{LEG}</xacro:macro>{calls}</model></sdf>'
+    found = [d for d in lint(expander, tmp_path / "r.sdf.xacro", text) if d.span.text == "${mass}"]
+    assert [origin.span.begin.line for d in found for origin in d.origins] == [4]
+
+
+def test_an_expression_is_not_mended(tmp_path: Path, expander: Expander) -> None:
+    text = f'{HEAD}<model name="${{\'m\'}}"><link name="a"/><colour>red</colour></model></sdf>'
+    for diagnostic in lint(expander, tmp_path / "r.sdf.xacro", text):
+        if diagnostic.fix is not None:
+            assert all("$" not in edit.span.text for edit in diagnostic.fix.edits)
+            assert all(edit.span.source.path.suffix == ".xacro" for edit in diagnostic.fix.edits)
+
+
+def test_each_set_of_arguments_is_tried(tmp_path: Path, expander: Expander) -> None:
+    text = f'{HEAD}<xacro:arg name="m" default="1"/><model name="m"><link name="a"><inertial>'
+    text += "<mass>$(arg m)</mass></inertial></link></model></sdf>"
+    path = tmp_path / "r.sdf.xacro"
+    assert not [d for d in lint(expander, path, text) if d.span.text == "$(arg m)"]
+    assert [d for d in lint(expander, path, text, {}, {"m": "heavy"}) if d.span.text == "$(arg m)"]
+
+
+def test_without_expansion_a_file_is_still_read(tmp_path: Path) -> None:
+    text = (
+        f'{HEAD}<model name="m"><link name="${{nmae}}"/><xacro:property name="name" value="a"/></model></sdf>'
+    )
+    assert any("nmae" in d.message for d in lint(None, tmp_path / "r.sdf.xacro", text))
+
+
+@pytest.mark.parametrize(
+    ("text", "robot"),
+    [
+        ('<robot name="r" xmlns:xacro="x"><link name="a"/></robot>', True),
+        ('<robot name="r" xmlns:xacro="x"><xacro:if value="1"><xacro:arm/></xacro:if></robot>', True),
+        ('<robot name="r" xmlns:xacro="x"><xacro:include filename="a"/></robot>', True),
+        (
+            '<robot name="r" xmlns:xacro="x"><xacro:include filename="a"/><xacro:macro name="m"/></robot>',
+            False,
+        ),
+        ('<robot name="r" xmlns:xacro="x"><xacro:property name="a" value="1"/></robot>', False),
+        ('<robot xmlns:xacro="x"><material name="a"/></robot>', False),
+        ('<sdf version="1.9" xmlns:xacro="x"><xacro:arm/></sdf>', True),
+        ('<root xmlns:xacro="x"><xacro:arm/></root>', False),
+    ],
+)
+def test_robots_and_libraries(text: str, robot: bool) -> None:
+    assert is_robot(read(text.encode(), Path("a.xacro"), Kind.XACRO)) is robot
+
+
+def test_what_a_file_includes_is_seen(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    (tmp_path / "lib.xacro").write_text(
+        '<robot xmlns:xacro="x"><xacro:property name="size" value="1"/>'
+        '<xacro:macro name="arm" params="side"><link name="${side}"/></xacro:macro></robot>'
+    )
+    path = tmp_path / "r.xacro"
+    path.write_text(
+        '<robot name="r" xmlns:xacro="x"><xacro:property name="dir" value="."/>'
+        '<xacro:include filename="${dir}/lib.xacro"/><a b="${size}"/><xacro:arm side="l" left="1"/></robot>'
+    )
+    library = Library()
+    document = library.document(path, Kind.XACRO)
+    assert document is not None
+    assert [type(problem).__name__ for problem in problems(document)] == ["WrongMacroArguments"]
+
+
+def test_a_cycle_of_includes_is_told_without_expanding(tmp_path: Path) -> None:
+    for name, other in (("a", "b"), ("b", "a")):
+        (tmp_path / f"{name}.xacro").write_text(
+            f'<robot name="{name}" xmlns:xacro="x"><xacro:include filename="{other}.xacro"/></robot>'
+        )
+    document = Library().document(tmp_path / "a.xacro", Kind.XACRO)
+    assert document is not None
+    (problem,) = problems(document)
+    assert type(problem).__name__ == "XacroIncludeCycle"
+    assert problem.span.text == "b.xacro"

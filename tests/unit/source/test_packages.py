@@ -1,0 +1,98 @@
+"""Where packages are, without ROS."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.source.packages import Packages, project_root
+
+
+def package(folder: Path, name: str) -> Path:
+    folder.mkdir(parents=True)
+    (folder / "package.xml").write_text(f"<package><!-- <name>old</name> --><name> {name} </name></package>")
+    return folder
+
+
+def test_packages_go_by_the_name_in_their_file(tmp_path: Path) -> None:
+    arm = package(tmp_path / "a" / "folder", "arm_description")
+    package(tmp_path / "build" / "copy", "built")
+    packages = Packages(tmp_path, environment={})
+    assert packages.find("arm_description") == arm
+    assert packages.find("folder") == arm, "else by the only folder of that name"
+    assert packages.find("built") is None
+    assert packages.find("none") is None
+    assert packages.names == ["arm_description"]
+
+
+def test_what_is_named_comes_first(tmp_path: Path) -> None:
+    package(tmp_path / "project" / "arm", "arm")
+    other = package(tmp_path / "other" / "arm", "arm")
+    root = tmp_path / "project"
+    assert Packages(root, {"arm": tmp_path}, environment={}).find("arm") == tmp_path
+    assert Packages(root, paths=[tmp_path / "other"], environment={}).find("arm") == other
+
+
+def test_folders_of_one_name_decide_nothing(tmp_path: Path) -> None:
+    for parent in ("a", "b"):
+        (tmp_path / parent / "arm").mkdir(parents=True)
+    assert Packages(tmp_path, environment={}).find("arm") is None
+
+
+def test_a_ros_installation_is_looked_into(tmp_path: Path) -> None:
+    (tmp_path / "ros" / "share" / "arm").mkdir(parents=True)
+    old = package(tmp_path / "old" / "wheel", "wheel")
+    environment = {"AMENT_PREFIX_PATH": str(tmp_path / "ros"), "ROS_PACKAGE_PATH": str(tmp_path / "old")}
+    (tmp_path / "project").mkdir()
+    packages = Packages(tmp_path / "project", environment=environment)
+    assert packages.find("arm") == tmp_path / "ros" / "share" / "arm"
+    assert packages.find("wheel") == old
+
+
+@pytest.mark.parametrize(
+    ("rule", "asked", "found"),
+    [
+        (
+            "install(DIRECTORY description/urdf DESTINATION share/${PROJECT_NAME})",
+            "urdf/a",
+            "description/urdf/a",
+        ),
+        ("install(DIRECTORY description/ DESTINATION share/${PROJECT_NAME})", "urdf/a", "description/urdf/a"),
+        (
+            "install(DIRECTORY description/urdf # x\n DESTINATION share/arm/deep)",
+            "deep/urdf/a",
+            "description/urdf/a",
+        ),
+        ("install(FILES description/urdf/a DESTINATION share/arm)", "a", "description/urdf/a"),
+        ("install(DIRECTORY description/urdf DESTINATION lib/arm)", "urdf/a", "urdf/a"),
+    ],
+)
+def test_a_path_that_holds_after_installation(tmp_path: Path, rule: str, asked: str, found: str) -> None:
+    arm = package(tmp_path / "arm", "arm")
+    (arm / "description" / "urdf").mkdir(parents=True)
+    (arm / "description" / "urdf" / "a").touch()
+    (arm / "CMakeLists.txt").write_text(f"project(arm)\n{rule}\n")
+    assert Packages(tmp_path, environment={}).locate(arm / asked) == arm / found
+
+
+def test_the_project_is_the_repository_or_the_workspace(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir("/")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    urdf = package(tmp_path / "ws" / "src" / "repo" / "arm", "arm") / "urdf"
+    urdf.mkdir()
+    file = urdf / "a.xacro"
+    assert project_root(file) == tmp_path / "ws" / "src" / "repo"
+    (tmp_path / "ws" / "src" / "repo" / "arm" / ".git").mkdir()
+    assert project_root(file) == tmp_path / "ws" / "src" / "repo" / "arm"
+    (tmp_path / "ws" / "install").mkdir()
+    assert project_root(file) == tmp_path / "ws" / "src"
+
+
+def test_the_home_folder_is_no_project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "robots").mkdir()
+    assert project_root(tmp_path / "robots" / "a.xacro") == tmp_path / "robots"
