@@ -142,7 +142,7 @@ class _Declaration:
 
 def problems(document: Document) -> list[Problem]:
     """Everything about prefixes that is wrong in a document, in no particular order."""
-    if document.root is None or not _has_prefixes(document.source.text):
+    if document.root is None or not document.is_recognized or not _has_prefixes(document.source.text):
         return []
     return _Analysis(document).run()
 

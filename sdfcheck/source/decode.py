@@ -21,7 +21,9 @@ _MARKS = (
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
 # Python knows text encodings that no XML file means (punycode, unicode_escape, …).
-_PLAUSIBLE = re.compile(r"utf-|ascii|iso8859|latin|cp\d|windows|koi8|shift_jis|euc_|gb|big5|mac-roman|iso2022")
+_PLAUSIBLE = re.compile(
+    r"utf-|ascii|iso8859|latin|cp\d|windows|koi8|shift_jis|euc_|gb|big5|mac-roman|iso2022"
+)
 
 
 def _as_latin1(error: UnicodeError) -> tuple[str, int]:
@@ -56,7 +58,9 @@ def decode(data: bytes, path: Path) -> tuple[Source, list[EncodingDefect]]:
         defects.append(EncodingDefect(place, kind, declared, "UTF-8"))
     if bad >= 0:
         defects.append(
-            EncodingDefect(source.span(bad, bad + 1), EncodingKind.UNDECODABLE, declared or "UTF-8", "Latin-1")
+            EncodingDefect(
+                source.span(bad, bad + 1), EncodingKind.UNDECODABLE, declared or "UTF-8", "Latin-1"
+            )
         )
     return source, defects
 

@@ -11,8 +11,8 @@ from lxml import etree
 
 from sdfcheck.source.decode import decode
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source, Step
+from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.text import Source, Span, Step
 
 if TYPE_CHECKING:
     from sdfcheck.source.library import Library
@@ -25,6 +25,7 @@ T = TypeVar("T")
 # What a strict parser reads well but not as the simulators do.
 _NEEDS_REWRITING = re.compile(r"<!DOCTYPE|\sxmlns\s*=")
 
+_LINTED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG))
 _KINDS = {"sdf": Kind.SDF, "robot": Kind.URDF, "model": Kind.MODEL_CONFIG}
 
 
@@ -61,8 +62,8 @@ class Document:
         """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
         self.root: Element | None = self._parse()
         name = self.root.name if self.root is not None else ""
-        self.kind = kind or _KINDS.get(name, Kind.OTHER_XML)
-        """The dialect; worked out from the root element where the caller does not say."""
+        self.kind = kind or _KINDS.get(name) or sniff(_encoded(source.text[:HEAD]), source.path)
+        """The dialect; worked out from the text where the caller does not say."""
 
     def __repr__(self) -> str:
         return f"Document({str(self.path)!r}, {self.kind.value})"
@@ -75,6 +76,21 @@ class Document:
     def version(self) -> str | None:
         """The text of the root element's ``version``."""
         return None if self.root is None else self.root.attributes.get("version")
+
+    @property
+    def is_recognized(self) -> bool:
+        """Is this something that is linted?"""
+        return self.kind in _LINTED
+
+    def is_doubtful(self, span: Span) -> bool:
+        """Does a place lie where the text could only be read by a guess?
+
+        There the problems of the text say what is wrong; whatever else seems to be
+        follows from the guess.
+        """
+        if self._scan is None or span.source is not self.source:
+            return False
+        return any(start <= span.start < end for start, end in self._scan.doubtful)
 
     @property
     def scan(self) -> Scan:
@@ -94,6 +110,11 @@ class Document:
             self._spans = Spans(self.source, self.scan, self.root)
         return self._spans
 
+    @property
+    def is_expanded(self) -> bool:
+        """Whether the text was made from others, in which the places are."""
+        return False
+
     def origins(self, element: Element) -> tuple[Step, ...]:
         """The macro calls and includes that led to an element, the nearest first."""
         return ()
@@ -107,19 +128,19 @@ class Document:
     def _parse(self) -> Element | None:
         parser = self._parser(recover=False)
         text = self.source.text
-        error: etree.XMLSyntaxError | None = None
+        fault: etree._LogEntry | None = None
         if not _NEEDS_REWRITING.search(text):
             try:
                 return etree.fromstring(_encoded(text), parser)  # type: ignore[return-value]
-            except etree.XMLSyntaxError as failure:
-                error = failure
+            except etree.XMLSyntaxError:
+                fault = _first_fault(parser)
         from sdfcheck.source.scan import scan
 
-        self._scan = scan(self.source, rewrite=True)
+        self._scan = scan(self.source)
         found = self._scan.problems
         self.problems = [*self.problems, *found]
-        if error is not None and not found and not _is_about_namespaces(error):
-            self.problems.append(self._unexplained(error))
+        if fault is not None and not found:
+            self.problems.append(self._unexplained(fault))
         if not self._scan.starts:
             return None
         tree = etree.fromstring(_encoded(self._scan.wellformed), self._parser(recover=True))
@@ -134,13 +155,13 @@ class Document:
         parser.set_element_class_lookup(etree.ElementDefaultClassLookup(element=own_class))
         return parser
 
-    def _unexplained(self, error: etree.XMLSyntaxError) -> SyntaxDefect:
+    def _unexplained(self, fault: etree._LogEntry) -> SyntaxDefect:
         """The parser's own words, for a fault that the scan does not know."""
         from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
 
-        line, column = error.position
-        at = self.source.offset(line, max(column, 1))
-        return SyntaxDefect(self.source.span(at, at), SyntaxKind.OTHER, None, error.msg or "not well formed")
+        at = self.source.offset(fault.line, max(fault.column, 1))
+        words = fault.message.rstrip(". ")
+        return SyntaxDefect(self.source.span(at, at), SyntaxKind.OTHER, None, words[:1].lower() + words[1:])
 
 
 def read(data: bytes, path: Path, kind: Kind | None = None) -> Document:
@@ -150,14 +171,19 @@ def read(data: bytes, path: Path, kind: Kind | None = None) -> Document:
 
 
 def problems(document: Document) -> list[Problem]:
-    """What reading found wrong with the text."""
-    return document.problems
+    """What reading found wrong with the text; of what is no robot description, only that."""
+    if document.is_recognized:
+        return document.problems
+    from sdfcheck.source.recognition import unrecognized
+
+    return [unrecognized(document)]
 
 
 def _encoded(text: str) -> bytes:
     return text.encode("utf-8", "surrogatepass")
 
 
-def _is_about_namespaces(error: etree.XMLSyntaxError) -> bool:
-    """Namespaces are judged by an analysis of their own (libxml2's error codes 200 to 205)."""
-    return etree.ErrorTypes.NS_ERR_XML_NAMESPACE <= error.code <= etree.ErrorTypes.NS_ERR_COLON
+def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:
+    """What made the parser give up, unless an analysis of ours judges it: prefixes, repeated attributes."""
+    fatal = (entry for entry in parser.error_log if entry.level == etree.ErrorLevels.FATAL)
+    return next((entry for entry in fatal if entry.type != etree.ErrorTypes.ERR_ATTRIBUTE_REDEFINED), None)

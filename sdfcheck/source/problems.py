@@ -17,26 +17,46 @@ class SyntaxKind(Enum):
     UNCLOSED_ELEMENT = "unclosed element"
     MISMATCHED_END_TAG = "mismatched end tag"
     EXTRA_END_TAG = "extra end tag"
+    MISSING_SLASH = "missing slash"
+    MISSING_ANGLE = "missing angle"
     TRUNCATED = "truncated"
     UNCLOSED_TAG = "unclosed tag"
+    BLANK_IN_TAG = "blank in tag"
+    ODD_BLANK = "odd blank"
+    CROWDED_END_TAG = "crowded end tag"
     UNCLOSED_COMMENT = "unclosed comment"
+    NESTED_COMMENT = "nested comment"
+    MALFORMED_COMMENT = "malformed comment"
+    COMMENT_IN_TAG = "comment in tag"
     UNCLOSED_SECTION = "unclosed section"
     UNCLOSED_VALUE = "unclosed value"
     UNQUOTED_VALUE = "unquoted value"
+    CURLY_QUOTES = "curly quotes"
     VALUELESS_ATTRIBUTE = "valueless attribute"
+    MISSING_EQUALS = "missing equals"
+    MISSING_SPACE = "missing space"
     MALFORMED_ATTRIBUTE = "malformed attribute"
+    MALFORMED_NAME = "malformed name"
     ANGLE_IN_VALUE = "angle in value"
     STRAY_ANGLE = "stray angle"
     SECTION_END_IN_TEXT = "section end in text"
     ILLEGAL_CHARACTER = "illegal character"
+    MERGE_CONFLICT = "merge conflict"
     TEXT_OUTSIDE_ROOT = "text outside root"
+    MALFORMED_INSTRUCTION = "malformed instruction"
+    SECOND_DECLARATION = "second declaration"
     NO_ELEMENT = "no element"
     TOO_LONG = "too long"
     OTHER = "other"
 
 
 class SyntaxDefect(Record):
-    """Not well formed beyond a harmless slip; ``other`` is the second place that takes part."""
+    """Not well formed beyond a harmless slip.
+
+    ``other`` is the second place that takes part. ``detail`` is the name that is
+    concerned: of the element (what an end tag should say, where one is wrong) or of the
+    attribute; else what there is to say besides.
+    """
 
     span: Span
     kind: SyntaxKind
@@ -96,17 +116,23 @@ class DocumentType(Record):
 
 
 class ContentAfterRoot(Record):
-    """A second root element, or text, behind the root element ``root``."""
+    """A second root element, an end tag too many, or text, behind the root element ``root``."""
 
     span: Span
     root: Span
 
 
 class UnrecognizedDocument(Record):
-    """A document of no kind that is linted; ``looks_like`` says what it seems to be."""
+    """A document of no kind that is linted; ``looks_like`` says what it seems to be.
+
+    ``root`` is the name of the root element, if there is one, and ``suggestion`` what it
+    was probably meant to be.
+    """
 
     span: Span
     looks_like: str
+    root: str | None
+    suggestion: str | None
 
 
 class TooDeep(Record):

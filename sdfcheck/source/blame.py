@@ -1,0 +1,205 @@
+"""Evidence for what went wrong where start and end tags do not match."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sdfcheck.source.problems import SyntaxKind
+from sdfcheck.source.start_tag import BARE_START, tag_of
+from sdfcheck.source.tokens import Token, TokenKind, name_range
+
+LOOK_AHEAD = 5_000
+"""How many tokens one question may read; and all questions together:"""
+PATIENCE = 2_000_000
+REMEDIES = 50
+
+_INDENT = re.compile(r"(?:[\r\n]|\A)([ \t]*)\Z")
+_UNKNOWN = "?"
+
+
+class Remedy(NamedTuple):
+    """A defect at ``place`` and what makes it good: ``tokens`` instead of some, from ``number`` on."""
+
+    kind: SyntaxKind
+    name: str
+    place: tuple[int, int]
+    other: tuple[int, int] | None
+    number: int
+    replaced: int
+    tokens: tuple[Token, ...]
+    doubtful: tuple[tuple[int, int], ...] = ()
+
+
+class Blame:
+    """Looks for evidence in a list of tokens, which others may change meanwhile."""
+
+    def __init__(self, text: str, tokens: list[Token]) -> None:
+        self.text = text
+        self.tokens = tokens
+        self.patience = PATIENCE
+        self.remedies = REMEDIES
+
+    def next_unmatched_end(self, number: int) -> str | None:
+        """The name in the next end tag behind token ``number`` that ends what is open; None: no such."""
+        depth = 0
+        for token in self.tokens[number + 1 : number + 1 + LOOK_AHEAD]:
+            if token.kind is TokenKind.START:
+                depth += 1
+            elif token.kind is TokenKind.END:
+                if depth == 0:
+                    return token.name
+                depth -= 1
+        at_end = number + 1 + LOOK_AHEAD >= len(self.tokens)
+        return None if at_end and depth == 0 else _UNKNOWN
+
+    def cause(self, opened: list[int], depth: int, number: int) -> Remedy | None:
+        """Why the innermost of the ``opened`` elements has no end tag before token ``number``.
+
+        ``opened[depth]`` is the element that this token closes.
+        """
+        if self.remedies <= 0 or self.patience <= 0:
+            return None
+        remedy = self.doubled_start(opened[depth + 1 :])
+        if remedy is None:
+            remedy = self.damaged_end(opened[-1], number) or self.missing_end(opened, number)
+        self.remedies -= remedy is not None
+        return remedy
+
+    def doubled_start(self, opened: list[int]) -> Remedy | None:
+        """``<pose>0 0 0<pose>``: the second one is an end tag without its slash; or almost."""
+        if len(opened) < 2:
+            return None
+        token, outer = self.tokens[opened[-1]], self.tokens[opened[-2]]
+        if self.text[token.start : token.end] != f"<{token.name}>":
+            return None
+        if token.name == outer.name or (alike(token.name, outer.name) and self.uses(token.name) == 1):
+            return self._as_end_tag(opened[-1], outer)
+        return None
+
+    def damaged_end(self, opened: int, number: int) -> Remedy | None:
+        """``<pose>0 0 0/pose>`` or ``<pose>0 0 0<pose/>``."""
+        name = self.tokens[opened].name
+        for index, token in self.children(opened, number):
+            at = self.text.find(f"/{name}>", token.start, token.end) if token.kind is TokenKind.TEXT else -1
+            if at >= 0:
+                end = at + len(name) + 2
+                return self._split(index, Token(TokenKind.END, at, end, name))
+            tag = self.text[token.start : token.end] if token.kind is TokenKind.EMPTY else ""
+            if tag.replace(" ", "") == f"<{name}/>":
+                return self._as_end_tag(index, self.tokens[opened])
+        return None
+
+    def missing_end(self, opened: list[int], number: int) -> Remedy | None:
+        """By indentation: the next sibling has been swallowed, or a nested element has taken the end tag."""
+        element = self.tokens[opened[-1]]
+        indent = self.indent(element.start)
+        outer = self.indent(self.tokens[opened[-2]].start)
+        if indent is None or outer is None or outer >= indent:
+            return None
+        nested: Token | None = None
+        for index, token in self.children(opened[-1], number):
+            own = self.indent(token.start)
+            if token.kind is TokenKind.END:
+                if nested is not None and nested.name == element.name and own == indent:
+                    return self._end_before(index, nested)
+            elif token.kind in {TokenKind.START, TokenKind.EMPTY}:
+                if own is not None and own <= indent:
+                    return self._end_before(index, element)
+                nested = token if own is not None and own > indent else None
+        return None
+
+    def bare_start(self, opened: int, number: int) -> Remedy | None:
+        """``pose>0 0 0</pose>``: the end tag ``number`` is sound, and its start tag lacks the ``<``."""
+        if self.remedies <= 0 or self.patience <= 0:
+            return None
+        found: tuple[int, re.Match[str]] | None = None
+        for index, token in self.children(opened, number):
+            if token.kind is TokenKind.TEXT:
+                for match in BARE_START.finditer(self.text, token.start, token.end):
+                    if match[1] == self.tokens[number].name and not match[3]:
+                        found = index, match
+        if found is None:
+            return None
+        self.remedies -= 1
+        index, match = found
+        return self._split(index, Token(TokenKind.START, *match.span(), match[1], tag_of(match)))
+
+    def is_misspelt_start(self, start: str, end: str) -> bool:
+        """Of two names that differ by a slip: is only the end tag's used elsewhere?"""
+        return alike(start, end) and self.uses(start) == 1 and self.uses(end) > 0
+
+    def uses(self, name: str) -> int:
+        """How many start tags there are of that name."""
+        self.patience -= len(self.tokens)
+        return sum(token.name == name and token.kind is not TokenKind.END for token in self.tokens)
+
+    def block_start(self, opened: int, number: int) -> int:
+        """Where the block might begin that the end tag ``number`` ends, of which no start tag is left."""
+        indent = self.indent(self.tokens[number].start)
+        start, ended = self.tokens[number - 1].end, True
+        for _, token in self.children(opened, number):
+            own = self.indent(token.start)
+            if indent is not None and own is not None and own <= indent:
+                ended = True
+            elif ended and indent is not None:
+                start, ended = token.start, False
+        return start
+
+    def children(self, opened: int, number: int) -> Iterator[tuple[int, Token]]:
+        """The tokens directly inside an element, up to token ``number``; of elements both tags."""
+        depth = 0
+        for index in range(opened + 1, number):
+            self.patience -= 1
+            if self.patience <= 0:
+                return
+            token = self.tokens[index]
+            depth -= token.kind is TokenKind.END
+            if depth <= 0:
+                depth = 0
+                yield index, token
+            depth += token.kind is TokenKind.START
+
+    def indent(self, at: int) -> int | None:
+        """The column at which a line begins at ``at``; None if something stands before it."""
+        match = _INDENT.search(self.text, max(at - 200, 0), at)
+        return len(match[1].expandtabs()) if match else None
+
+    def _as_end_tag(self, index: int, opened: Token) -> Remedy:
+        token = self.tokens[index]
+        end = Token(TokenKind.END, token.start, token.end, opened.name)
+        place, other = (token.start, token.end), name_range(opened, self.text)
+        return Remedy(SyntaxKind.MISSING_SLASH, opened.name, place, other, index, 1, (end,))
+
+    def _split(self, index: int, tag: Token) -> Remedy:
+        """Part of a text turns out to be a tag without its ``<``."""
+        token = self.tokens[index]
+        around = (
+            Token(TokenKind.TEXT, token.start, tag.start),
+            tag,
+            Token(TokenKind.TEXT, tag.end, token.end),
+        )
+        parts = tuple(t for t in around if t is tag or self.text[t.start : t.end].strip())
+        place = (tag.start, tag.end)
+        name = ("/" if tag.kind is TokenKind.END else "") + tag.name
+        return Remedy(SyntaxKind.MISSING_ANGLE, name, place, None, index, 1, parts, (place,))
+
+    def _end_before(self, index: int, element: Token) -> Remedy:
+        token = self.tokens[index]
+        end = Token(TokenKind.END, token.start, token.start, element.name)
+        place, other = name_range(element, self.text), (token.start, token.end)
+        return Remedy(SyntaxKind.UNCLOSED_ELEMENT, element.name, place, other, index, 0, (end,))
+
+
+def alike(one: str, other: str) -> bool:
+    """Two names that differ by a slip of the hand: case, one letter more, less or other, two swapped."""
+    one, other = one.lower(), other.lower()
+    if abs(len(one) - len(other)) > 1 or not one or not other:
+        return False
+    if one == other or sorted(one) == sorted(other):
+        return True
+    pairs = enumerate(zip(one, other, strict=False))
+    start = next((i for i, (a, b) in pairs if a != b), min(len(one), len(other)))
+    rest, other_rest = one[start:], other[start:]
+    return rest[1:] == other_rest[1:] or rest[1:] == other_rest or rest == other_rest[1:]

@@ -1,0 +1,27 @@
+"""What a document is that is none of those that are linted."""
+
+from __future__ import annotations
+
+from sdfcheck.source.blame import alike
+from sdfcheck.source.document import Document
+from sdfcheck.source.problems import UnrecognizedDocument
+from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.tokens import Token, TokenKind, first_line
+
+ROOTS = ("sdf", "robot", "model")
+
+
+def unrecognized(document: Document) -> UnrecognizedDocument:
+    """Say what the document looks like, at its root element or its first line."""
+    text, kind = document.source.text, document.kind
+    if kind in {Kind.BROKEN_XML, Kind.NOT_XML, Kind.OTHER_XML}:
+        kind = sniff(text[:HEAD].encode("utf-8", "surrogatepass"), document.path)
+    looks_like = kind.description
+    root = document.root
+    if root is not None:
+        suggestion = next((name for name in ROOTS if alike(root.name, name)), None)
+        return UnrecognizedDocument(root.span, looks_like, root.name, suggestion)
+    if kind is Kind.OTHER_XML:
+        looks_like = "XML without any element"
+    place = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
+    return UnrecognizedDocument(document.source.span(*place), looks_like, None, None)
