@@ -57,7 +57,7 @@ class Packages:
     ROS_PACKAGE_PATH and AMENT_PREFIX_PATH.
     """
 
-    __slots__ = ("_below", "_found", "_installed", "environment", "given", "paths", "root")
+    __slots__ = ("_below", "_folders", "_found", "_installed", "environment", "given", "paths", "root")
 
     def __init__(
         self,
@@ -71,6 +71,7 @@ class Packages:
         self.paths = tuple(paths)
         self.environment = dict(os.environ if environment is None else environment)
         self._below: dict[Path, dict[str, Path]] = {}
+        self._folders: dict[Path, tuple[Path, ...]] = {}
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
 
@@ -86,6 +87,11 @@ class Packages:
         places = [*self.paths, self.root, *self._of_environment("ROS_PACKAGE_PATH")]
         places += [prefix / "share" for prefix in self._of_environment("AMENT_PREFIX_PATH")]
         return tuple(dict.fromkeys(places))
+
+    def survey(self) -> None:
+        """Look everything up now that :meth:`find` may need."""
+        for folder in self.searched:
+            self._package_files(folder)
 
     @property
     def names(self) -> list[str]:
@@ -124,7 +130,7 @@ class Packages:
     def files(self, suffix: str, limit: int) -> Iterator[Path]:
         """The project's files of one suffix, at most ``limit``."""
         count = 0
-        for folder in _folders(self.root):
+        for folder in self._folders_below(self.root):
             for path in sorted(folder.glob(f"*{suffix}")):
                 count += 1
                 if count > limit:
@@ -141,7 +147,7 @@ class Packages:
             if (share := prefix / "share" / name).is_dir():
                 yield share
         for folder in (*self.paths, self.root):
-            same = [place for place in _folders(folder) if place.name == name]
+            same = [place for place in self._folders_below(folder) if place.name == name]
             if len(same) == 1:
                 yield same[0]
 
@@ -150,12 +156,17 @@ class Packages:
         known = self._below.get(root)
         if known is None:
             known = {}
-            for folder in _folders(root):
+            for folder in self._folders_below(root):
                 name = _package_name(folder / "package.xml")
                 if name:
                     known.setdefault(name, folder)
             self._below[root] = known
         return known
+
+    def _folders_below(self, root: Path) -> tuple[Path, ...]:
+        if root not in self._folders:
+            self._folders[root] = tuple(_folders(root))
+        return self._folders[root]
 
     def _of_environment(self, variable: str) -> list[Path]:
         return [Path(entry) for entry in self.environment.get(variable, "").split(os.pathsep) if entry]

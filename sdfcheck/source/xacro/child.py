@@ -41,8 +41,9 @@ def main() -> None:
         os.dup2(void, stream)
     sandbox.isolate_network()
     gc.disable()
+    known: dict[str, Packages] = {}
     while (request := receive(requests)) is not None:
-        send(answers, _serve(request))
+        send(answers, _serve(json.loads(request), known))
         if not hasattr(os, "fork"):
             return
 
@@ -60,17 +61,29 @@ def send(stream: BinaryIO, data: bytes) -> None:
     stream.flush()
 
 
-def _serve(raw: bytes) -> bytes:
-    request = json.loads(raw)
+def _packages(request: Request, known: dict[str, Packages]) -> Packages:
+    """Where the packages are; looked up before the fork if it will want to know, so that it is done once."""
+    key = json.dumps([request[name] for name in ("root", "packages", "paths", "environment")])
+    if key not in known:
+        named = {name: Path(folder) for name, folder in request["packages"].items()}
+        paths = [Path(folder) for folder in request["paths"]]
+        known[key] = Packages(Path(request["root"]), named, paths, request["environment"])
+    if "$(find" in request["text"]:
+        known[key].survey()
+    return known[key]
+
+
+def _serve(request: Request, known: dict[str, Packages]) -> bytes:
+    packages = _packages(request, known)
     memory = mmap.mmap(-1, CRUMBS)
     if not hasattr(os, "fork"):
-        return json.dumps(expand(request, memory)).encode()
+        return json.dumps(expand(request, packages, memory)).encode()
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
         os.close(reading)
         try:
-            answer = json.dumps(expand(request, memory)).encode()
+            answer = json.dumps(expand(request, packages, memory)).encode()
             while answer:
                 answer = answer[os.write(writing, answer) :]
         finally:
@@ -110,16 +123,10 @@ def _collect(stream: int, limits: dict[str, int]) -> tuple[bytes, str]:
             return b"", f"the result is longer than {limits['output']} bytes"
 
 
-def expand(request: Request, memory: Any) -> Answer:
+def expand(request: Request, packages: Packages, memory: Any) -> Answer:
     """Expand one file, locked up."""
     path = request["path"]
     tracer = Tracer(xacro, path, request["text"], Crumbs(memory))
-    packages = Packages(
-        Path(request["root"]),
-        {name: Path(folder) for name, folder in request["packages"].items()},
-        [Path(folder) for folder in request["paths"]],
-        request["environment"],
-    )
     os.chdir(request["cwd"])
     os.environ.clear()
     os.environ.update(request["environment"])

@@ -11,7 +11,7 @@ from xml.parsers.expat import ExpatError, errors
 from xacro.substitution_args import ArgException
 
 from sdfcheck.source.xacro.sandbox import Refused, TooMuch
-from sdfcheck.source.xacro.trace import KEY, Written, Step, Tracer
+from sdfcheck.source.xacro.trace import KEY, Step, Tracer, Written
 
 _TEXT_NODE = 3
 _STACK = re.compile(r"\n?when evaluating expression .*", re.DOTALL)
