@@ -16,7 +16,7 @@ def part(value: Value, start: int, end: int) -> Span:
     """The place of a part of a value; all of it where the text in the file is spelt otherwise (entities)."""
     span = value.span
     if span.text == value.text:
-        return Span(span.source, span.start + start, span.start + end)
+        return value.element.document.spans.span(value.element, span.start + start, span.start + end)
     return span
 
 
@@ -29,11 +29,10 @@ def cut_text(element: Element) -> Span | None:
         return None
     spans = element.document.spans
     place = spans.place(element)
-    source = element.document.source
     first = spans.text(element)
-    for piece in _PIECE.finditer(source.text, first.end, place.close):
+    for piece in _PIECE.finditer(spans.home(element).text, first.end, place.close):
         if (found := _filled(piece)) is not None:
-            return source.span(*found)
+            return spans.span(element, *found)
     return None
 
 
@@ -43,6 +42,8 @@ def stray_line(element: Element) -> Span | None:
     A CDATA section beside elements is a way to write notes: nobody means it as a value.
     """
     spans = element.document.spans
+    if element.document.is_expanded:
+        return spans.text(element)  # the children may have been written elsewhere
     source = element.document.source
     place = spans.place(element)
     edges = [place.end]
