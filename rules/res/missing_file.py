@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_URDF_LINK, IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
-from sdfcheck_rules.res.places import looked_for
+from sdfcheck_rules.res.places import looked_for, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 
@@ -12,7 +12,8 @@ class MissingFile(Rule):
     Simulators load the rest: what has lost its mesh is invisible, and collides with
     nothing. A model or package that is nowhere on the search path is a warning, once for
     each, because another computer may have it: set `model-paths`, `package-paths` or
-    `packages` in the configuration. So is a file whose folder is not there either.
+    `packages` in the configuration. So is a folder that is not there at all, because
+    meshes are often kept elsewhere.
     Nothing is ever fetched from the network.
     """
 
@@ -20,15 +21,21 @@ class MissingFile(Rule):
     name = "missing-file"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: "shows nothing in its place", Consumer.DRAKE: "fails on the mesh"}
-    explains = (problems.MissingFile, problems.MissingOwner)
+    explains = (problems.MissingFile, problems.MissingFolder, problems.MissingOwner)
     scaffold = IN_VISUAL
 
     bad = (
         Bad(MESH.format("«arm.dae»"), files={}, says="mesh `arm.dae` does not exist"),
         Bad(
             MESH.format("«model://robot/meshes/arn.dae»"),
-            files={"robot/meshes/arm.dae": "", "robot/model.config": ""},
+            files={"robot/meshes/arm.dae": ""},
             says="did you mean `arm.dae`?",
+        ),
+        Bad(
+            MESH.format("«meshes/arm.dae»") + "<material><pbr><metal><albedo_map>meshes/arm.png</albedo_map>"
+            "</metal></pbr></material>",
+            files={},
+            says="there is no folder `meshes`, needed for 2 files",
         ),
         Bad(
             MESH.format("«model://lost/arm.dae»"),
@@ -58,21 +65,22 @@ class MissingFile(Rule):
         ),
     )
 
-    def check(self, problem: problems.MissingFile | problems.MissingOwner) -> Iterator[Diagnostic]:
+    def check(
+        self, problem: problems.MissingFile | problems.MissingFolder | problems.MissingOwner
+    ) -> Iterator[Diagnostic]:
         value, location = problem.value, problem.location
         where = looked_for(value, location.tried)
-        if isinstance(problem, problems.MissingOwner):
-            times = f", needed for {len(problem.uses)} files" if len(problem.uses) > 1 else ""
-            setting = "model-paths" if location.scheme == "model" else "package-paths"
-            yield self.diagnostic(
-                value,
-                f"{location.scheme} `{location.name}` is not on the search path{times}",
-                severity=Severity.WARNING,
-                help=f"{where}; set `{setting}` in the configuration if it is elsewhere",
-            )
+        if isinstance(problem, problems.MissingFile):
+            message = f"{problem.what} `{value.text.strip()}` does not exist"
+            if problem.suggestion is not None:
+                message += f", did you mean `{problem.suggestion}`?"
+            yield self.diagnostic(value, message, help=where)
             return
-        message = f"{problem.what} `{value.text.strip()}` does not exist"
-        if problem.suggestion is not None:
-            message += f", did you mean `{problem.suggestion}`?"
-        severity = Severity.WARNING if problem.apart else Severity.ERROR
-        yield self.diagnostic(value, message, severity=severity, help=where)
+        times = f", needed for {len(problem.uses)} files" if len(problem.uses) > 1 else ""
+        if isinstance(problem, problems.MissingFolder):
+            message = f"there is no folder `{place(value.element.document, problem.folder)}`{times}"
+        else:
+            setting = "model-paths" if location.scheme == "model" else "package-paths"
+            message = f"{location.scheme} `{location.name}` is not on the search path{times}"
+            where += f"; set `{setting}` in the configuration if it is elsewhere"
+        yield self.diagnostic(value, message, severity=Severity.WARNING, help=where)

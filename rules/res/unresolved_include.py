@@ -40,6 +40,12 @@ class UnresolvedInclude(Rule):
             says="is not fetched",
         ),
         Bad(
+            "<include><uri>«model://arm»</uri><name>left</name></include>"
+            "<include><uri>model://arm</uri><name>right</name></include>",
+            files={},
+            says="(2 includes)",
+        ),
+        Bad(
             "<include><uri>«arm»</uri></include>",
             files={"arm/model.sdf": ARM},
             says="a folder without `model.config`",
@@ -70,8 +76,9 @@ class UnresolvedInclude(Rule):
             return
         location = problem.location
         where = looked_for(problem.uri, location.tried)
+        times = f" ({len(problem.uses)} includes)" if len(problem.uses) > 1 else ""
         if location.is_remote:
-            message = f"`{text}` is not fetched, so what it brings is not known"
+            message = f"`{text}` is not fetched, so what it brings is not known{times}"
             yield self.diagnostic(problem.uri, message, severity=Severity.INFO)
         elif not location.is_local:
             yield self.diagnostic(problem.uri, f"no reader knows the scheme `{location.scheme}`")
@@ -83,7 +90,7 @@ class UnresolvedInclude(Rule):
             setting = "model-paths" if location.scheme == "model" else "package-paths"
             yield self.diagnostic(
                 problem.uri,
-                f"{location.scheme} `{location.name}` is not on the search path",
+                f"{location.scheme} `{location.name}` is not on the search path{times}",
                 severity=Severity.WARNING,
                 help=f"{where}; set `{setting}` in the configuration if it is elsewhere",
             )

@@ -48,6 +48,11 @@ class MalformedValue(Rule):
     good = (
         Good("<gravity>TRUE</gravity>", why="any case is read"),
         Good("<pose/>", why="an empty pose is the default"),
+        Good(
+            '<sdf version="1.12"><world name="w"><include><uri>arm</uri><static/></include></world></sdf>',
+            why="unusable-include owns this one",
+            scaffold="{}",
+        ),
         Good("<mass>1.</mass>", scaffold=INERTIAL),
         Good(
             '<p:mass xmlns:p="https://example.org/p">heavy</p:mass>',
@@ -72,6 +77,9 @@ class MalformedValue(Rule):
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""
         message = f"`{problem.value.attribute or problem.value.element.name}` is empty"
+        parent = problem.value.element.parent
+        if parent is not None and parent.name == "include" and not problem.reading.refused:
+            return
         if problem.reading.refused:
             yield self.diagnostic(problem.span, message)
             return

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from sdfcheck.lint.config import Configuration, Settings
+from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, Choice
@@ -57,14 +59,6 @@ class Options(NamedTuple):
     stdin_path: Path = Path("<stdin>")
 
 
-class Selected(NamedTuple):
-    """A file that is to be linted, read."""
-
-    path: Path
-    data: bytes
-    kind: Kind
-
-
 class InternalError(Exception):
     """A bug met on a file."""
 
@@ -92,22 +86,35 @@ def run(
     diagnostics: list[Diagnostic] = []
     used: dict[str, RuleFacts] = {}
     suppressed = 0
+    shelves = Shelves()
     for file in selected(found, options, skipped, notify=notify, progress=progress):
         settings = options.configuration.settings_for(file.path)
         active = book.active(settings, file.path)
-        try:
-            kept, silenced = _lint(file, book, settings)
-        except WrongUsage:
-            raise
-        except Exception as error:
-            raise InternalError(file.path, error) from error
+        with _bugs_told_of(file.path):
+            kept, silenced = lint_file(file, book, settings, shelves.library(settings))
         files.append(file.path)
         diagnostics += kept
         suppressed += silenced
         used.update((facts.code, facts) for facts in active.facts)
+    for document in shelves.included(files):
+        with _bugs_told_of(document.path):
+            kept, silenced = lint_included(document, book, options.configuration)
+        diagnostics += kept
+        suppressed += silenced
     diagnostics.sort(key=lambda diagnostic: diagnostic.sort_key)
     rules = tuple(used[code] for code in sorted(used))
     return Run(tuple(diagnostics), tuple(files), tuple(sorted(skipped)), suppressed, rules=rules)
+
+
+@contextmanager
+def _bugs_told_of(path: Path) -> Iterator[None]:
+    """Whatever goes wrong inside says in which file, unless it is the user's to mend."""
+    try:
+        yield
+    except WrongUsage:
+        raise
+    except Exception as error:
+        raise InternalError(path, error) from error
 
 
 def find(paths: Sequence[Path], options: Options) -> Found:
@@ -180,25 +187,3 @@ def _judge(file: DiscoveredFile, head: bytes, options: Options, notify: Notify) 
         cure = ", fetch it with `git lfs pull`" if kind is Kind.LFS_POINTER else ""
         notify(Notice(level, f"{file.path}: looks like {kind.description}, not linted{cure}"))
     return kind
-
-
-def _lint(file: Selected, book: RuleBook, settings: Settings) -> tuple[Sequence[Diagnostic], int]:
-    """The diagnostics of one file, and how many were silenced."""
-    from sdfcheck.lint.engine import lint_source
-
-    # The parser tells what broken XML was meant to be.
-    kind = None if file.kind is Kind.BROKEN_XML else file.kind
-    result = lint_source(file.data, file.path, kind, book.dispatch(settings, file.path))
-    if not result.comments:
-        return result.diagnostics, 0
-    from sdfcheck.lint.suppress import suppressions
-
-    active = book.active(settings, file.path)
-    found = suppressions(result.comments, book.rules(settings))
-    kept, silenced, unused = found.filter(result.diagnostics, active.codes)
-    own = [
-        report._replace(severity=active.severities.get(report.code, report.severity))
-        for report in (*found.malformed, *unused)
-        if report.code in active.codes
-    ]
-    return [*kept, *own], silenced

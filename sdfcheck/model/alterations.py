@@ -16,6 +16,8 @@ Child = tuple[str, str, Element]
 """Kind, name and element of a named child."""
 
 _MOST_IDS = 2000
+_MOST_VISITS = 20_000
+"""So many elements are looked into for one include: models in models can multiply without end."""
 _DEEPEST = 20
 """So many models in models are looked into, which ends where a model includes itself."""
 
@@ -30,7 +32,7 @@ class Node(NamedTuple):
 class Alterations:
     """The changes of one include, in the order in which they are made."""
 
-    __slots__ = ("added", "complete", "removed", "renamed", "replaced", "root")
+    __slots__ = ("_effort", "added", "complete", "removed", "renamed", "replaced", "root")
 
     def __init__(self, found: Included) -> None:
         self.root = Node(found.model, found.include) if found.model is not None else None
@@ -40,6 +42,7 @@ class Alterations:
         self.renamed: dict[Node, str] = {}
         self.complete = self.root is not None and self.root.element.name != "robot"
         """False where not all of the model is known: a URDF is converted, an include may be missing."""
+        self._effort = _MOST_VISITS
 
     def named(self, element: Element, via: Element, children: Iterable[Child]) -> Iterator[Child]:
         """The named children of an element after the changes; ``children`` are those before."""
@@ -58,6 +61,10 @@ class Alterations:
     def children(self, node: Node, depth: int = 0) -> Iterator[tuple[str, str, Node]]:
         """Kind, name and node of what an element holds after the changes, included models as well."""
         element, via = node
+        self._effort -= 1
+        if self._effort < 0:
+            self.complete = False
+            return
         for kind, name, child in self.named(element, via, ()):
             if name:
                 yield kind, name, Node(child, via)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sdfcheck.formats.survey import survey
-from sdfcheck.model.file_problems import MissingFile, MissingOwner, UnportableUri
+from sdfcheck.model.file_problems import MissingFile, MissingFolder, MissingOwner, UnportableUri
 from sdfcheck.model.uri_spelling import absolute, malformed, misspelt
 from sdfcheck.model.uris import Location, locate
 from sdfcheck.source.document import Document
@@ -71,26 +71,51 @@ def _references(document: Document) -> Iterator[tuple[Value, str]]:
 
 
 def _judge(document: Document, uses: list[tuple[Value, str]]) -> list[object]:
-    found: list[object] = []
-    owners: dict[tuple[str, str], list[Value]] = {}
+    sorting = _Sorting(document)
     for value, what in uses:
         text = value.text.strip()
-        if not text or text.startswith(_SHIPPED) or "$(" in text or "${" in text:
-            continue
+        if text and not text.startswith(_SHIPPED) and "$(" not in text and "${" not in text:
+            sorting.take(value, what)
+    return sorting.conclude()
+
+
+class _Sorting:
+    """What is wrong with one URI after the other; what is lacked as a whole is told once."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.found: list[object] = []
+        self.owners: dict[tuple[str, str], list[Value]] = {}
+        self.folders: dict[Path, list[Value]] = {}
+
+    def take(self, value: Value, what: str) -> None:
         slip = malformed(value) or absolute(value)
         if slip is not None:
-            found.append(slip)
-        elif document.library is not None:
-            location = locate(document, text)
-            if location.path is not None or not location.is_local or _texture(document, what, text):
-                continue
-            if location.is_searched_for and location.owner is None and location.near is None:
-                owners.setdefault((location.scheme, location.name), []).append(value)
-            else:
-                found.append(misspelt(value, location) or _missing(value, what, location))
-    for same in owners.values():
-        found += [MissingOwner(same[0], locate(document, same[0].text.strip()), tuple(same))]
-    return found
+            self.found.append(slip)
+        elif self.document.library is not None:
+            location = locate(self.document, value.text)
+            if location.path is None and location.is_local and not _texture(self.document, what, value.text):
+                self.lacks(value, what, location)
+
+    def lacks(self, value: Value, what: str, location: Location) -> None:
+        expected = _expected(location)
+        if slip := misspelt(value, location):
+            self.found.append(slip)
+        elif location.is_searched_for and location.owner is None:
+            self.owners.setdefault((location.scheme, location.name), []).append(value)
+        elif expected is not None and not os.path.isdir(expected.parent):
+            self.folders.setdefault(expected.parent, []).append(value)
+        else:
+            self.found.append(_missing(value, what, location, expected))
+
+    def conclude(self) -> list[object]:
+        for uses in self.owners.values():
+            location = locate(self.document, uses[0].text)
+            self.found.append(MissingOwner(uses[0], location, tuple(uses)))
+        for folder, uses in self.folders.items():
+            location = locate(self.document, uses[0].text)
+            self.found.append(MissingFolder(uses[0], folder, location, tuple(uses)))
+        return self.found
 
 
 def _texture(document: Document, what: str, text: str) -> bool:
@@ -101,19 +126,16 @@ def _texture(document: Document, what: str, text: str) -> bool:
     return any(os.path.exists(folder / place / text) for place in _TEXTURE_FOLDERS)
 
 
-def _missing(value: Value, what: str, location: Location) -> MissingFile:
-    wanted = _expected(location)
-    apart, suggestion = True, None
-    if wanted is not None and os.path.isdir(wanted.parent):
-        from sdfcheck.formats.suggest import suggest
+def _missing(value: Value, what: str, location: Location, expected: Path | None) -> MissingFile:
+    if expected is None:
+        return MissingFile(value, what, location, None)
+    from sdfcheck.formats.suggest import suggest
 
-        apart = False
-        try:
-            beside = [name for name in os.listdir(wanted.parent) if name.endswith(wanted.suffix)]
-        except OSError:
-            beside = []
-        suggestion = suggest(wanted.name, beside)
-    return MissingFile(value, what, location, apart, suggestion)
+    try:
+        beside = [name for name in os.listdir(expected.parent) if name.endswith(expected.suffix)]
+    except OSError:
+        beside = []
+    return MissingFile(value, what, location, suggest(expected.name, beside))
 
 
 def _expected(location: Location) -> Path | None:

@@ -13,15 +13,25 @@ from sdfcheck.source.record import Record
 class MissingFile(Record):
     """A file that is not where its URI leads. ``what`` says what it would be: a mesh, a texture.
 
-    ``apart``: not even its folder is there, so such files may be kept elsewhere.
     ``suggestion`` is a file beside it that may be meant.
     """
 
     value: Value
     what: str
     location: Location
-    apart: bool
     suggestion: str | None
+
+
+class MissingFolder(Record):
+    """A folder that is not there, with what should be in it, as when such files are kept elsewhere.
+
+    ``uses`` are all URIs into it, in document order.
+    """
+
+    value: Value
+    folder: Path
+    location: Location
+    uses: tuple[Value, ...]
 
 
 class MissingOwner(Record):

@@ -25,6 +25,7 @@ from sdfcheck.model.names import ReservedName
 from sdfcheck.model.parameters import PARAMETERS, parameters
 from sdfcheck.model.scopes import NEVER_A_REFERENCE
 from sdfcheck.model.uri_spelling import absolute, malformed, misspelt
+from sdfcheck.model.uris import Location
 from sdfcheck.source.document import Document
 
 _SETTINGS = ("name", "static", "placement_frame")
@@ -42,13 +43,13 @@ def problems(document: Document) -> list[object]:
             found.append(slip)
         found += _parameters(brought)
         if document.library is not None:
-            found += _source(document, brought)
+            found += _source(brought)
             found += _cycle(document, brought)
     if "merge" in document.source.text and document.library is not None:
         from sdfcheck.model.merges import merge_problems
 
         found += merge_problems(document)
-    return found
+    return _told_once(found)
 
 
 def _settings(found: Included) -> Iterator[object]:
@@ -69,7 +70,7 @@ def _parameters(found: Included) -> list[object]:
     return parameters(found).problems if found.include.has(PARAMETERS) else []
 
 
-def _source(document: Document, found: Included) -> Iterator[object]:
+def _source(found: Included) -> Iterator[object]:
     """What keeps the uri from leading to a model."""
     uri, location = found.uri, found.location
     if uri is None or location is None:
@@ -77,11 +78,12 @@ def _source(document: Document, found: Included) -> Iterator[object]:
     config = found.config
     if config is not None and config.path.name == OLD_CONFIG:
         yield OldManifest(uri, config.path)
-    if location.path is not None and (path := absolute(uri)) is not None:
+    if malformed(uri) is not None:
+        return
+    if found.obstacle is None and (path := absolute(uri)) is not None:
         yield path
     if found.obstacle is Obstacle.NOT_FOUND:
-        if malformed(uri) is None:
-            yield misspelt(uri, location) or UnresolvedInclude(uri, location)
+        yield misspelt(uri, location) or UnresolvedInclude(uri, location, (uri,))
     elif found.obstacle is Obstacle.NO_CONFIG and location.path is not None:
         yield FolderWithoutConfig(uri, location.path, _descriptions(location.path))
     # A file that is no XML at all is told where it is.
@@ -90,6 +92,26 @@ def _source(document: Document, found: Included) -> Iterator[object]:
         name = root.name if root is not None else ""
         holds_world = root is not None and root.find("world") is not None
         yield UnusableInclude(uri, found.obstacle, found.file, name, holds_world)
+
+
+def _told_once(found: list[object]) -> list[object]:
+    """Join what is unresolved for one reason outside of the document."""
+    others: list[object] = []
+    by_text: dict[str, list[UnresolvedInclude]] = {}
+    for problem in found:
+        if isinstance(problem, UnresolvedInclude) and _is_elsewhere(problem.location):
+            by_text.setdefault(problem.uri.text, []).append(problem)
+        else:
+            others.append(problem)
+    joined = (
+        UnresolvedInclude(same[0].uri, same[0].location, tuple(problem.uri for problem in same))
+        for same in by_text.values()
+    )
+    return [*others, *joined]
+
+
+def _is_elsewhere(location: Location) -> bool:
+    return location.is_remote or (location.is_searched_for and location.owner is None)
 
 
 def _descriptions(folder: Path) -> tuple[str, ...]:

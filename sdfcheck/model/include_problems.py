@@ -12,10 +12,15 @@ from sdfcheck.source.record import Record
 
 
 class UnresolvedInclude(Record):
-    """A uri that leads to no file."""
+    """A uri that leads to no file.
+
+    ``uses`` are all of that text in the document, where the reason lies outside of it:
+    what is on the network or nowhere on the search path is told once.
+    """
 
     uri: Value
     location: Location
+    uses: tuple[Value, ...]
 
 
 class FolderWithoutConfig(Record):

@@ -13,6 +13,7 @@ from pathlib import Path
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 
@@ -50,8 +51,8 @@ class InvalidModelConfig(Record):
 def problems(document: Document) -> list[InvalidModelConfig]:
     """What is wrong with a ``model.config``, beyond its XML."""
     root = document.root
-    if root is None:
-        return []
+    if root is None or any(isinstance(problem, SyntaxDefect) for problem in document.problems):
+        return []  # what is not well formed is told as that
     if root.name != "model":
         return [InvalidModelConfig(root, ConfigFault.NO_MODEL)]
     found: list[InvalidModelConfig] = []

@@ -26,7 +26,7 @@ NEVER_A_REFERENCE = "__root__"
 
 _FRAME_KINDS = frozenset({"link", "joint", "frame", "model"})
 
-_MOST_SCOPES = 20_000
+_MOST_SCOPES = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
 _MOST_NAMES = 20_000
 _DEEPEST = 50

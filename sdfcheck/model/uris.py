@@ -132,8 +132,11 @@ def _packages(document: Document, name: str) -> Iterator[Path]:
 
 
 def _above(document: Document) -> list[Path]:
+    """The folder of the document and those above it, up to where everybody's files begin."""
     folder = Path(os.path.abspath(document.path.parent))  # resolve() would follow links
-    return [folder, *folder.parents][:_CLIMB]
+    home = Path(os.path.expanduser("~"))
+    shared = {home, *home.parents, Path(folder.anchor)} - {folder}
+    return [above for above in (folder, *folder.parents)[:_CLIMB] if above not in shared]
 
 
 def _ignoring_case(path: Path) -> Path | None:
@@ -154,4 +157,4 @@ def _ignoring_case(path: Path) -> Path | None:
         if same is None:
             return None
         at = at / same
-    return at
+    return at if os.path.exists(at) else None

@@ -14,6 +14,7 @@ from sdfcheck.lint.engine import Comment, FileResult
 from sdfcheck.lint.packs import PackError, RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
+from sdfcheck.source.library import Library
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
@@ -60,7 +61,9 @@ def install(monkeypatch: pytest.MonkeyPatch) -> list[Seen]:
     """Put the engine in place of the real one; the list fills with what it is given."""
     seen: list[Seen] = []
 
-    def lint_source(data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch) -> FileResult:
+    def lint_source(
+        data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch, library: Library
+    ) -> FileResult:
         seen.append(Seen(data, path, kind))
         source = Source(path, data.decode())
         if "crash" in source.text:
