@@ -1,0 +1,112 @@
+"""Lint one file of a run, with what it refers to at hand, and silence what is to be silenced."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from sdfcheck.lint.config import Configuration, Settings
+from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.source.library import Library, SearchPaths
+from sdfcheck.source.sniff import Kind
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.lint.engine import FileResult
+    from sdfcheck.source.document import Document
+
+_INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
+
+
+class Selected(NamedTuple):
+    """A file that is to be linted, read."""
+
+    path: Path
+    data: bytes
+    kind: Kind
+
+
+class Shelves:
+    """The libraries of a run: one for all files that have the same search paths."""
+
+    __slots__ = ("_libraries",)
+
+    def __init__(self) -> None:
+        self._libraries: dict[SearchPaths, Library] = {}
+
+    def library(self, settings: Settings) -> Library:
+        search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
+        if search not in self._libraries:
+            self._libraries[search] = Library(search)
+        return self._libraries[search]
+
+    def included(self, files: Sequence[Path]) -> Iterator[Document]:
+        """The documents that only includes lead to, each once; ``files`` are the run's own."""
+        own: set[str] = set()
+        for library in self._libraries.values():
+            for document in library.unseen():
+                if not own:
+                    own.update(os.path.realpath(path) for path in files)
+                key = os.path.realpath(document.path)
+                # Of what is no XML the parser cannot tell the kind.
+                if key not in own and (document.kind in _INCLUDABLE or document.root is None):
+                    own.add(key)
+                    yield document
+
+
+def lint_file(
+    file: Selected, book: RuleBook, settings: Settings, library: Library
+) -> tuple[Sequence[Diagnostic], int]:
+    """The diagnostics of one file, and how many were silenced."""
+    from sdfcheck.lint.engine import lint_source
+
+    # The parser tells what broken XML was meant to be.
+    kind = None if file.kind is Kind.BROKEN_XML else file.kind
+    result = lint_source(file.data, file.path, kind, book.dispatch(settings, file.path), library)
+    return _silence(result, book, settings, file.path)
+
+
+def lint_included(
+    document: Document, book: RuleBook, configuration: Configuration
+) -> tuple[Sequence[Diagnostic], int]:
+    """The errors of a file that only an include leads to, each with the way there.
+
+    It is somebody else's file: its warnings are theirs, and it is not mended.
+    """
+    from sdfcheck.lint.diagnostic import Origin, Severity
+    from sdfcheck.lint.engine import FileResult, directives, lint_document
+
+    path = document.path
+    settings = configuration.settings_for(path)
+    if settings.excludes(path):
+        return (), 0
+    result = FileResult(lint_document(document, book.dispatch(settings, path)), directives(document))
+    kept, silenced = _silence(result, book, settings, path)
+    steps = tuple(Origin(uri.span, "included here") for uri in reversed(document.included_by))
+    errors = [
+        diagnostic._replace(origins=(*diagnostic.origins, *steps), fix=None)
+        for diagnostic in kept
+        if diagnostic.severity is Severity.ERROR
+    ]
+    return errors, silenced
+
+
+def _silence(
+    result: FileResult, book: RuleBook, settings: Settings, path: Path
+) -> tuple[Sequence[Diagnostic], int]:
+    """What the comments in a file let through, and how many diagnostics they silence."""
+    if not result.comments:
+        return result.diagnostics, 0
+    from sdfcheck.lint.suppress import suppressions
+
+    active = book.active(settings, path)
+    found = suppressions(result.comments, book.rules(settings))
+    kept, silenced, unused = found.filter(result.diagnostics, active.codes)
+    own = [
+        report._replace(severity=active.severities.get(report.code, report.severity))
+        for report in (*found.malformed, *unused)
+        if report.code in active.codes
+    ]
+    return [*kept, *own], silenced
