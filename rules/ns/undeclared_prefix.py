@@ -34,21 +34,25 @@ class UndeclaredPrefix(Rule):
         ),
         Bad(
             '<sdf version="1.12"><world name="w">'
-            '<model name="a" xmlns:flatland="https://example.org/f"><link name="l"/><flatland:kind>a</flatland:kind></model>'
+            '<model name="a" xmlns:flatland="https://example.org/f"><link name="l"/>'
+            "<flatland:kind>a</flatland:kind></model>"
             '<model name="b"><link name="l"/><«flatland»:kind>b</flatland:kind></model></world></sdf>',
             fixed='<sdf version="1.12" xmlns:flatland="https://example.org/f"><world name="w">'
-            '<model name="a" xmlns:flatland="https://example.org/f"><link name="l"/><flatland:kind>a</flatland:kind></model>'
+            '<model name="a" xmlns:flatland="https://example.org/f"><link name="l"/>'
+            "<flatland:kind>a</flatland:kind></model>"
             '<model name="b"><link name="l"/><flatland:kind>b</flatland:kind></model></world></sdf>',
             says="not declared here",
         ),
         Bad(
-            '<sdf version="1.12"><model name="m"><link name="l" «mine»:colour="red" mine:size="2"/></model></sdf>',
+            '<sdf version="1.12"><model name="m">'
+            '<link name="l" «mine»:colour="red" mine:size="2"/></model></sdf>',
             says="used 2 times",
         ),
     )
     good = (
         Good(
-            '<sdf version="1.12" xmlns:p="https://example.org/p"><model name="m"><link name="l" p:x="1"/></model></sdf>',
+            '<sdf version="1.12" xmlns:p="https://example.org/p"><model name="m">'
+            '<link name="l" p:x="1"/></model></sdf>',
             why="declared on the root",
         ),
         Good(

@@ -8,10 +8,21 @@ to comply with.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
+from sdfcheck.formats.namespace_problems import (
+    DeclaredBelowRoot,
+    DefaultNamespace,
+    EmptyNamespaceName,
+    MalformedQualifiedName,
+    RedeclaredPrefix,
+    ReservedPrefix,
+    ShadowedPrefix,
+    SynonymousPrefix,
+    UndeclaredPrefix,
+    UnusedPrefix,
+)
 from sdfcheck.source.document import Document
-from sdfcheck.source.record import Record
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
 from sdfcheck.source.text import Span
 
@@ -20,93 +31,6 @@ XMLNS_NAMESPACE = "http://www.w3.org/2000/xmlns/"
 
 _COLON = re.compile(r":[\w.\-:]*[\s=/>]")
 _NAME_BEFORE = re.compile(r"[<\s/][\w.\-]*\Z")
-
-
-class UndeclaredPrefix(Record):
-    """A prefix used out of the scope of any declaration.
-
-    ``uses`` are all such uses in the document, the first one first; ``elsewhere`` is a
-    declaration whose scope (up to ``scope_end``) does not reach them.
-    """
-
-    span: Span
-    prefix: str
-    uses: tuple[Span, ...]
-    elsewhere: Span | None
-    scope_end: Span | None
-    namespace: str
-    root: Span
-    """Where a declaration can be inserted: behind the last attribute of the root's start tag."""
-
-
-class RedeclaredPrefix(Record):
-    """One prefix declared twice on one element."""
-
-    span: Span
-    first: Span
-    prefix: str
-
-
-class DefaultNamespace(Record):
-    """``xmlns="…"``; ``whole`` is the attribute with the blanks before it."""
-
-    span: Span
-    whole: Span
-    namespace: str
-
-
-class DeclaredBelowRoot(Record):
-    """A declaration on an element that is not the root."""
-
-    span: Span
-    prefix: str
-    whole: Span
-    declaration: str
-    root: Span
-    movable: bool
-    """The prefix is declared nowhere else, so that the declaration can move to the root."""
-
-
-class UnusedPrefix(Record):
-    span: Span
-    prefix: str
-    whole: Span
-
-
-class MalformedQualifiedName(Record):
-    """A name with more than one colon, or with nothing before or behind it."""
-
-    span: Span
-    name: str
-
-
-class ShadowedPrefix(Record):
-    """A prefix bound anew, to another name, inside its own scope."""
-
-    span: Span
-    prefix: str
-    outer: Span
-
-
-class SynonymousPrefix(Record):
-    """A second prefix for a namespace name that has one in scope."""
-
-    span: Span
-    prefix: str
-    first: Span
-    first_prefix: str
-
-
-class EmptyNamespaceName(Record):
-    span: Span
-    prefix: str
-
-
-class ReservedPrefix(Record):
-    """``xml`` or ``xmlns`` declared, or their namespace names given to another prefix."""
-
-    span: Span
-    prefix: str
 
 
 Problem = (
@@ -211,13 +135,16 @@ class _Analysis:
         if prefix in own:
             self.found.append(RedeclaredPrefix(span, own[prefix].span, prefix))
             return
-        if _is_reserved(prefix, namespace):
-            self.found.append(ReservedPrefix(span, prefix))
-        if not namespace.strip():
-            self.found.append(EmptyNamespaceName(span, prefix))
         end = self.scan.close_ends[number]
         declaration = _Declaration(prefix, namespace, attribute, span, number, end)
-        self.compare(declaration)
+        declaration.used = True  # what is wrong need not be superfluous besides
+        if _is_reserved(prefix, namespace):
+            self.found.append(ReservedPrefix(span, prefix))
+        elif not namespace.strip():
+            self.found.append(EmptyNamespaceName(span, prefix))
+        else:
+            declaration.used = False
+            self.compare(declaration)
         own[prefix] = declaration
         self.scope.append(declaration)
         self.declarations.append(declaration)
@@ -244,8 +171,11 @@ class _Analysis:
                 self.found.append(MalformedQualifiedName(self.source.span(start, end), name))
             self.mark_used(prefix)
             return
-        if not self.mark_used(prefix) and prefix not in {"xml", "xmlns"}:
-            self.unresolved.setdefault(prefix, []).append(self.source.span(start, start + len(prefix)))
+        place = self.source.span(start, start + len(prefix))
+        if prefix == "xmlns":
+            self.found.append(ReservedPrefix(place, prefix))
+        elif not self.mark_used(prefix) and prefix != "xml":
+            self.unresolved.setdefault(prefix, []).append(place)
 
     def mark_used(self, prefix: str) -> bool:
         for declaration in reversed(self.scope):
@@ -257,24 +187,39 @@ class _Analysis:
     def conclude(self) -> None:
         root = self.root_insertion()
         for prefix, uses in self.unresolved.items():
+            if prefix == "xacro" and self.document.kind is Kind.XACRO:
+                continue  # xacro itself stops there, which is another matter
             other = next((d for d in self.declarations if d.prefix == prefix), None)
             end = self.scope_end(other) if other else None
             namespace = other.namespace if other else ""
             elsewhere = other.span if other else None
-            self.found.append(
-                UndeclaredPrefix(uses[0], prefix, tuple(uses), elsewhere, end, namespace, root)
-            )
+            self.found.append(UndeclaredPrefix(uses[0], prefix, tuple(uses), elsewhere, end, namespace, root))
+        by_prefix: dict[str, list[_Declaration]] = {}
         for declaration in self.declarations:
-            prefix, span, place = declaration.prefix, declaration.span, declaration.place
-            whole = self.whole(place)
-            # A declaration that does not reach the uses is no unused one: that is one mistake, told above.
-            if not declaration.used and prefix not in self.unresolved:
-                self.found.append(UnusedPrefix(span, prefix, whole))
+            by_prefix.setdefault(declaration.prefix, []).append(declaration)
+        for prefix, declarations in by_prefix.items():
+            # A declaration that does not reach the uses is told above: that is one mistake.
+            if prefix not in self.unresolved:
+                self.weigh(prefix, declarations, root)
+
+    def weigh(self, prefix: str, declarations: list[_Declaration], root: Span) -> None:
+        """Say what is superfluous in the declarations of one prefix, or better moved."""
+        below = []
+        for declaration in declarations:
+            if not declaration.used:
+                # The files that an xacro file includes may use what it declares.
+                if self.document.kind is not Kind.XACRO:
+                    whole = self.whole(declaration.place)
+                    self.found.append(UnusedPrefix(declaration.span, prefix, whole))
             elif declaration.number > 0:
-                movable = [d.prefix for d in self.declarations].count(prefix) == 1
-                self.found.append(
-                    DeclaredBelowRoot(span, prefix, whole, whole.text.strip(), root, movable)
-                )
+                below.append(declaration)
+        if len({declaration.namespace for declaration in declarations}) > 1:
+            self.found += (DeclaredBelowRoot(d.span, prefix, (), "", root) for d in below)
+        elif below:
+            wholes = tuple(self.whole(declaration.place) for declaration in below)
+            on_root = declarations[0].number == 0
+            text = "" if on_root else wholes[0].text.strip()
+            self.found.append(DeclaredBelowRoot(below[0].span, prefix, wholes, text, root))
 
     def scope_end(self, declaration: _Declaration) -> Span:
         close = self.scan.closes[declaration.number]
@@ -294,11 +239,6 @@ class _Analysis:
         while text[start - 1].isspace():
             start -= 1
         return self.source.span(start, end + (text[end : end + 1] in {'"', "'"}))
-
-
-def uses_prefixes(document: Document) -> Iterator[str]:
-    """The prefixes that a document declares, in order; the cheap question whether it knows a vendor."""
-    return (match[1] for match in re.finditer(r"\sxmlns:([\w.\-]+)\s*=", document.source.text))
 
 
 def _is_reserved(prefix: str, namespace: str) -> bool:

@@ -115,7 +115,9 @@ class _BrokenTag:
         equals = _EQUALS.match(text, match.end())
         sticks = not text[pos - 1].isspace() and bool(self.attributes)
         if equals is None and sticks:
-            self.attribute_defect(SyntaxKind.MALFORMED_ATTRIBUTE, pos - 1, pos, text[pos - 1], confusing=True)
+            # A quote too many inside the value; or a comma behind it.
+            at, end = (pos - 1, pos) if is_name(match[0]) else match.span()
+            self.attribute_defect(SyntaxKind.MALFORMED_ATTRIBUTE, at, end, text[at:end], confusing=True)
             return match.end()
         if equals is None:
             if _QUOTED.match(text, match.end()):

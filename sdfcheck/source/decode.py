@@ -20,6 +20,13 @@ _MARKS = (
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
+# Without a mark; a text begins with a tag.
+_WIDE_STARTS = (
+    (b"<\0\0\0", "utf-32-le"),
+    (b"\0\0\0<", "utf-32-be"),
+    (b"<\0", "utf-16-le"),
+    (b"\0<", "utf-16-be"),
+)
 # Python knows text encodings that no XML file means (punycode, unicode_escape, …).
 _PLAUSIBLE = re.compile(
     r"utf-|ascii|iso8859|latin|cp\d|windows|koi8|shift_jis|euc_|gb|big5|mac-roman|iso2022"
@@ -39,13 +46,16 @@ codecs.register_error("sdfcheck-latin-1", _as_latin1)
 def decode(data: bytes, path: Path) -> tuple[Source, list[EncodingDefect]]:
     """Decode a file's bytes; whatever they hold, there is a text, and a defect where it is a guess."""
     mark, marked = next(((m, name) for m, name in _MARKS if data.startswith(m)), (b"", ""))
-    if marked in {"utf-16", "utf-32"}:
-        source = Source(path, data.decode(marked, "replace").lstrip("\ufeff"))
-        return source, [EncodingDefect(source.span(0, 0), EncodingKind.WIDE, marked.upper(), marked.upper())]
+    wide = marked if marked != "utf-8" else ""
+    wide = wide or next((name for start, name in _WIDE_STARTS if data.startswith(start)), "")
+    if wide:
+        source = Source(path, data.decode(wide, "replace").lstrip("\ufeff"))
+        family = wide[:6].upper()
+        return source, [EncodingDefect(source.span(0, 1), EncodingKind.WIDE, family, family)]
     data = data[len(mark) :]
     declaration = _DECLARATION.match(data[:400].decode("latin-1"))
     declared = declaration[2] if declaration else ""
-    encoding, kind = _choose(declared, bool(mark))
+    encoding, kind = _choose(declared, data, bool(mark))
     try:
         text, bad = data.decode(encoding), -1
     except UnicodeDecodeError as error:
@@ -56,16 +66,14 @@ def decode(data: bytes, path: Path) -> tuple[Source, list[EncodingDefect]]:
     if kind and declaration:
         place = source.span(declaration.start(2), declaration.end(2))
         defects.append(EncodingDefect(place, kind, declared, "UTF-8"))
-    if bad >= 0:
-        defects.append(
-            EncodingDefect(
-                source.span(bad, bad + 1), EncodingKind.UNDECODABLE, declared or "UTF-8", "Latin-1"
-            )
-        )
+    elif bad >= 0:
+        guess = "Latin-1" if encoding == "utf-8" else ""
+        place = source.span(bad, bad + 1)
+        defects.append(EncodingDefect(place, EncodingKind.UNDECODABLE, declared or "UTF-8", guess))
     return source, defects
 
 
-def _choose(declared: str, marked_utf8: bool) -> tuple[str, EncodingKind | None]:
+def _choose(declared: str, data: bytes, marked_utf8: bool) -> tuple[str, EncodingKind | None]:
     """The encoding to read with, and what is wrong with the declaration."""
     if not declared:
         return "utf-8", None
@@ -78,6 +86,6 @@ def _choose(declared: str, marked_utf8: bool) -> tuple[str, EncodingKind | None]
     # The declaration was legible as ASCII, so the text cannot be in a wide encoding.
     if name.startswith(("utf-16", "utf-32")) or (marked_utf8 and name not in {"utf-8", "ascii"}):
         return "utf-8", EncodingKind.DISAGREEMENT
-    if name in {"utf-8", "ascii"}:
-        return "utf-8", None
-    return name, None
+    if name == "ascii" and not data.isascii():
+        return "utf-8", EncodingKind.DISAGREEMENT
+    return ("utf-8" if name == "ascii" else name), None

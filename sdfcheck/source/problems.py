@@ -93,7 +93,10 @@ class EncodingKind(Enum):
 
 
 class EncodingDefect(Record):
-    """The bytes are not what the declaration (or XML's default, UTF-8) says."""
+    """The bytes are not what the declaration (or XML's default, UTF-8) says.
+
+    ``actual`` is what they seem to be; empty if nobody can tell.
+    """
 
     span: Span
     kind: EncodingKind

@@ -72,7 +72,7 @@ def repeated_attributes(source: Source, tag: StartTag) -> list[Problem]:
     problems: list[Problem] = []
     for attribute in tag.attributes:
         earlier = first.setdefault(attribute.name, attribute)
-        if earlier is not attribute and not attribute.name.startswith("xmlns"):
+        if earlier is not attribute and attribute.name.partition(":")[0] != "xmlns":
             problems.append(
                 RepeatedAttribute(
                     source.span(attribute.name_start, attribute.name_end),

@@ -1,0 +1,39 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+
+
+class DefaultNamespace(Rule):
+    """A default namespace is declared: `xmlns="…"`.
+
+    The custom-elements proposal does not permit it: libsdformat reads names as plain
+    text and knows no default namespace. To a namespace-aware reader every element is
+    then another one than the specification's.
+    """
+
+    code = "NS005"
+    name = "default-namespace"
+    severity = Severity.ERROR
+    explains = (problems.DefaultNamespace,)
+
+    bad = (
+        Bad(
+            '<sdf version="1.12" «xmlns»="http://sdformat.org/schemas"><world name="w"/></sdf>',
+            fixed='<sdf version="1.12"><world name="w"/></sdf>',
+            unsafe=True,
+            says="a default namespace is not permitted",
+        ),
+        Bad('<sdf version="1.12"><world name="w" «xmlns»=""/></sdf>'),
+    )
+    good = (
+        Good(
+            '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w" p:kind="2d"/></sdf>',
+            why="it has a prefix",
+        ),
+    )
+
+    def check(self, problem: problems.DefaultNamespace) -> Iterator[Diagnostic]:
+        fix = edit("remove it", (Edit(problem.whole, ""),), unsafe=True)
+        yield self.diagnostic(
+            problem.span, "a default namespace is not permitted; declare a prefix (`xmlns:…`)", fix=fix
+        )

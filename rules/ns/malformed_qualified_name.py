@@ -1,0 +1,42 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class MalformedQualifiedName(Rule):
+    """A name has more than one colon, or nothing before or behind it.
+
+    A prefixed name is a prefix, one colon and a local part. libsdformat takes whatever
+    has a colon for somebody's own; namespace-aware XML parsers refuse the file.
+    """
+
+    code = "NS008"
+    name = "malformed-qualified-name"
+    severity = Severity.ERROR
+    explains = (problems.MalformedQualifiedName,)
+
+    bad = (
+        Bad(
+            '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w"><«p:a:b»/></world></sdf>',
+            says="`p:a:b` has 2 colons",
+        ),
+        Bad('<sdf version="1.12"><world name="w" «:kind»="2d"/></sdf>', says="has nothing before its colon"),
+        Bad('<sdf version="1.12"><world name="w"><«p:»/></world></sdf>', says="has nothing behind its colon"),
+    )
+    good = (
+        Good('<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w"><p:a.b-c/></world></sdf>'),
+        Good(
+            '<sdf version="1.12"><world name="w"><plugin name="p" filename="p">'
+            "<gz::system_priority>1</gz::system_priority>"
+            "</plugin></world></sdf>",
+            why="gz-sim reads this setting by just that name",
+        ),
+    )
+
+    def check(self, problem: problems.MalformedQualifiedName) -> Iterator[Diagnostic]:
+        name = problem.name
+        if name.count(":") > 1:
+            fault = f"has {name.count(':')} colons, and one is allowed"
+        else:
+            fault = f"has nothing {'before' if name.startswith(':') else 'behind'} its colon"
+        yield self.diagnostic(problem.span, f"`{name}` {fault}")

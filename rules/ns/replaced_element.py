@@ -1,0 +1,47 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_COLLISION, IN_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+
+class ReplacedElement(Rule):
+    """A custom element stands in for a required standard one.
+
+    Custom elements may add information, and may not replace any: whoever gives
+    `<p:diameter>` must give `<radius>` all the same (custom-elements proposal). Readers
+    that do not know the prefix take the default.
+    """
+
+    code = "NS010"
+    name = "replaced-element"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "takes the default", Consumer.DRAKE: "takes the default"}
+    explains = (problems.ReplacedElement,)
+    scaffold = IN_COLLISION
+
+    bad = (
+        Bad(
+            '<geometry><cylinder><«p:diameter» xmlns:p="https://example.org/p">2</p:diameter>'
+            "<length>1</length></cylinder></geometry>",
+            says="`cylinder` has no `radius`; `p:diameter` cannot replace it",
+        ),
+        Bad(
+            '<axis><«p:xyz» xmlns:p="https://example.org/p">0 1 0</p:xyz></axis>',
+            scaffold=IN_JOINT,
+            says="`axis` has no `xyz`",
+        ),
+    )
+    good = (
+        Good(
+            '<geometry><cylinder><p:diameter xmlns:p="https://example.org/p">2</p:diameter>'
+            "<radius>1</radius><length>1</length></cylinder></geometry>",
+            why="it only adds",
+        ),
+    )
+
+    def check(self, problem: problems.ReplacedElement) -> Iterator[Diagnostic]:
+        custom, element = problem.custom, problem.element
+        yield self.diagnostic(
+            custom,
+            f"{element.title} has no `{problem.child}`; `{custom.name}` cannot replace it",
+            labels={element: f"`{problem.child}` is required here"},
+        )

@@ -1,0 +1,43 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class ReservedPrefix(Rule):
+    """The prefix `xml` or `xmlns`, or its name, is used for something else.
+
+    "Namespaces in XML" reserves both prefixes and their names: `xml` need not be
+    declared, `xmlns` must not. Namespace-aware XML parsers refuse the file.
+    """
+
+    code = "NS013"
+    name = "reserved-prefix"
+    severity = Severity.ERROR
+    explains = (problems.ReservedPrefix,)
+
+    bad = (
+        Bad(
+            '<sdf version="1.12" «xmlns:xml»="https://example.org/p"><world name="w"/></sdf>',
+            says="prefix `xml` is reserved",
+        ),
+        Bad(
+            '<sdf version="1.12" «xmlns:p»="http://www.w3.org/2000/xmlns/">'
+            '<world name="w" p:kind="2d"/></sdf>',
+            says="the name of prefix `p` is reserved",
+        ),
+        Bad(
+            '<sdf version="1.12"><world name="w"><«xmlns»:kind/></world></sdf>',
+            says="prefix `xmlns` is reserved",
+        ),
+    )
+    good = (
+        Good(
+            '<sdf version="1.12" xmlns:xml="http://www.w3.org/XML/1998/namespace"><world name="w"/></sdf>',
+            why="superfluous, and right",
+        ),
+    )
+
+    def check(self, problem: problems.ReservedPrefix) -> Iterator[Diagnostic]:
+        prefix = problem.prefix
+        what = f"prefix `{prefix}`" if prefix in {"xml", "xmlns"} else f"the name of prefix `{prefix}`"
+        yield self.diagnostic(problem.span, f"{what} is reserved for XML itself")

@@ -1,0 +1,57 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, problems, replace
+
+
+class UnknownAttribute(Rule):
+    """An attribute without prefix is not in the specification of its element.
+
+    The custom-elements proposal keeps names without prefix for the standard; attributes
+    of one's own are given a prefix, those of custom elements are free. libsdformat warns
+    and goes on as if the attribute were not there; Drake refuses the file.
+    """
+
+    code = "NS001"
+    name = "unknown-attribute"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: "warns and ignores it", Consumer.DRAKE: "refuses the file"}
+    explains = (problems.UnknownAttribute,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            '<frame name="f" «atached_to»="base"/>',
+            fixed='<frame name="f" attached_to="base"/>',
+            unsafe=True,
+            says="unknown attribute `atached_to` of frame `f`; did you mean `attached_to`?",
+        ),
+        Bad('<link name="arm" «colour»="red"/>', says="unknown attribute `colour` of link `arm`"),
+        Bad(
+            '<frame name="f" attached_to="base" «atached_to»="base"/>',
+            says="unknown attribute `atached_to` of frame `f`",
+        ),
+    )
+    good = (
+        Good(
+            '<p:wheel xmlns:p="https://example.org/p" name="w" colour="red"/>',
+            why="attributes of custom elements are free",
+        ),
+        Good('<link xmlns:p="https://example.org/p" name="arm" p:colour="red"/>', why="it has a prefix"),
+        Good(
+            '<plugin name="p" filename="p"><link name="base" colour="red"/></plugin>',
+            why="the content of a plugin is the plugin's",
+        ),
+    )
+
+    def check(self, problem: problems.UnknownAttribute) -> Iterator[Diagnostic]:
+        element, name, guess = problem.element, problem.attribute, problem.suggestion
+        attribute = element.attribute(name)
+        place = attribute.name_span if attribute is not None else element.span
+        message = f"unknown attribute `{name}` of {element.title}"
+        fix: Fix | None = None
+        advice: str | None = "give it a prefix if it is your own"
+        if guess is not None and element.attribute(guess) is None:
+            message += f"; did you mean `{guess}`?"
+            fix = replace(place, guess, f"rename it to `{guess}`", unsafe=True)
+            advice = None
+        yield self.diagnostic(place, message, fix=fix, help=advice)

@@ -1,0 +1,75 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    problems,
+)
+
+
+class UnknownElement(Rule):
+    """An element without prefix is in no version of the specification.
+
+    The custom-elements proposal keeps names without prefix for the standard; elements of
+    one's own are given a prefix. libsdformat warns and keeps the element as somebody's
+    own, so that a misspelt one is as good as absent; Drake refuses the file.
+    """
+
+    code = "NS002"
+    name = "unknown-element"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: "warns and ignores it", Consumer.DRAKE: "refuses the file"}
+    explains = (problems.UnknownElement,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            '<link name="arm"><«inertail»><mass>2</mass></inertail></link>',
+            fixed='<link name="arm"><inertial><mass>2</mass></inertial></link>',
+            unsafe=True,
+            says="unknown element `inertail` in link `arm`; did you mean `inertial`?",
+        ),
+        Bad(
+            "<«self_colide»/>",
+            fixed="<self_collide/>",
+            unsafe=True,
+            says="did you mean `self_collide`?",
+        ),
+        Bad("<«colour»>red</colour>", says="unknown element `colour` in model `m`"),
+    )
+    good = (
+        Good('<p:colour xmlns:p="https://example.org/p">red</p:colour>', why="it has a prefix"),
+        Good(
+            '<p:wheel xmlns:p="https://example.org/p"><tyre>soft</tyre></p:wheel>',
+            why="custom elements may hold what they like",
+        ),
+        Good(
+            '<sensor name="s" type="custom"><plugin name="p" filename="p">'
+            "<topic_name>/scan</topic_name></plugin></sensor>",
+            why="the content of a plugin is the plugin's",
+            scaffold=IN_LINK,
+        ),
+    )
+
+    def check(self, problem: problems.UnknownElement) -> Iterator[Diagnostic]:
+        element, guess = problem.element, problem.suggestion
+        message = f"unknown element `{element.name}` in {problem.parent.title}"
+        severity = Severity.ERROR if problem.refused else None
+        if guess is None:
+            advice = "give it a prefix if it is your own"
+            yield self.diagnostic(element, message, help=advice, severity=severity)
+            return
+        message += f"; did you mean `{guess}`?"
+        end = element.document.spans.end_name(element)
+        edits = tuple(Edit(span, guess) for span in (element.span, end) if span is not None)
+        fix: Fix = edit(f"rename it to `{guess}`", edits, unsafe=True)
+        yield self.diagnostic(element, message, fix=fix, severity=severity)

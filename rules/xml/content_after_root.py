@@ -1,0 +1,44 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class ContentAfterRoot(Rule):
+    """Something stands behind the root element: a second one, an end tag, or text.
+
+    A document has one root element. The simulators read the first one and ignore a
+    second, but refuse a file with text behind it; every strict XML parser refuses both.
+    What stands there is not checked.
+    """
+
+    code = "XML008"
+    name = "content-after-root"
+    severity = Severity.ERROR
+    explains = (problems.ContentAfterRoot,)
+
+    bad = (
+        Bad(
+            '<sdf version="1.12"><world name="w"/></sdf>\n<«sdf» version="1.12"><world name="v"/></sdf>',
+            says="a second root element, `sdf`",
+        ),
+        Bad('<sdf version="1.12"><world name="w"/></sdf>\n«</sdf>»', says="`</sdf>` closes nothing"),
+        Bad('<sdf version="1.12"><world name="w"/></sdf>\n«the end»\n', says="text behind the root element"),
+    )
+    good = (
+        Good(
+            '<sdf version="1.12"><world name="w"/></sdf>\n<!-- the end -->\n',
+            why="comments may stand anywhere",
+        ),
+    )
+
+    def check(self, problem: problems.ContentAfterRoot) -> Iterator[Diagnostic]:
+        span, text = problem.span, problem.span.text
+        if text.startswith("</"):
+            message = f"`{text}` closes nothing: the root element is closed already"
+        elif text.startswith("<?xml"):
+            message = "a second document begins behind the root element"
+        elif span.start and span.source.text[span.start - 1] == "<":
+            message = f"a second root element, `{text}`"
+        else:
+            message = "text behind the root element"
+        yield self.diagnostic(span, message, labels={problem.root: "the root element"})

@@ -1,0 +1,50 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+
+
+class ContentBeforeDeclaration(Rule):
+    """Something stands before the XML declaration.
+
+    `<?xml …?>` must be the very first thing in the file. The simulators do not mind a
+    comment or an empty line before it; every strict XML parser refuses the file.
+    """
+
+    code = "XML004"
+    name = "content-before-declaration"
+    severity = Severity.WARNING
+    explains = (problems.LateDeclaration,)
+
+    bad = (
+        Bad(
+            '\n«<?xml version="1.0"?>»\n<sdf version="1.12"><world name="w"/></sdf>',
+            fixed='<?xml version="1.0"?>\n<sdf version="1.12"><world name="w"/></sdf>',
+            says="must be the first thing",
+        ),
+        Bad(
+            '<!-- my world -->\n«<?xml version="1.0"?>»\n<sdf version="1.12"><world name="w"/></sdf>',
+            fixed='<?xml version="1.0"?>\n<!-- my world -->\n<sdf version="1.12"><world name="w"/></sdf>',
+        ),
+    )
+    good = (
+        Good('<!-- no declaration -->\n<sdf version="1.12"><world name="w"/></sdf>'),
+        Good('<?xml version="1.0"?>\n<!-- my world -->\n<sdf version="1.12"><world name="w"/></sdf>'),
+    )
+
+    def check(self, problem: problems.LateDeclaration) -> Iterator[Diagnostic]:
+        before, declaration = problem.span, problem.declaration
+        source = before.source
+        if before.text.strip():
+            # The line end behind the declaration moves along with it.
+            end = (
+                declaration.end
+                + len(source.text[declaration.end :][:2])
+                - len(source.text[declaration.end :][:2].lstrip("\r\n"))
+            )
+            moved = source.span(declaration.start, end)
+            first = source.span(0, 0)
+            edits = (Edit(first, moved.text), Edit(moved, ""))
+            fix = edit("move the declaration to the front", edits)
+        else:
+            fix = edit("remove what stands before it", (Edit(before, ""),))
+        yield self.diagnostic(declaration, "the XML declaration must be the first thing in the file", fix=fix)

@@ -1,0 +1,39 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class DocumentType(Rule):
+    """The file has a document type declaration.
+
+    Neither SDFormat nor URDF has one. The simulators skip it, and with it the entities
+    that it declares: a reference to one of them stays in the text as it is written.
+    sdfcheck does the same; it expands no entity and loads no file that one names.
+    """
+
+    code = "XML007"
+    name = "document-type"
+    severity = Severity.WARNING
+    explains = (problems.DocumentType,)
+
+    bad = (
+        Bad(
+            '«<!DOCTYPE» sdf SYSTEM "sdf.dtd">\n<sdf version="1.12"><world name="w"/></sdf>',
+            says="simulators ignore",
+        ),
+        Bad(
+            '«<!DOCTYPE» robot [<!ENTITY pi "3.14">]>\n<robot name="r"><link name="base&pi;"/></robot>',
+            says="its entity `pi` stays unresolved",
+        ),
+    )
+    good = (Good('<sdf version="1.12"><!-- <!DOCTYPE sdf> --><world name="w"/></sdf>', why="a comment"),)
+
+    def check(self, problem: problems.DocumentType) -> Iterator[Diagnostic]:
+        message = "a document type, which simulators ignore"
+        if len(problem.entities) == 1:
+            message += f"; its entity `{problem.entities[0]}` stays unresolved"
+        elif problem.entities:
+            names = ", ".join(f"`{name}`" for name in problem.entities[:3])
+            more = ", …" if len(problem.entities) > 3 else ""
+            message += f"; its entities {names}{more} stay unresolved"
+        yield self.diagnostic(problem.span, message)

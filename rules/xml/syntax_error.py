@@ -1,0 +1,184 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Fix, Good, Rule, Severity, problems, replace
+
+Kind = problems.SyntaxKind
+
+MESSAGES = {
+    Kind.UNCLOSED_ELEMENT: "`<{name}>` is never closed",
+    Kind.MISMATCHED_END_TAG: "`{text}` does not match `{name}`",
+    Kind.EXTRA_END_TAG: "`</{name}>` closes nothing that is open",
+    Kind.MISSING_SLASH: "`{text}` opens an element where `</{name}>` is meant",
+    Kind.MISSING_ANGLE: "`<` is missing before `{text}`",
+    Kind.TRUNCATED: "the file ends inside `{text}`",
+    Kind.UNCLOSED_TAG: "`>` is missing at the end of the tag `<{name}`",
+    Kind.BLANK_IN_TAG: "a blank between `<` and `{name}`",
+    Kind.ODD_BLANK: "{name} in a tag looks like a blank and is none for XML",
+    Kind.CROWDED_END_TAG: "an end tag holds only its name, not `{text}`",
+    Kind.UNCLOSED_COMMENT: "the comment is not closed by `-->`",
+    Kind.NESTED_COMMENT: "a comment begins inside a comment",
+    Kind.MALFORMED_COMMENT: "a comment begins with `<!--`, not with `{text}`",
+    Kind.COMMENT_IN_TAG: "a comment inside the tag `<{name}`",
+    Kind.UNCLOSED_SECTION: "`{text}` is not closed by `{name}`",
+    Kind.UNCLOSED_VALUE: "the value of `{name}` has no closing quote",
+    Kind.UNQUOTED_VALUE: "the value of `{name}` is not in quotes",
+    Kind.CURLY_QUOTES: "the value of `{name}` is in typographic quotes",
+    Kind.VALUELESS_ATTRIBUTE: "`{name}` has no value",
+    Kind.MISSING_EQUALS: "`=` is missing between `{name}` and its value",
+    Kind.MISSING_SPACE: "a space is missing before `{name}`",
+    Kind.MALFORMED_ATTRIBUTE: "unexpected `{name}` in a tag",
+    Kind.MALFORMED_NAME: "`{text}` is not a name for XML",
+    Kind.ANGLE_IN_VALUE: "`<` in the value of `{name}`",
+    Kind.STRAY_ANGLE: "`{text}` begins no tag",
+    Kind.SECTION_END_IN_TEXT: "`]]>` in a text",
+    Kind.ILLEGAL_CHARACTER: "a character that XML does not allow ({name})",
+    Kind.MERGE_CONFLICT: "an unresolved merge conflict",
+    Kind.TEXT_OUTSIDE_ROOT: "text before the root element",
+    Kind.MALFORMED_INSTRUCTION: "`{text}` is not as XML wants it",
+    Kind.SECOND_DECLARATION: "an XML declaration stands only once, at the start of the file",
+    Kind.NO_ELEMENT: "there is no element",
+    Kind.TOO_LONG: "the text of `{name}` is longer than parsers read (10 million characters)",
+    Kind.OTHER: "{name}",
+}
+LABELS = {
+    Kind.UNCLOSED_ELEMENT: "`</{name}>` is missing before this",
+    Kind.EXTRA_END_TAG: "this is what is open here",
+    Kind.MISSING_SLASH: "opened here",
+    Kind.TRUNCATED: "opened here",
+    Kind.NESTED_COMMENT: "both end here",
+    Kind.MERGE_CONFLICT: "up to here",
+    Kind.SECOND_DECLARATION: "the first one",
+}
+WRITTEN = {
+    Kind.MISMATCHED_END_TAG: ("{name}", "write `{name}`"),
+    Kind.MISSING_SLASH: ("</{name}>", "write `</{name}>`"),
+    Kind.MISSING_ANGLE: ("<{text}", "insert `<`"),
+    Kind.UNCLOSED_TAG: ("{text}>", "insert `>`"),
+    Kind.BLANK_IN_TAG: ("<{name}", "write `<{name}`"),
+    Kind.ODD_BLANK: (" ", "write an ordinary blank"),
+    Kind.CURLY_QUOTES: ('"{bare}"', "use straight quotes"),
+    Kind.UNQUOTED_VALUE: ('"{bare}"', "put quotes around it"),
+    Kind.MISSING_EQUALS: ("{text}=", "insert `=`"),
+    Kind.MISSING_SPACE: (" {text}", "insert a space"),
+    Kind.ANGLE_IN_VALUE: ("&lt;", "write `&lt;`"),
+    Kind.SECTION_END_IN_TEXT: ("]]&gt;", "write `]]&gt;`"),
+}
+"""What to write in place of the span where that is plain, and how to say so."""
+HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT}
+"""What simulators read all the same, so that the file means the same after the fix."""
+
+
+class SyntaxError(Rule):  # noqa: A001 - the name of the defect
+    """The text is not well-formed XML.
+
+    Nearly all of this makes every reader refuse the whole file: libsdformat, Drake,
+    MuJoCo and urdfdom read with tinyxml2, which stops at the first such place and often
+    names another one. A `<` in a value and a `]]>` in a text are the exceptions: these
+    readers take them, and all strict XML parsers (Python's, ROS tools built on it)
+    refuse the file. The rest of the file is checked as far as it can be made out.
+    """
+
+    code = "XML001"
+    name = "syntax-error"
+    severity = Severity.ERROR
+    explains = (problems.SyntaxDefect,)
+
+    bad = (
+        Bad(
+            '<sdf version="1.12">\n <world name="w">\n  <«light» name="l">\n </world>\n</sdf>',
+            says="`<light>` is never closed",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><link name="a"></«lnik»></model></sdf>',
+            fixed='<sdf version="1.12"><model name="m"><link name="a"></link></model></sdf>',
+            unsafe=True,
+            says="`</lnik>` does not match `<link>`",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><link name="a"/>«</link>»</model></sdf>',
+            says="closes nothing",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><static>true«<static>»<link name="a"/></model></sdf>',
+            fixed='<sdf version="1.12"><model name="m"><static>true</static><link name="a"/></model></sdf>',
+            unsafe=True,
+            says="opens an element where `</static>` is meant",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><link name="a"/></model«>»',
+            says="the file ends before `</sdf>`",
+        ),
+        Bad(
+            '<sdf version="1.12"><world name="w"><light name="l" «type="point"»</light></world></sdf>',
+            fixed='<sdf version="1.12"><world name="w"><light name="l" type="point"></light></world></sdf>',
+            unsafe=True,
+            says="`>` is missing at the end of the tag `<light`",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><link name=«"a»/></model></sdf>',
+            says="`name` has no closing quote",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><link name=«a»/></model></sdf>',
+            fixed='<sdf version="1.12"><model name="m"><link name="a"/></model></sdf>',
+            unsafe=True,
+            says="`name` is not in quotes",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="a«<»b"><link name="l"/></model></sdf>',
+            fixed='<sdf version="1.12"><model name="a&lt;b"><link name="l"/></model></sdf>',
+            says="`<` in the value of `name`",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m">«<!--» a link\n<link name="a"/></model></sdf>',
+            says="not closed by",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><!-- a «<!--» b --> <link name="a"/> --></model></sdf>',
+            says="a comment begins inside a comment",
+        ),
+        Bad('<sdf version="1.12">\n«<<<<<<<» HEAD\n=======\n>>>>>>> topic\n</sdf>', says="merge conflict"),
+    )
+    good = (
+        Good(
+            '<sdf version="1.12"><model name=\'the "best"\'><link name="a"/></model></sdf>',
+            why="the other quotes",
+        ),
+        Good(
+            '<sdf version="1.12"><model name="m"><link name="a>b"/></model></sdf>',
+            why="`>` is free in values",
+        ),
+        Good('<sdf version="1.12"><!-- <model> --><world name="w"/></sdf>', why="a comment"),
+    )
+
+    def check(self, problem: problems.SyntaxDefect) -> Iterator[Diagnostic]:
+        span, kind, other, name = problem.span, problem.kind, problem.other, problem.detail
+        text = span.text.splitlines()[0][:60] if span.text else ""
+        message = MESSAGES[kind].format(text=text, name=name)
+        labels = {}
+        if kind is Kind.TRUNCATED and other is not None:
+            message = f"the file ends before `</{name}>`"
+        elif kind is Kind.TEXT_OUTSIDE_ROOT and text.startswith("\ufeff"):
+            message = "a second byte order mark before the root element"
+        elif kind is Kind.MISMATCHED_END_TAG and other is not None:
+            slash, other_slash = ("/", "") if other.start < span.start else ("", "/")
+            message = f"`<{slash}{text}>` does not match `<{other_slash}{name}>`"
+            labels = {other: "closed here" if other_slash else "opened here"}
+        if other is not None and kind in LABELS:
+            labels = {other: LABELS[kind].format(name=name)}
+        yield self.diagnostic(span, message, labels=labels, fix=fix_for(problem))
+
+
+def fix_for(problem: problems.SyntaxDefect) -> Fix | None:
+    if problem.kind not in WRITTEN:
+        return None
+    text = problem.span.text
+    written, title = (
+        part.format(text=text, name=problem.detail, bare=bare(text)) for part in WRITTEN[problem.kind]
+    )
+    return replace(problem.span, written, title, unsafe=problem.kind not in HARMLESS)
+
+
+def bare(text: str) -> str:
+    """A value without whatever quotes it has."""
+    return text.strip("\\\"'“”„‟‘’‚‛´`")  # noqa: RUF001 - these are what it is about

@@ -1,0 +1,47 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+
+
+class UndefinedEntity(Rule):
+    """An `&` begins no reference that XML knows.
+
+    XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;`, `&apos;` and characters by number.
+    The simulators keep anything else as it is written; every strict XML parser refuses
+    the file.
+    """
+
+    code = "XML006"
+    name = "undefined-entity"
+    severity = Severity.WARNING
+    explains = (problems.UnknownEntity,)
+
+    bad = (
+        Bad(
+            '<sdf version="1.12"><model name="salt «&» pepper"><link name="l"/></model></sdf>',
+            fixed='<sdf version="1.12"><model name="salt &amp; pepper"><link name="l"/></model></sdf>',
+            says="a bare `&`",
+        ),
+        Bad(
+            '<robot name="r«&nbsp;»1"><link name="l"/></robot>',
+            fixed='<robot name="r&amp;nbsp;1"><link name="l"/></robot>',
+            says="`&nbsp;` is not defined",
+        ),
+        Bad('<robot name="r«&#7;»1"><link name="l"/></robot>', says="a character that XML does not allow"),
+    )
+    good = (
+        Good('<sdf version="1.12"><model name="salt &amp; pepper"><link name="l"/></model></sdf>'),
+        Good('<robot name="&#x52;2"><link name="l"/></robot>', why="a character by its number"),
+        Good('<sdf version="1.12"><!-- salt & pepper --><world name="w"/></sdf>', why="a comment"),
+    )
+
+    def check(self, problem: problems.UnknownEntity) -> Iterator[Diagnostic]:
+        span, name = problem.span, problem.name
+        if name.startswith("#"):
+            yield self.diagnostic(span, f"`{span.text}` is a character that XML does not allow")
+            return
+        message = (
+            f"`{span.text}` is not defined in XML" if name else "a bare `&` begins nothing that XML knows"
+        )
+        ampersand = span.source.span(span.start, span.start + 1)
+        yield self.diagnostic(span, message, fix=edit("write `&amp;`", (Edit(ampersand, "&amp;"),)))

@@ -1,0 +1,38 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class UnrecognizedDocument(Rule):
+    """The file is none of SDFormat, URDF, xacro and model.config.
+
+    They are told by their root element: `sdf`, `robot`, `model`. Other formats share
+    the suffix `.sdf`: chemical structures, timing of circuits, templates of any kind.
+    """
+
+    code = "XML009"
+    name = "unrecognized-document"
+    severity = Severity.ERROR
+    explains = (problems.UnrecognizedDocument,)
+
+    bad = (
+        Bad('<«robt» name="r"><link name="l"/></robt>', says="did you mean `robot`?"),
+        Bad("<«html»><body/></html>", says="the root element is `html`, not `sdf` or `robot`"),
+        Bad("«solid cube»\n", says="this looks like plain text"),
+        Bad("«»", says="the file is empty"),
+    )
+    good = (
+        Good('<sdf version="1.12"><world name="w"/></sdf>'),
+        Good('<robot name="r"><link name="l"/></robot>'),
+    )
+
+    def check(self, problem: problems.UnrecognizedDocument) -> Iterator[Diagnostic]:
+        if not problem.span.source.text.strip():
+            message = "the file is empty"
+        elif problem.root is None:
+            message = f"this looks like {problem.looks_like}, not like a robot description"
+        else:
+            message = f"the root element is `{problem.root}`, not `sdf` or `robot`"
+            if problem.suggestion is not None:
+                message = f"unknown root element `{problem.root}`; did you mean `{problem.suggestion}`?"
+        yield self.diagnostic(problem.span, message)
