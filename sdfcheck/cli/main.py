@@ -17,6 +17,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
+    "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
     "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
 }

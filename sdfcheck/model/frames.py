@@ -9,6 +9,9 @@ FrameSemantics.cc and parser.cc, checked against what they report.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from typing import Any
+
 from sdfcheck.formats.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.model.scopes import NEVER_A_REFERENCE, Frame, Scope, Scopes, scopes
@@ -117,7 +120,7 @@ class _Analysis:
 
     # References
 
-    def look_at_pose(self, pose: Element, items: list[tuple[str, str]]) -> None:
+    def look_at_pose(self, pose: Element, items: Iterable[tuple[Any, Any]]) -> None:
         for name, text in items:
             if name not in {"relative_to", "frame"} or not text.strip():
                 continue

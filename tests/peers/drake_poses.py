@@ -13,6 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+ROOT = Path(__file__).parents[2]
+
 Frames = dict[str, list[list[float]]]
 """Scoped name → the 4×4 pose in the frame of the model that the name begins with."""
 
@@ -28,10 +30,13 @@ def poses(paths: Sequence[Path], *, timeout: float = 600) -> dict[Path, Frames]:
     found: dict[Path, Frames] = {}
     waiting = list(paths)
     while waiting:
-        command = [sys.executable, str(Path(__file__)), "--child", *map(str, waiting)]
+        # As a module, so that no file beside this one is taken for Drake's own `drake`.
+        command = [sys.executable, "-m", "tests.peers.drake_poses", "--child", *map(str, waiting)]
         child = subprocess.run(
-            command, capture_output=True, text=True, errors="replace", timeout=timeout, check=False
+            command, capture_output=True, text=True, errors="replace", timeout=timeout, check=False, cwd=ROOT
         )
+        if child.returncode > 0:
+            raise RuntimeError(child.stderr)
         answers = [json.loads(line) for line in child.stdout.splitlines() if line.startswith("[")]
         for name, frames in answers:
             if frames is not None:
@@ -46,7 +51,7 @@ def _load(path: str) -> Frames:
     from pydrake.multibody.plant import MultibodyPlant
 
     plant: Any = MultibodyPlant(0.0)
-    models = Parser(plant).AddModels(path)
+    models = Parser(plant).AddModels(Path(path))
     plant.Finalize()
     context = plant.CreateDefaultContext()
     found: Frames = {}

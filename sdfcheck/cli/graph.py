@@ -1,0 +1,99 @@
+"""``sdfcheck graph``."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from sdfcheck.cli.terminal import emit, wants_color
+from sdfcheck.model import graph_text
+from sdfcheck.model.graphs import GraphKind, graph
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.config import Settings
+    from sdfcheck.source.document import Document
+
+_COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
+
+
+@click.command(name="graph")
+@click.argument("kind", type=click.Choice([kind.value for kind in GraphKind]))
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["tree", "dot", "mermaid"]),
+    default="tree",
+    help="A tree to read, or the language of Graphviz or Mermaid.  [default: tree]",
+)
+@click.option(
+    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
+)
+@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@click.option(
+    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour the tree."
+)
+def graph_command(kind: str, file: Path, form: str, config: Path | None, isolated: bool, color: str) -> int:
+    """Show what is tied to what in an SDFormat, URDF or xacro file.
+
+    \b
+    frames  what moves with what
+    poses   what is placed relative to what, and where in the world or model that is,
+            all joints at zero: x y z (m) roll pitch yaw (rad)
+    joints  which joint carries which link
+    """
+    from sdfcheck.lint.config import Configuration
+
+    if not file.is_file():
+        raise WrongUsage(f"no such file: {file}")
+    settings = Configuration(config, isolated=isolated).settings_for(file)
+    drawn = graph(load(file, settings), GraphKind(kind))
+    if form == "tree":
+        paint = _paint if wants_color(color, sys.stdout) else graph_text.plain
+        emit(graph_text.tree(drawn, paint))
+    else:
+        emit(graph_text.dot(drawn) if form == "dot" else graph_text.mermaid(drawn))
+    return 0
+
+
+def load(file: Path, settings: Settings) -> Document:
+    """Read a description, expanded if it is xacro.
+
+    Raises:
+        WrongUsage: it is none, or cannot be read or expanded.
+    """
+    from sdfcheck.source.library import Library, SearchPaths
+    from sdfcheck.source.sniff import sniff
+
+    library = Library(SearchPaths(settings.model_paths, settings.package_paths, settings.packages))
+    try:
+        kind = sniff(file.read_bytes(), file)
+    except OSError as error:
+        raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
+    document = library.document(file, None if kind is Kind.BROKEN_XML else kind)
+    if document is not None and document.kind is Kind.XACRO:
+        document = _expanded(document, settings)
+    if document is None or document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
+        raise WrongUsage(f"{file} looks like {kind.description}, not like a robot or world")
+    return document
+
+
+def _expanded(document: Document, settings: Settings) -> Document:
+    from sdfcheck.source.xacro.expansion import Expander, Surroundings
+
+    arguments = settings.arguments_for(document.path)
+    surroundings = Surroundings(dict(settings.packages), settings.package_paths)
+    with Expander(surroundings) as expander:
+        expanded = expander.expand(document, dict(arguments[0]) if arguments else {}).document
+    if expanded is None:
+        raise WrongUsage(f"{document.path} cannot be expanded; `sdfcheck expand` says why")
+    return expanded
+
+
+def _paint(text: str, what: str) -> str:
+    return click.style(text, fg=_COLORS[what])
