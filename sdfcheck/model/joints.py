@@ -1,153 +1,30 @@
-"""Joints of SDF models: their ends, and the tree that they make of the links.
-
-Source: libsdformat 17's Joint.cc and parser.cc, checked against what they report; Drake
-for what a joint can be tied to.
-"""
+"""Joints of SDF models: their ends, axes, limits and leaders."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.formats.survey import survey
-from sdfcheck.model.carriers import carrier
-from sdfcheck.model.joint_axes import axis_problems
-from sdfcheck.model.joint_problems import (
-    DetachedFrame,
-    JointLoop,
-    Problem,
-    SelfJoint,
-    SeveralParents,
-    UnknownJointEnd,
-    WorldAsChild,
-)
-from sdfcheck.model.mimics import mimic_problems
-from sdfcheck.model.near_names import near_names
-from sdfcheck.model.scopes import NEVER_A_REFERENCE, WORLD_FRAME, Frame, Scope, scopes
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+
+if TYPE_CHECKING:
+    from sdfcheck.model.joint_problems import Problem
 
 
 def problems(document: Document) -> list[Problem]:
     """Everything about the joints of an SDF document that is wrong, in no particular order."""
-    joints = survey(document).index.get("joint", ())
+    index = survey(document).index
+    joints = index.get("joint")
     if not joints:
         return []
-    analysis = _Ends(document)
-    found: list[Problem] = []
+    from sdfcheck.model.joint_axes import axis_problems
+    from sdfcheck.model.joint_ends import end_problems
+
+    found = list(end_problems(document, joints))
     for joint in joints:
-        found += analysis.look_at(joint)
         found += axis_problems(joint)
-    found += _several_parents(analysis.carried)
-    found += _loops(analysis.carried)
-    found += mimic_problems(document)
+    if index.get("mimic"):
+        from sdfcheck.model.mimics import mimic_problems
+
+        found += mimic_problems(document)
     return found
-
-
-class _Use(NamedTuple):
-    """A joint that carries a link: from which link, and where it says so."""
-
-    parent: Frame
-    child: Value
-    joint: Element
-
-
-class _Ends:
-    def __init__(self, document: Document) -> None:
-        self.document = document
-        self.scopes = scopes(document)
-        self.carried: dict[Frame, list[_Use]] = {}
-        """Link → the joints that carry it."""
-
-    def look_at(self, joint: Element) -> Iterator[Problem]:
-        scope = self.scopes.of(joint)
-        parent, child = _end(joint, "parent"), _end(joint, "child")
-        if scope is None or parent is None or child is None:
-            return
-        if child.text == WORLD_FRAME:
-            yield WorldAsChild(child, joint)
-            return
-        if child.text == parent.text:
-            yield SelfJoint(child, parent, joint)
-            return
-        ends: list[Frame] = []
-        for role, value, other in (("parent", parent, child), ("child", child, parent)):
-            found = self.resolve(joint, scope, value, role)
-            if found is not None:
-                ends.append(found)
-            elif (unknown := self.unknown(joint, scope, value, role, other)) is not None:
-                yield unknown
-        if len(ends) == 2:
-            yield from self.look_at_carriers(joint, scope, (parent, child), (ends[0], ends[1]))
-
-    def resolve(self, joint: Element, scope: Scope, value: Value, role: str) -> Frame | None:
-        """What an end names; None for the joint itself and for a name that reaches nothing."""
-        name = value.text
-        if role == "parent" and name == WORLD_FRAME:
-            return Frame("world", name, joint, scope)
-        found = None if name == NEVER_A_REFERENCE else scope.find(name)
-        return found if found is not None and found.element is not joint else None
-
-    def unknown(
-        self, joint: Element, scope: Scope, value: Value, role: str, other: Value
-    ) -> UnknownJointEnd | None:
-        name = value.text
-        if "" in name.split("::") or scope.may_hold(name):
-            return None
-        own = joint.attributes.get("name", "")
-        meant, outside = near_names(self.document).guess(scope, name, but=(own, other.text))
-        return UnknownJointEnd(value, joint, role, meant, outside)
-
-    def look_at_carriers(
-        self, joint: Element, scope: Scope, values: tuple[Value, Value], ends: tuple[Frame, Frame]
-    ) -> Iterator[Problem]:
-        """What is wrong with the links that the ends lead to."""
-        parent, child = carrier(ends[0]), carrier(ends[1])
-        for role, value, link in (("parent", values[0], parent), ("child", values[1], child)):
-            if link is not None and link.kind == "model":
-                yield DetachedFrame(value, joint, role, link.scope.element)
-        if child is None or child.kind == "model":
-            return
-        if child.kind == "world":
-            yield WorldAsChild(values[1], joint)
-        elif child is parent:
-            yield SelfJoint(values[1], values[0], joint, child.name)
-        elif parent is not None and not _is_gearbox(joint):
-            self.carried.setdefault(child, []).append(_Use(parent, values[1], joint))
-
-
-def _end(joint: Element, role: str) -> Value | None:
-    element = joint.find(role)
-    return element.own_value if element is not None and element.content else None
-
-
-def _is_gearbox(joint: Element) -> bool:
-    """A gearbox couples links that other joints carry."""
-    return joint.attributes.get("type", "").strip().lower() == "gearbox"
-
-
-def _several_parents(carried: dict[Frame, list[_Use]]) -> Iterator[Problem]:
-    for link, (first, *others) in carried.items():
-        names = tuple(use.joint.attributes.get("name", "") for use in (first, *others))
-        for use in others:
-            yield SeveralParents(use.child, first.child, link.name, names, refused=False)
-
-
-def _loops(carried: dict[Frame, list[_Use]]) -> Iterator[Problem]:
-    """Joints that lead round in a ring, going up from each link by the first joint that carries it."""
-    done: set[Frame] = set()
-    for start in carried:
-        path: dict[Frame, None] = {}
-        link = start
-        while link in carried and link not in done and link not in path:
-            path[link] = None
-            link = carried[link][0].parent
-        if link in path:
-            # Going up meets the last joint of the ring first.
-            members = list(path)
-            ring = members[members.index(link) :][::-1]
-            first = min(range(len(ring)), key=lambda number: carried[ring[number]][0].child.span.start)
-            ring = ring[first:] + ring[:first]
-            ends = tuple(carried[member][0].child for member in ring)
-            yield JointLoop(ends, tuple(member.name for member in ring), refused=False)
-        done.update(path)
