@@ -2,7 +2,9 @@
 
 A pack is an import package or a folder of Python files. A pack may ship an index
 (``index.json``, written by :mod:`sdfcheck.lint.index`) that says what can be known of
-its rules without importing them; one without it is imported whole.
+its rules without importing them; one without it is imported whole. It may also ship
+tables of a vendor's own elements (``<prefix>.vendor.txt``), against which documents
+that use the prefix are checked.
 """
 
 from __future__ import annotations
@@ -14,6 +16,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NamedTuple
 
+from sdfcheck.formats.vendor_files import BUILT_IN as BUILT_IN_TABLES
+from sdfcheck.formats.vendor_files import SUFFIX, prefix_of
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 
@@ -38,8 +42,10 @@ class Pack(NamedTuple):
 class RuleIndex:
     """The rules that are there: their facts at once, their classes when asked for."""
 
-    def __init__(self, facts: Sequence[RuleFacts]) -> None:
+    def __init__(self, facts: Sequence[RuleFacts], tables: Sequence[Path] = ()) -> None:
         self.facts = tuple(sorted(facts))
+        self.tables = {prefix_of(path): path for path in (*BUILT_IN_TABLES, *tables)}
+        """Prefix → the table of the elements that it brings."""
         self._rules: dict[str, Rule] = {}
 
     def rule(self, facts: RuleFacts) -> Rule:
@@ -54,10 +60,11 @@ class RuleIndex:
 def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
     """The built-in rules and those of the plugins (import names or folders).
 
-    Raises PackError for a plugin that cannot be loaded or that takes a code or name
-    that is taken.
+    Raises PackError for a plugin that cannot be loaded or that takes a code, a name or a
+    prefix that is taken.
     """
     facts: list[RuleFacts] = []
+    tables = {prefix_of(path): path for path in BUILT_IN_TABLES}
     taken: dict[str, RuleFacts] = {}
     for name in (BUILT_IN, *plugins):
         for fact in read_pack(find_pack(name)):
@@ -66,7 +73,27 @@ def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
                     raise PackError(f"plugin {name}: {key} is taken by {taken[key].module}")
                 taken[key] = fact
             facts.append(fact)
-    return RuleIndex(facts)
+    for name in plugins:
+        for path in read_tables(find_pack(name)):
+            first = tables.setdefault(prefix_of(path), path)
+            if first is not path:
+                raise PackError(f"plugin {name}: the prefix {prefix_of(path)} is taken by {first}")
+    return RuleIndex(facts, tuple(tables.values()))
+
+
+def read_tables(pack: Pack) -> list[Path]:
+    """The tables of a pack's vendors; raises PackError for one that cannot be read."""
+    paths = sorted(pack.folder.glob(f"*{SUFFIX}"))
+    if paths:
+        from sdfcheck.formats.vendor import DIALECTS, BadTable, vendor
+
+        try:
+            for path in paths:
+                for dialect in DIALECTS:
+                    vendor(path, dialect)
+        except BadTable as error:
+            raise PackError(f"plugin {pack.name}: {error}") from None
+    return paths
 
 
 def find_pack(name: str | Path) -> Pack:
@@ -154,7 +181,10 @@ def describe(rule: type[Rule]) -> RuleFacts:
         rule.default,
         rule.selects,
         tuple(kind.__name__ for kind in rule.explains),
-        {consumer.value: effect for consumer, effect in sorted(rule.affects.items(), key=lambda i: i[0].value)},
+        {
+            consumer.value: effect
+            for consumer, effect in sorted(rule.affects.items(), key=lambda i: i[0].value)
+        },
         rule.__module__,
     )
 

@@ -1,0 +1,1 @@
+"""Drake: its own elements, and what it does not support."""

@@ -1,0 +1,56 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck_rules.drk.effect import consequence
+from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT, ROBOT_JOINT
+
+BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
+
+
+class CrashesDrake(Rule):
+    """The file ends the process that loads it with Drake.
+
+    An empty type of a transmission is a segmentation fault; the others are assertions, which end a
+    C++ program and tell no place in the file.
+    """
+
+    code = "DRK015"
+    name = "crashes-drake"
+    severity = Severity.ERROR
+    default = False
+    affects = {Consumer.DRAKE: "crashes or aborts"}
+    explains = (problems.CrashesDrake,)
+    scaffold = COLLISION
+
+    bad = (
+        Bad(
+            '<transmission><«type»/><joint name="j"/><actuator name="m"/></transmission>',
+            says="a transmission of empty type: Drake crashes",
+            scaffold=ROBOT,
+        ),
+        Bad(
+            '<joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
+            '<limit lower="-1" upper="1" effort="1" velocity="«-1»"/></joint>',
+            says="a negative velocity limit: Drake aborts",
+            scaffold=ROBOT_JOINT,
+        ),
+        Bad(
+            f"{BOX}<surface><«friction»><torsional/></friction></surface><drake:proximity_properties>"
+            "<drake:mu_dynamic>0.5</drake:mu_dynamic></drake:proximity_properties>",
+            says="a friction without `ode` beside `drake:mu_dynamic`: Drake aborts",
+        ),
+    )
+    good = (
+        Good(
+            '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="m"/>'
+            "</transmission>",
+            scaffold=ROBOT,
+        ),
+        Good(
+            f"{BOX}<surface><friction><torsional/></friction></surface>",
+            why="only Drake's own friction trips it",
+        ),
+    )
+
+    def check(self, problem: problems.CrashesDrake) -> Iterator[Diagnostic]:
+        yield self.diagnostic(problem.target, f"{problem.what}: {consequence(problem.effect)}")

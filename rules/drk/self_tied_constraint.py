@@ -1,0 +1,27 @@
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck_rules.drk.scaffolds import MODEL
+
+BALL = (
+    "<drake:ball_constraint><drake:ball_constraint_body_A>a</drake:ball_constraint_body_A>"
+    "<drake:ball_constraint_body_B>{}</drake:ball_constraint_body_B>"
+    "<drake:ball_constraint_p_AP>0 0 0</drake:ball_constraint_p_AP>"
+    "<drake:ball_constraint_p_BQ>0 0 0</drake:ball_constraint_p_BQ></drake:ball_constraint>"
+)
+
+
+class SelfTiedConstraint(VendorRule):
+    """A constraint ties a link to itself.
+
+    Drake wants the two bodies of a ball or distance constraint to be distinct.
+    """
+
+    code = "DRK021"
+    name = "self-tied-constraint"
+    severity = Severity.ERROR
+    affects = {Consumer.DRAKE: "refuses the file"}
+    prefix = "drake"
+    explains = (problems.SelfTiedTag,)
+    scaffold = MODEL.replace("{}", BALL)
+
+    bad = (Bad("«a»", says="both ends are `a`: Drake refuses the file"),)
+    good = (Good("b"),)

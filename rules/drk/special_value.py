@@ -1,0 +1,54 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck_rules.drk.scaffolds import ROBOT, ROBOT_JOINT
+
+JOINT = '<joint name="j" type="{}"><parent link="a"/><child link="b"/>{}</joint>'
+
+
+class SpecialValue(Rule):
+    """A value means something else to Drake than the format says.
+
+    A `mechanicalReduction` other than 1 is passed over, with a warning. The limits of a
+    continuous joint, which other readers pass over, hold in Drake. A velocity limit of 0 keeps the
+    joint from moving.
+    """
+
+    code = "DRK013"
+    name = "special-value"
+    severity = Severity.WARNING
+    default = False
+    affects = {Consumer.DRAKE: "takes the value in its own way"}
+    explains = (problems.SpecialValue,)
+    scaffold = ROBOT_JOINT
+
+    bad = (
+        Bad(
+            '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="m">'
+            "<mechanicalReduction>«50»</mechanicalReduction></actuator></transmission>",
+            says="to Drake `mechanicalReduction` 50 means nothing",
+            scaffold=ROBOT,
+        ),
+        Bad(
+            JOINT.format("continuous", '<limit lower="«-1»" upper="1" effort="1" velocity="1"/>'),
+            says="to Drake `lower` -1 means a limit, also for a continuous joint",
+            also=("JNT011",),
+        ),
+        Bad(
+            JOINT.format("revolute", '<limit lower="-1" upper="1" effort="1" velocity="«0»"/>'),
+            says="to Drake `velocity` 0 means a joint that must not move",
+        ),
+    )
+    good = (
+        Good(
+            '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="m">'
+            "<mechanicalReduction>1</mechanicalReduction></actuator></transmission>",
+            scaffold=ROBOT,
+        ),
+        Good(JOINT.format("continuous", '<limit effort="1" velocity="1"/>')),
+    )
+
+    def check(self, problem: problems.SpecialValue) -> Iterator[Diagnostic]:
+        value = problem.value
+        name = value.attribute or value.element.name
+        yield self.diagnostic(value, f"to Drake `{name}` {value.text.strip()} means {problem.meaning}")

@@ -1,0 +1,31 @@
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck_rules.drk.scaffolds import LINK, ROBOT_LINK
+
+
+class TooNewDrakeTag(VendorRule):
+    """An element is as new as the newest release of Drake.
+
+    An SDF file with it is refused by every older release; in a URDF file older releases
+    pass over it.
+    """
+
+    code = "DRK018"
+    name = "too-new-drake-tag"
+    severity = Severity.INFO
+    affects = {Consumer.DRAKE: "refuses the file in older releases (SDF), or ignores the element"}
+    prefix = "drake"
+    explains = (problems.TooNewTag,)
+    scaffold = LINK
+
+    bad = (
+        Bad(
+            "<«drake:surface_velocity_axis»>0 0 1</drake:surface_velocity_axis>",
+            says="came with Drake 1.56: an older Drake refuses the file",
+        ),
+        Bad(
+            '<«drake:surface_velocity_axis» axis="0 0 1"/>',
+            says="an older Drake ignores it",
+            scaffold=ROBOT_LINK,
+        ),
+    )
+    good = (Good('<drake:visual name="v"><drake:geometry/></drake:visual>', why="read for years"),)

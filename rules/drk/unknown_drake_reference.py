@@ -1,0 +1,72 @@
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT
+
+NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
+
+
+class UnknownDrakeReference(VendorRule):
+    """One of Drake's elements names a link, frame, joint or group that is not there.
+
+    Names are those of the model that the element stands in. In SDF the members of groups, the groups and the
+    frames may be reached in nested models (`arm::hand`), the bodies and joints of constraints may not, and
+    in URDF there are no scoped names. The world is none of a model's links.
+    """
+
+    code = "DRK007"
+    name = "unknown-drake-reference"
+    severity = Severity.ERROR
+    affects = {Consumer.DRAKE: "refuses the file"}
+    prefix = "drake"
+    explains = (problems.UnknownTagReference,)
+    scaffold = MODEL
+
+    bad = (
+        Bad(
+            '<drake:collision_filter_group name="g"><drake:member>«A»</drake:member>'
+            "</drake:collision_filter_group>",
+            says="there is no link `A`: Drake refuses the file; did you mean `a`?",
+        ),
+        Bad(
+            '<drake:collision_filter_group name="g"><drake:member>a</drake:member>'
+            "<drake:ignored_collision_filter_group>«hand»</drake:ignored_collision_filter_group>"
+            "</drake:collision_filter_group>",
+            says="there is no drake:collision_filter_group `hand`",
+        ),
+        Bad(
+            '<drake:mimic joint="«k»" multiplier="1" offset="0"/>',
+            says="there is no joint `k`",
+            scaffold=JOINT,
+        ),
+        Bad(
+            '<drake:joint name="p" type="planar"><drake:parent>«world»</drake:parent>'
+            "<drake:child>b</drake:child>"
+            "<drake:damping>0 0 0</drake:damping></drake:joint>",
+            says="there is no frame or link `world`",
+        ),
+        Bad(
+            '<drake:collision_filter_group name="g"><drake:member link="«j»"/>'
+            "</drake:collision_filter_group>",
+            says="`j` is a joint, and `drake:member` names a link",
+            scaffold=ROBOT,
+        ),
+        Bad(
+            "<drake:ball_constraint><drake:ball_constraint_body_A>a</drake:ball_constraint_body_A>"
+            "<drake:ball_constraint_body_B>«n::c»</drake:ball_constraint_body_B>"
+            "<drake:ball_constraint_p_AP>0 0 0</drake:ball_constraint_p_AP>"
+            "<drake:ball_constraint_p_BQ>0 0 0</drake:ball_constraint_p_BQ></drake:ball_constraint>",
+            says="names a link of its own model, and `n::c` is a scoped name",
+            scaffold=NESTED,
+        ),
+    )
+    good = (
+        Good(
+            '<drake:collision_filter_group name="g"><drake:member>n::c</drake:member>'
+            "</drake:collision_filter_group>",
+            scaffold=NESTED,
+        ),
+        Good(
+            '<include><uri>model://arm</uri></include><drake:collision_filter_group name="g">'
+            "<drake:member>arm::hand</drake:member></drake:collision_filter_group>",
+            why="nobody knows what is in a file that is not there",
+        ),
+    )

@@ -1,0 +1,47 @@
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
+
+
+class UnknownDrakeTag(VendorRule):
+    """An element or attribute with the prefix `drake:` is none of Drake's.
+
+    In most parents of an SDF file Drake refuses what it does not know in its own
+    prefix. In URDF files, and in some parents in SDF (`axis`, `inertial`, `mesh`, …), it
+    passes over it without a word: the misspelt setting has no effect.
+    """
+
+    code = "DRK001"
+    name = "unknown-drake-tag"
+    severity = Severity.ERROR
+    affects = {Consumer.DRAKE: "refuses the file (SDF), or ignores the element"}
+    prefix = "drake"
+    explains = (problems.UnknownTag,)
+    scaffold = MODEL
+
+    bad = (
+        Bad(
+            '<«drake:colision_filter_group» name="g"/>',
+            fixed='<drake:collision_filter_group name="g"/>',
+            unsafe=True,
+            says="Drake refuses the file; did you mean `drake:collision_filter_group`?",
+        ),
+        Bad("<«drake:spaceship»/>", says="`drake:spaceship` is not known to Drake", scaffold=ROBOT),
+        Bad(
+            '<drake:visual name="v"><drake:geometry><«sphere»><radius>1</radius></sphere>'
+            "</drake:geometry></drake:visual>",
+            says="`sphere` has no prefix",
+            scaffold=LINK,
+        ),
+        Bad('<pose «drake:frame»="b">0 0 0 0 0 0</pose>', says="Drake ignores it", scaffold=LINK),
+    )
+    good = (
+        Good(
+            '<drake:visual name="v"><drake:geometry><drake:sphere><drake:radius>1</drake:radius>'
+            "</drake:sphere>"
+            "</drake:geometry></drake:visual>",
+            scaffold=LINK,
+            why="inside drake:visual everything has the prefix",
+        ),
+        Good('<p:spaceship xmlns:p="https://example.org/p"/>', why="another vendor's"),
+        Good('<plugin name="p" filename="p"><drake:spaceship/></plugin>', why="plugins hold what they like"),
+    )

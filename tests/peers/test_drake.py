@@ -1,0 +1,97 @@
+"""What we say of Drake's elements against Drake itself, and against files that it loads without a word."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pytest
+
+from sdfcheck.formats.vendor_files import BUILT_IN
+from sdfcheck.formats.vendor_problems import TagProblem, TooNewTag
+from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.session import Options, run
+from sdfcheck.model.vendor_references import problems
+from sdfcheck.source.document import read
+from tests.peers import drake
+from tests.peers.findings import SHARED
+from tests.vendor_documents import FILES, Case, cases
+
+pytestmark = pytest.mark.peers
+
+EVERY = 6
+"""Every so many documents: all of them take most of a minute (``python -m tests.peers.test_drake``)."""
+
+SHAPELESS = ("drake:capsule", "drake:ellipsoid")
+"""Misspelt in URDF, these leave a geometry without shape: that is told as such."""
+
+ARGUED = {
+    "hydroelastic.sdf": {"DRK005"},
+    "atlas_with_fixed_joints.urdf": {"DRK010"},
+    "duplicate_but_same_materials_with_texture.urdf": {"DRK013"},
+}
+"""File → rules that rightly speak up: Drake warns, too, or holds a limit that no other reader does."""
+
+LATER = {"massless-leaf", "unsupported-mesh-format"}
+"""What goes wrong only in the simulation, or where there is a scene graph: the verdicts are about loading."""
+
+
+def disagreements(chosen: list[Case], folder: Path) -> list[str]:
+    """The cases of which we say that Drake refuses them and it does not, or the reverse."""
+    for name, text in FILES.items():
+        (folder / name).write_text(text)
+    paths = [folder / f"{number}.{case.dialect}" for number, case in enumerate(chosen)]
+    for path, case in zip(paths, chosen, strict=True):
+        path.write_text(case.text)
+    verdicts = drake.loads(paths)
+    found = []
+    for path, case in zip(paths, chosen, strict=True):
+        tags = [p for p in problems(read(path.read_bytes(), path), BUILT_IN) if isinstance(p, TagProblem)]
+        is_new = any(isinstance(problem, TooNewTag) for problem in tags)
+        shapeless = (
+            case.name.startswith(tuple(f"urdf {tag} " for tag in SHAPELESS)) and "misspelt" in case.name
+        )
+        if is_new or shapeless:
+            continue
+        if any(problem.effect.refused for problem in tags) == verdicts[path]:
+            found.append(f"{case.name}: Drake {'loads' if verdicts[path] else 'refuses'} it")
+    return found
+
+
+@pytest.mark.skipif(not drake.is_installed(), reason="pydrake is not installed")
+def test_drake_refuses_what_we_say_it_does(tmp_path: Path) -> None:
+    assert disagreements(cases()[::EVERY], tmp_path) == []
+
+
+def silent_files() -> list[Path]:
+    """The files of Drake's own project that Drake loads."""
+    entries = json.loads((SHARED / "corpus" / "verdicts.json").read_text(encoding="utf-8"))
+    return [
+        SHARED / "corpus" / entry["file"]
+        for entry in entries
+        if entry["file"].startswith("drake/") and entry.get("drake", {}).get("ok")
+    ]
+
+
+@pytest.mark.skipif(not SHARED.is_dir(), reason="the files to compare on are not here")
+@pytest.mark.parametrize("target", [None, ("drake",)], ids=["default", "for Drake"])
+def test_files_that_drake_loads_are_left_alone(target: tuple[str, ...] | None) -> None:
+    paths = silent_files()
+    assert paths
+    done = run(paths, Options(Configuration(isolated=True), target=target))
+    found = [
+        f"{d.span.source.path.name}:{d.span.begin.line}: {d.code} {d.message}"
+        for d in done.diagnostics
+        if d.code.startswith("DRK")
+        and d.severity >= Severity.WARNING
+        and d.name not in LATER
+        and d.code not in ARGUED.get(d.span.source.path.name, ())
+    ]
+    assert found == []
+
+
+if __name__ == "__main__":
+    with TemporaryDirectory() as folder:
+        print(*disagreements(cases(), Path(folder)), sep="\n")

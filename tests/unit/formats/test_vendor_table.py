@@ -1,0 +1,58 @@
+"""Drake's table, line by line: right uses are silent, and each wrong use is told as what it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.formats.generate_drake import TABLE, read_facts, render
+from sdfcheck.formats.vendor import vendor
+from sdfcheck.formats.vendor_files import BUILT_IN
+from sdfcheck.formats.vendor_problems import TagProblem
+from sdfcheck.model.vendor_references import problems
+from sdfcheck.source.document import read
+from tests.vendor_documents import Case, cases
+
+FACTS = Path(__file__).parents[4] / "shared" / "facts" / "drake"
+REMARKS = {"OutdatedTag", "TooNewTag"}
+"""Kinds that may come with right uses."""
+CASES = cases()
+
+
+def found(case: Case) -> list[TagProblem]:
+    document = read(case.text.encode(), Path(f"model.{case.dialect}"))
+    assert not document.problems, case.text
+    tags = [problem for problem in problems(document, BUILT_IN) if isinstance(problem, TagProblem)]
+    return [problem for problem in tags if type(problem).__name__ not in REMARKS]
+
+
+@pytest.mark.skipif(not FACTS.is_dir(), reason="the facts that the table is made of are not here")
+def test_the_committed_table_is_up_to_date() -> None:
+    assert TABLE.read_text("utf-8") == render(read_facts(FACTS))
+
+
+@pytest.mark.skipif(not FACTS.is_dir(), reason="the facts that the table is made of are not here")
+def test_every_tag_of_the_facts_is_there() -> None:
+    tags = set(read_facts(FACTS)["tags"])
+    for dialect in ("sdf", "urdf"):
+        assert tags <= set(vendor(TABLE, dialect).tags)
+
+
+def test_every_tag_has_a_right_and_a_wrong_use() -> None:
+    for dialect in ("sdf", "urdf"):
+        tags = vendor(TABLE, dialect).tags.values()
+        wanted = {
+            t.name for t in tags if not t.keys.text("gone") and not (t.places and t.keys.text("mirror"))
+        }
+        assert wanted <= {case.name.split(" ")[1] for case in CASES if case.kind and case.dialect == dialect}
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if not case.kind], ids=lambda case: case.name)
+def test_right_uses_are_silent(case: Case) -> None:
+    assert found(case) == [], case.text
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case.kind], ids=lambda case: case.name)
+def test_wrong_uses_are_told(case: Case) -> None:
+    assert [type(problem).__name__ for problem in found(case)] == [case.kind], case.text

@@ -1,0 +1,135 @@
+"""A pack brings a table for a prefix of its own, and rules about it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.engine import Dispatch, lint_source
+from sdfcheck.lint.example import fill, unmark
+from sdfcheck.lint.packs import PackError, find_pack, import_pack, load_index, rule_classes
+from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.select import ActiveRules, Choice, select
+
+FLATLAND = Path(__file__).parents[3] / "fixtures" / "packs" / "flatland"
+INDEX = load_index((FLATLAND,))
+RULES = [rule for module in import_pack(find_pack(FLATLAND)) for rule in rule_classes(module)]
+
+MODEL = (
+    '<sdf version="1.7" xmlns:flatland="https://example.org/flatland/schema" {}><world name="w" {}>'
+    '<model name="m"><link name="a" {}/><link name="b">{}</link>'
+    '<joint name="j" type="revolute"><parent>a</parent><child>b</child>'
+    "<axis><xyz>0 0 1</xyz></axis></joint>{}</model></world></sdf>"
+)
+DRIVE = (
+    '<flatland:transmission name="t"><flatland:type>simple</flatland:type><flatland:joint name="j">'
+    "<flatland:hardware_interface>EffortJointInterface</flatland:hardware_interface></flatland:joint>{}"
+    "</flatland:transmission>"
+)
+
+
+def lint(text: str) -> list[Diagnostic]:
+    dispatch = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
+    found = lint_source(text.encode(), Path("model.sdf"), None, dispatch).diagnostics
+    assert "INT001" not in {d.code for d in found}, found
+    return [d for d in found if d.code.startswith(("FLT", "DRK"))]
+
+
+def said(*, root: str = "", world: str = "", link: str = "", inner: str = "", model: str = "") -> list[str]:
+    return [f"{d.code} {d.message}" for d in lint(MODEL.format(root, world, link, inner, model))]
+
+
+def test_the_example_of_the_proposal_is_fine() -> None:
+    assert not said(world='flatland:type="2d"', link='flatland:custom_attr_int="5"', model=DRIVE.format(""))
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
+def test_the_examples_of_the_pack(rule: type[Rule]) -> None:
+    for bad in rule.bad:
+        text, start, end = unmark(fill(rule.scaffold, bad))
+        own = [d for d in lint(text) if d.code == rule.code]
+        assert [(d.span.start, d.span.end) for d in own] == [(start, end)]
+        assert bad.says in own[0].message
+    for good in rule.good:
+        assert rule.code not in {d.code for d in lint(fill(rule.scaffold, good))}
+
+
+@pytest.mark.parametrize(
+    ("places", "message"),
+    [
+        (
+            {"link": 'flatland:custom_attr_int="50"'},
+            "FLT002 `flatland:custom_attr_int` should be from 0 to 10",
+        ),
+        (
+            {"link": 'flatland:custom_attr_int="5.5"'},
+            "FLT002 `flatland:custom_attr_int` should be a whole number",
+        ),
+        ({"inner": "<flatland:transmission/>"}, "FLT001 `flatland:transmission` does not belong in link `b`"),
+        ({"inner": "<flatland:laser/>"}, "FLT004 `flatland:laser` needs `flatland:beam`: Flatland refuses"),
+        (
+            {"model": DRIVE.format("<flatland:gearing>-1</flatland:gearing>")},
+            "should be above 0, not `-1`: Flatland aborts",
+        ),
+        (
+            {"model": DRIVE.format("") * 2},
+            "FLT004 there is a `flatland:transmission` of the name `t` already",
+        ),
+        (
+            {
+                "root": 'flatland:version="2.0"',
+                "model": DRIVE.format("<flatland:gearing>2</flatland:gearing>"),
+            },
+            "FLT004 `flatland:gearing` came with Flatland 2.1, and the file says 2.0",
+        ),
+    ],
+)
+def test_the_table_is_held_against_the_document(places: dict[str, str], message: str) -> None:
+    found = said(**places)
+    assert any(message in text for text in found), found
+
+
+def test_what_is_ignored_is_a_warning() -> None:
+    (found,) = lint(MODEL.format("", "", 'flatland:custom_attr_int="50"', "", ""))
+    assert found.severity is Severity.WARNING
+
+
+def test_rules_of_one_vendor_leave_another_alone() -> None:
+    text = MODEL.format('xmlns:drake="http://drake.mit.edu"', "", "", "", "<flatland:x/><drake:y/>")
+    assert [d.code for d in lint(text)] == ["FLT001", "DRK001"]
+
+
+def test_without_the_pack_its_prefix_is_free() -> None:
+    index = load_index()
+    active = select(index.facts, Choice())
+    text = MODEL.format("", "", "", "", "<flatland:x/>")
+    found = lint_source(text.encode(), Path("m.sdf"), None, Dispatch(index, active)).diagnostics
+    assert not [d for d in found if "flatland" in d.message]
+
+
+@pytest.mark.parametrize(
+    ("table", "reason"),
+    [
+        ("x\tdouble\n", "the line `vendor` comes first"),
+        ("vendor\tX\turi\nx\tdubble\n", "2: `dubble` is no type"),
+        ("vendor\tX\turi\nx\tdouble\n sdg\tmodel\n", "3: `sdg` is neither sdf, urdf"),
+        ("vendor\tX\turi\nx\tdouble\n sdf\tmodel\ttext\t0\trange\n", "3: `range` is no key=value"),
+        ("vendor\tX\turi\nx\tdouble\t\trange=low\n sdf\tmodel\ttext\t0\n", "3: not understood"),
+        ("vendor\tX\turi\nx\nx\n", "3: x:x is there already"),
+        ("vendor\tX\turi\nx\tdouble\t\tdiffers=:y\n", "x.vendor.txt: x:x refers to x:y, which is not there"),
+        ("", "no line `vendor`"),
+    ],
+)
+def test_a_faulty_table_is_told_by_its_line(tmp_path: Path, table: str, reason: str) -> None:
+    (tmp_path / "x.vendor.txt").write_text(table)
+    with pytest.raises(PackError) as error:
+        load_index((tmp_path,))
+    assert reason in str(error.value)
+
+
+def test_a_prefix_has_one_table(tmp_path: Path) -> None:
+    (tmp_path / "drake.vendor.txt").write_text("vendor\tMine\turi\n")
+    with pytest.raises(PackError, match="the prefix drake is taken"):
+        load_index((tmp_path,))
