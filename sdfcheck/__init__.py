@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     )
     from sdfcheck.lint.fix import Applicability, Edit, Fix
     from sdfcheck.lint.rule import Consumer, Rule, Target, edit, replace
+    from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Position, Source, Span
@@ -40,6 +41,7 @@ _HOMES = {
     ),
     "sdfcheck.lint.fix": "Applicability Edit Fix",
     "sdfcheck.lint.rule": "Consumer Rule Target edit replace",
+    "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.source.document": "Document",
     "sdfcheck.source.element": "Element Value",
     "sdfcheck.source.text": "Position Source Span",
@@ -75,6 +77,7 @@ __all__ = [
     "Span",
     "Target",
     "Value",
+    "VendorRule",
     "__version__",
     "edit",
     "problems",

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from sdfcheck.formats.namespaces import *  # noqa: F403
     from sdfcheck.formats.problems import *  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
+    from sdfcheck.formats.vendor_problems import *  # noqa: F403
+    from sdfcheck.model.drake_problems import *  # noqa: F403
     from sdfcheck.model.frames import *  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
     from sdfcheck.model.names import *  # noqa: F403
@@ -26,6 +28,8 @@ _HOMES = (
     "sdfcheck.model.joint_problems",
     "sdfcheck.model.rotation_checks",
     "sdfcheck.model.joint_problems",
+    "sdfcheck.formats.vendor_problems",
+    "sdfcheck.model.drake_problems",
 )
 
 

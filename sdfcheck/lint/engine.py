@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -47,6 +48,14 @@ _ANALYSES = {
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
 
+_ANALYSES_FOR = {
+    "drake": {
+        Kind.SDF: ("sdfcheck.model.drake_sdf:problems",),
+        Kind.URDF: ("sdfcheck.model.drake_urdf:problems",),
+    }
+}
+"""Reader → analyses of what it does not support; they run for those who ask about the reader."""
+
 
 class Comment(NamedTuple):
     """A comment, and what the element behind it covers: its start tag, and all of it if it is a leaf."""
@@ -67,6 +76,9 @@ class Dispatch:
     def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
         self.index = index
         self.severities = active.severities
+        waiting = (facts for facts in active.facts if not facts.default)
+        self.readers = active.targets.union(*(facts.affects for facts in waiting))
+        """The readers that somebody asks about: as a target, or by a rule that is off by default."""
         self.by_problem: dict[str, list[RuleFacts]] = {}
         self.by_element: dict[str, dict[str, list[tuple[list[str], RuleFacts]]]] = {}
         for facts in active.facts:
@@ -88,10 +100,12 @@ def lint_source(data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch) 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     """All diagnostics of one document, sorted by place."""
     found: list[Diagnostic] = []
-    for analysis in analyses(document):
-        for problem in analysis(document):
-            for rule in dispatch.by_problem.get(type(problem).__name__, ()):
-                found += _check(rule, problem, document, dispatch)
+    for analysis in analyses(document, dispatch.readers):
+        found += _explain(analysis(document), document, dispatch)
+    if tables := _tables(document, dispatch):
+        from sdfcheck.model.vendor_references import problems
+
+        found += _explain(problems(document, tables), document, dispatch)
     by_name = dispatch.by_element.get(document.kind.value, {})
     for name, element in _selected(document, by_name):
         for parents, rule in by_name[name]:
@@ -100,13 +114,30 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     return sorted(set(found), key=lambda diagnostic: diagnostic.sort_key)
 
 
-def analyses(document: Document) -> Iterator[Callable[[Document], Iterable[object]]]:
+def analyses(
+    document: Document, readers: frozenset[str] = frozenset()
+) -> Iterator[Callable[[Document], Iterable[object]]]:
     """The analyses that fit a document's kind; each yields problems for rules to explain."""
     from importlib import import_module
 
-    for path in (*_ANALYSES_OF_ALL, *_ANALYSES.get(document.kind, ())):
+    of_readers = [
+        _ANALYSES_FOR[reader].get(document.kind, ()) for reader in sorted(readers & _ANALYSES_FOR.keys())
+    ]
+    for path in (*_ANALYSES_OF_ALL, *_ANALYSES.get(document.kind, ()), *chain.from_iterable(of_readers)):
         module, _, function = path.partition(":")
         yield getattr(import_module(module), function)
+
+
+def _tables(document: Document, dispatch: Dispatch) -> list[Path]:
+    """The tables of the vendors whose prefix a document seems to use."""
+    text = document.source.text
+    return [table for prefix, table in dispatch.index.tables.items() if f"{prefix}:" in text]
+
+
+def _explain(problems: Iterable[object], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
+    for problem in problems:
+        for rule in dispatch.by_problem.get(type(problem).__name__, ()):
+            yield from _check(rule, problem, document, dispatch)
 
 
 def directives(document: Document) -> list[Comment]:
