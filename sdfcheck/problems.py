@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sdfcheck.formats.namespaces import *  # noqa: F403
     from sdfcheck.formats.problems import *  # noqa: F403
-    from sdfcheck.model.joint_problems import *  # noqa: F403
+    from sdfcheck.formats.urdf_problems import *  # noqa: F403
     from sdfcheck.formats.vendor_problems import *  # noqa: F403
     from sdfcheck.model.drake_problems import *  # noqa: F403
     from sdfcheck.model.frames import *  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
     from sdfcheck.model.names import *  # noqa: F403
+    from sdfcheck.model.robot_problems import *  # noqa: F403
     from sdfcheck.model.rotation_checks import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
 
@@ -27,7 +28,8 @@ _HOMES = (
     "sdfcheck.model.frames",
     "sdfcheck.model.joint_problems",
     "sdfcheck.model.rotation_checks",
-    "sdfcheck.model.joint_problems",
+    "sdfcheck.formats.urdf_problems",
+    "sdfcheck.model.robot_problems",
     "sdfcheck.formats.vendor_problems",
     "sdfcheck.model.drake_problems",
 )

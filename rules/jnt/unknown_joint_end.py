@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
 
 _ARM = '<link name="arm"/>'
 
@@ -82,10 +82,13 @@ class UnknownJointEnd(Rule):
             yield self.diagnostic(value, f"{message} is outside, out of reach", labels=labels)
             return
         message += " does not exist"
+        if problem.others:
+            message += f" (named {1 + len(problem.others)} times)"
         if meant is None:
             advice = "only Drake takes `world` for granted, others want a link of that name"
             yield self.diagnostic(value, message, help=advice if name == "world" else None)
             return
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
-        yield self.diagnostic(value, message, fix=replace(value, meant, f"write `{meant}`", unsafe=True))
+        edits = tuple(Edit(end.span, meant) for end in (value, *problem.others))
+        yield self.diagnostic(value, message, fix=edit(f"write `{meant}`", edits, unsafe=True))

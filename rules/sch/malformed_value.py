@@ -7,6 +7,7 @@ INERTIAL = (
 )
 
 WORDS = {
+    "BLANK": "`{name}` holds a blank that is not between numbers, or that is no space",
     "COMMA": "`{name}` should be {expected}, parted by spaces and not by commas",
     "EXPRESSION": "`{name}` holds an expression that nothing has expanded",
     "FRACTION": "`{name}` should be {expected}, and `{part}` is a fraction",

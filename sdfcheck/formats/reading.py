@@ -49,6 +49,7 @@ class Cause(Enum):
     TOO_LARGE = "too large for its type"
     TOO_SMALL = "too near to zero for its type"
     NOT_FINITE = "infinity or nan"
+    BLANK = "a blank other than the spaces between numbers"
 
 
 class Reading(NamedTuple):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -44,6 +44,14 @@ _ANALYSES = {
         "sdfcheck.model.frames:problems",
         "sdfcheck.model.joints:problems",
         "sdfcheck.model.rotation_checks:problems",
+    ),
+    Kind.URDF: (
+        "sdfcheck.formats.urdf_survey:problems",
+        "sdfcheck.formats.urdf_comments:problems",
+        "sdfcheck.model.urdf_links:problems",
+        "sdfcheck.model.urdf_joints:problems",
+        "sdfcheck.model.rotation_checks:urdf_problems",
+        "sdfcheck.model.urdf_references:problems",
     ),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
@@ -162,13 +170,19 @@ def directives(document: Document) -> list[Comment]:
 
 
 def _selected(document: Document, by_name: dict[str, Any]) -> Iterator[tuple[str, Element]]:
-    """The elements of the wanted names: in SDF those that stand where the format places them."""
+    """The elements of the wanted names: in SDF and URDF those that stand where the format places them."""
     if not by_name or document.root is None:
         return
+    index: Mapping[str, list[Element]] | None = None
     if document.kind is Kind.SDF:
         from sdfcheck.formats.survey import survey
 
         index = survey(document).index
+    elif document.kind is Kind.URDF:
+        from sdfcheck.formats import urdf_survey
+
+        index = urdf_survey.survey(document).index
+    if index is not None:
         for name in by_name:
             for element in index.get(name, ()):
                 yield name, element

@@ -138,6 +138,8 @@ def _look_at(inertial: Inertial, is_urdf: bool) -> Iterator[Record]:
         if mass != 0 or not is_urdf:
             yield NonPositiveMass(inertial.mass, inertial.link, mass == 0)
         return
+    if is_urdf and len(inertial.moments) < len(COMPONENTS):
+        return  # nothing is taken in its place: the schema's business
     tensor = inertial.tensor()
     if not all(math.isfinite(value) for value in tensor):
         return

@@ -15,7 +15,8 @@ class UnknownJointEnd(Record):
 
     ``role`` is ``parent`` or ``child``. ``suggestion`` is the name that was probably
     meant: a near miss, or the scoped name of what exists elsewhere. ``outside``: an
-    enclosing scope has the name, which cannot be reached from here.
+    enclosing scope has the name, which cannot be reached from here. ``others``: further
+    ends with the same name, which are not reported apart.
     """
 
     value: Value
@@ -23,6 +24,7 @@ class UnknownJointEnd(Record):
     role: str
     suggestion: str | None = None
     outside: Element | None = None
+    others: tuple[Value, ...] = ()
 
 
 class DetachedFrame(Record):

@@ -1,0 +1,1 @@
+"""GAZ: moving between Gazebo generations."""

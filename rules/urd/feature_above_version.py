@@ -1,0 +1,42 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems
+
+ROBOT = '<robot name="r"{}><link name="a"><visual>{{}}</visual></link></robot>'
+CAPSULE = '<geometry><capsule radius="1" length="2"/></geometry>'
+
+
+class FeatureAboveVersion(Rule):
+    """Something of URDF 1.1 or 1.2 is used, and the robot does not declare that version.
+
+    Capsules and `quat_xyzw` came with 1.1 (urdfdom 5.1), limits of acceleration and jerk
+    with 1.2 (urdfdom 6). Without the version urdfdom passes over the attributes, so that a
+    shape is not turned, and at a capsule it drops the rest of the link. An older urdfdom refuses
+    the version as such. Drake reads capsules in any case.
+    """
+
+    code = "URD019"
+    name = "feature-above-version"
+    severity = Severity.ERROR
+    affects = {Consumer.URDFDOM: "passes over it", Consumer.GAZEBO: "passes over it"}
+    explains = (problems.FeatureAboveVersion,)
+    scaffold = ROBOT.format("")
+
+    bad = (
+        Bad(
+            CAPSULE.replace("capsule", "«capsule»", 1),
+            says="`capsule` came with URDF 1.1, and the robot is of 1.0",
+        ),
+        Bad(
+            '<origin «quat_xyzw»="0 0 0 1"/><geometry><sphere radius="1"/></geometry>',
+            says="`quat_xyzw` came with URDF 1.1",
+        ),
+    )
+    good = (Good(CAPSULE, scaffold=ROBOT.format(' version="1.1"'), why="declared"),)
+
+    def check(self, problem: problems.FeatureAboveVersion) -> Iterator[Diagnostic]:
+        place = problem.place
+        message = f"`{problem.what}` came with URDF {problem.since}, and the robot is of {problem.declared}"
+        advice = f'declare it: <robot version="{problem.since}">'
+        target = place.name_span if isinstance(place, Value) else place.span
+        yield self.diagnostic(target, message, help=advice)

@@ -1,0 +1,42 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+
+
+class UnexpandedExpression(Rule):
+    """An expression of xacro is left in a plain URDF file.
+
+    No reader of URDF knows `${…}` and `$(…)`: they end up in names and paths as they
+    stand, and where a number is wanted the file is refused. Run xacro on the source,
+    or call the file `.xacro` if this is the source.
+    """
+
+    code = "URD009"
+    name = "unexpanded-expression"
+    severity = Severity.ERROR
+    explains = (problems.UnexpandedExpression,)
+    scaffold = IN_URDF_LINK
+
+    bad = (
+        Bad(
+            '<visual><geometry><sphere radius="«${r}»"/></geometry></visual>',
+            says="`${r}` is not expanded",
+        ),
+        Bad(
+            '<visual><geometry><mesh filename="file://«$(find p)»/${m}.stl"/></geometry></visual>',
+            says="`$(find p)` is not expanded, nor is 1 other expression",
+        ),
+    )
+    good = (
+        Good("<!-- radius was ${r} -->", why="a comment"),
+        Good('<visual name="$5"><geometry><sphere radius="1"/></geometry></visual>'),
+    )
+
+    def check(self, problem: problems.UnexpandedExpression) -> Iterator[Diagnostic]:
+        message = f"`{problem.span.text}` is not expanded"
+        others = problem.count - 1
+        if others:
+            message += (
+                f", nor {'is 1 other expression' if others == 1 else f'are {others} other expressions'}"
+            )
+        yield self.diagnostic(problem.span, message)

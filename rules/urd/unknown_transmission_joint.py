@@ -1,0 +1,40 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
+TRANSMISSION = (
+    '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
+    '<joint name="{}"><hardwareInterface>EffortJointInterface</hardwareInterface></joint>'
+    '<actuator name="m"/></transmission>'
+)
+
+
+class UnknownTransmissionJoint(Rule):
+    """A transmission is for a joint that the robot does not have.
+
+    Drake refuses the file. Controllers find no such joint when they start, mostly long
+    after the robot was loaded.
+    """
+
+    code = "URD011"
+    name = "unknown-transmission-joint"
+    severity = Severity.ERROR
+    affects = {Consumer.DRAKE: "refuses the file", Consumer.GAZEBO: "does not drive the joint"}
+    explains = (problems.UnknownTransmissionJoint,)
+    scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')
+
+    bad = (
+        Bad(
+            TRANSMISSION.replace("{}", "«sholder»"),
+            says="transmission `t` is for joint `sholder`, which does not exist; did you mean `shoulder`?",
+        ),
+    )
+    good = (Good(TRANSMISSION.replace("{}", "shoulder")),)
+
+    def check(self, problem: problems.UnknownTransmissionJoint) -> Iterator[Diagnostic]:
+        value = problem.value
+        message = f"{problem.transmission.title} is for joint `{value.text}`, which does not exist"
+        if problem.suggestion is not None:
+            message += f"; did you mean `{problem.suggestion}`?"
+        yield self.diagnostic(value, message)

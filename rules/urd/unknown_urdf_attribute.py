@@ -1,0 +1,65 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems
+
+
+class UnknownUrdfAttribute(Rule):
+    """An attribute that no reader of URDF looks for is given.
+
+    All of them pass over it in silence and take the default of what was meant, if there
+    is one. Attributes with a prefix are free. Where the slip leaves something out that is
+    required, this is an error.
+    """
+
+    code = "URD002"
+    name = "unknown-urdf-attribute"
+    severity = Severity.WARNING
+    explains = (problems.UnknownUrdfAttribute,)
+    scaffold = IN_URDF_LINK
+
+    bad = (
+        Bad(
+            '<visual><origin «xzy»="0 0 1"/><geometry><sphere radius="1"/></geometry></visual>',
+            fixed='<visual><origin xyz="0 0 1"/><geometry><sphere radius="1"/></geometry></visual>',
+            unsafe=True,
+            says="unknown attribute `xzy` of `origin`; did you mean `xyz`?",
+        ),
+        Bad(
+            '<visual><geometry><sphere «raduis»="1"/></geometry></visual>',
+            fixed='<visual><geometry><sphere radius="1"/></geometry></visual>',
+            unsafe=True,
+            says="did you mean `radius`?",
+        ),
+        Bad('<visual><geometry «lod»="1"><sphere radius="1"/></geometry></visual>'),
+    )
+    good = (
+        Good(
+            '<visual p:lod="1"><geometry><sphere radius="1"/></geometry></visual>',
+            why="a prefix makes it free",
+        ),
+        Good(
+            '<collision group="feet"><geometry><sphere radius="1"/></geometry></collision>',
+            why="PyBullet reads it",
+        ),
+    )
+
+    def check(self, problem: problems.UnknownUrdfAttribute) -> Iterator[Diagnostic]:
+        value, near = problem.value, problem.suggestion
+        count = len(problem.uses)
+        message = f"unknown attribute `{value.attribute}` of {value.element.title}"
+        if near is not None:
+            message += f"; did you mean `{near}`?"
+        if count > 1:
+            message += f" ({count} times)"
+        severity = Severity.ERROR if problem.needed else None
+        yield self.diagnostic(value.name_span, message, severity=severity, fix=rename(problem))
+
+
+def rename(problem: problems.UnknownUrdfAttribute) -> Fix | None:
+    near = problem.suggestion
+    # Somewhere else both may be given.
+    if near is None or any(near in use.element.attributes for use in problem.uses):
+        return None
+    return edit(
+        f"rename it to `{near}`", tuple(Edit(use.name_span, near) for use in problem.uses), unsafe=True
+    )

@@ -1,0 +1,70 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems
+
+SHAPE = '<geometry><sphere radius="1"/></geometry>'
+
+
+class UnknownUrdfElement(Rule):
+    """An element that no reader of URDF looks for stands in the description.
+
+    All of them pass over it in silence, and over everything in it, so that a slip in a
+    name costs the robot a mass, a limit or a shape without a word from anybody. Elements
+    with a prefix are free, and so is what is inside `gazebo`, `transmission` and
+    `ros2_control`. Where the slip leaves something out that is required, this is an error.
+    """
+
+    code = "URD001"
+    name = "unknown-urdf-element"
+    severity = Severity.WARNING
+    explains = (problems.UnknownUrdfElement,)
+    scaffold = IN_URDF_LINK
+
+    bad = (
+        Bad(
+            f"<«visul»>{SHAPE}</visul>",
+            fixed=f"<visual>{SHAPE}</visual>",
+            unsafe=True,
+            says="unknown element `visul` in link `base`; did you mean `visual`?",
+        ),
+        Bad(
+            "<visual><«geometri»/></visual>",
+            fixed="<visual><geometry/></visual>",
+            unsafe=True,
+            says="did you mean `geometry`?",
+        ),
+        Bad('<«mass» value="1"/>', says="`mass` is not read in link `base`; it belongs into `inertial`"),
+        Bad(f"<visual>{SHAPE}<«colour»/><colour/></visual>", says="(2 times)"),
+    )
+    good = (
+        Good(f"<collision>{SHAPE}<drake:proximity_properties/></collision>", why="a prefix makes it free"),
+        Good(
+            '<robot name="r"><link name="a"/><gazebo><any/></gazebo><mujoco><compiler/></mujoco></robot>',
+            why="content of others",
+            scaffold="",
+        ),
+        Good(f'<collision>{SHAPE}<material name="m"/></collision>', why="a customary leftover of exporters"),
+    )
+
+    def check(self, problem: problems.UnknownUrdfElement) -> Iterator[Diagnostic]:
+        element, near = problem.element, problem.suggestion
+        count = len(problem.uses)
+        message = f"unknown element `{element.name}` in {problem.parent.title}"
+        if near is not None:
+            message += f"; did you mean `{near}`?"
+        elif problem.places:
+            places = " or ".join(f"`{place}`" for place in problem.places)
+            message = f"`{element.name}` is not read in {problem.parent.title}; it belongs into {places}"
+        if count > 1:
+            message += f" ({count} times)"
+        severity = Severity.ERROR if problem.needed else None
+        yield self.diagnostic(element, message, severity=severity, fix=rename(problem))
+
+
+def rename(problem: problems.UnknownUrdfElement) -> Fix | None:
+    near = problem.suggestion
+    if near is None:
+        return None
+    ends = [end for use in problem.uses if (end := use.document.spans.end_name(use)) is not None]
+    edits = tuple(Edit(span, near) for span in (*(use.span for use in problem.uses), *ends))
+    return edit(f"rename it to `{near}`", edits, unsafe=True)

@@ -1,0 +1,51 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+
+MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+LINKS = f'<link name="b">{MASS}</link>'
+TURNING = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'
+
+
+class VanishingRoot(Rule):
+    """The root link has no mass, so that the whole robot disappears in Gazebo.
+
+    libsdformat drops a link without mass together with all that hangs on it. Links that
+    fixed joints tie to it count, for they are merged into it; a root called `world` is the
+    world, and then its children are the roots. A robot without any mass at all, fit to be
+    looked at but not to be simulated, gets a mere hint.
+    """
+
+    code = "URD013"
+    name = "vanishing-root"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: "loads an empty model"}
+    explains = (problems.VanishingRoot,)
+    scaffold = '<robot name="r">{}</robot>'
+
+    bad = (
+        Bad(
+            f'<«link» name="a"/>{LINKS}{TURNING}',
+            says="root link `a` has no mass, so libsdformat drops it and the 1 link below it",
+        ),
+        Bad('<«link» name="a"/>', says="no link of robot `r` has mass"),
+    )
+    good = (
+        Good(f'<link name="a"/>{LINKS}{TURNING.replace("continuous", "fixed")}', why="b is merged into a"),
+        Good(
+            f'<link name="world"/>{LINKS}{TURNING.replace(chr(34) + "a", chr(34) + "world")}',
+            why="the world itself",
+        ),
+    )
+
+    def check(self, problem: problems.VanishingRoot) -> Iterator[Diagnostic]:
+        link = problem.link
+        if problem.massless:
+            robot = link.parent.title if link.parent is not None else "the robot"
+            message = f"no link of {robot} has mass, so libsdformat makes an empty model of it"
+            yield self.diagnostic(link, message, severity=Severity.INFO)
+            return
+        below = problem.links - 1
+        links = "link" if below == 1 else "links"
+        message = f"root {link.title} has no mass, so libsdformat drops it and the {below} {links} below it"
+        yield self.diagnostic(link, message)

@@ -1,0 +1,100 @@
+"""What URDF's own shape makes wrong with a document; the rest is said as for SDFormat."""
+
+from __future__ import annotations
+
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import Record
+from sdfcheck.source.text import Span
+
+
+class UnknownUrdfElement(Record):
+    """An element that no reader of URDF looks for at this place.
+
+    ``uses`` are all of this name below parents of this name; ``places`` the parents below
+    which it would be read. ``needed``: ``suggestion`` is required there and missing.
+    """
+
+    element: Element
+    parent: Element
+    suggestion: str | None
+    places: tuple[str, ...]
+    uses: tuple[Element, ...]
+    needed: bool
+
+
+class UnknownUrdfAttribute(Record):
+    """An attribute that no reader of URDF looks for; ``needed`` and ``uses`` as above."""
+
+    value: Value
+    suggestion: str | None
+    uses: tuple[Value, ...]
+    needed: bool
+
+
+class FeatureAboveVersion(Record):
+    """Something of a later version of URDF, which urdfdom passes over in this document or refuses.
+
+    ``place`` is an element or an attribute, ``what`` its name.
+    """
+
+    place: Element | Value
+    what: str
+    since: str
+    declared: str
+
+
+class MissingLimit(Record):
+    """A limit that is required and absent: all of it (``missing`` is empty) or some of its attributes."""
+
+    joint: Element
+    limit: Element | None
+    type: str
+    missing: tuple[str, ...]
+
+
+class LockedByDefault(Record):
+    """A limit with neither ``lower`` nor ``upper`` on a joint that they bound: both are 0."""
+
+    limit: Element
+    joint: Element
+    type: str
+
+
+class IncompleteInertial(Record):
+    """An ``inertial`` or ``inertia`` that lacks a child or attributes."""
+
+    element: Element
+    link: Element
+    missing: tuple[str, ...]
+
+
+class MissingGeometry(Record):
+    """A visual or collision without geometry, a geometry without shape, or a mesh without file.
+
+    ``element`` is the one that lacks something, ``shown`` the visual or collision.
+    """
+
+    element: Element
+    shown: Element
+
+
+class UnknownShape(Record):
+    """A geometry whose first element is no shape that urdfdom knows."""
+
+    element: Element
+    shown: Element
+    suggestion: str | None
+
+
+class UnexpandedExpression(Record):
+    """``${…}`` or ``$(…)``, which only xacro understands: ``span`` is the first of ``count``."""
+
+    span: Span
+    count: int
+
+
+class ColonInComment(Record):
+    """A colon and a blank behind it, in a comment. ``colons`` are all of them, ``span`` the first."""
+
+    span: Span
+    colons: tuple[Span, ...]
