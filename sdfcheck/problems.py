@@ -8,28 +8,38 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.namespaces import *  # noqa: F403
+    from sdfcheck.formats.namespace_problems import *  # noqa: F403
     from sdfcheck.formats.problems import *  # noqa: F403
     from sdfcheck.formats.urdf_problems import *  # noqa: F403
     from sdfcheck.formats.vendor_problems import *  # noqa: F403
     from sdfcheck.model.drake_problems import *  # noqa: F403
+    from sdfcheck.model.file_problems import *  # noqa: F403
     from sdfcheck.model.frames import *  # noqa: F403
+    from sdfcheck.model.include_problems import *  # noqa: F403
+    from sdfcheck.model.inertia import *  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
+    from sdfcheck.model.model_config import *  # noqa: F403
     from sdfcheck.model.names import *  # noqa: F403
-    from sdfcheck.model.robot_problems import *  # noqa: F403
     from sdfcheck.model.rotation_checks import *  # noqa: F403
+    from sdfcheck.model.robot_problems import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
+    from sdfcheck.source.xacro.problems import *  # noqa: F403
 
 _HOMES = (
     "sdfcheck.source.problems",
-    "sdfcheck.formats.namespaces",
+    "sdfcheck.formats.namespace_problems",
     "sdfcheck.formats.problems",
     "sdfcheck.model.names",
     "sdfcheck.model.frames",
     "sdfcheck.model.joint_problems",
     "sdfcheck.model.rotation_checks",
+    "sdfcheck.model.inertia",
     "sdfcheck.formats.urdf_problems",
     "sdfcheck.model.robot_problems",
+    "sdfcheck.model.file_problems",
+    "sdfcheck.model.include_problems",
+    "sdfcheck.model.model_config",
+    "sdfcheck.source.xacro.problems",
     "sdfcheck.formats.vendor_problems",
     "sdfcheck.model.drake_problems",
 )

@@ -165,7 +165,8 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             message = f"`<{slash}{text}>` does not match `<{other_slash}{name}>`"
             labels = {other: "closed here" if other_slash else "opened here"}
         if other is not None and kind in LABELS:
-            labels = {other: LABELS[kind].format(name=name)}
+            is_closed = kind is Kind.EXTRA_END_TAG and other.text == name
+            labels = {other: "closed here already" if is_closed else LABELS[kind].format(name=name)}
         yield self.diagnostic(span, message, labels=labels, fix=fix_for(problem))
 
 

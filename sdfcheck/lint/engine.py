@@ -14,12 +14,15 @@ from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import Document, read
+from sdfcheck.source.document import problems as text_problems
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule
+    from sdfcheck.source.library import Library
+    from sdfcheck.source.xacro.expansion import Expander
 
 INTERNAL_ERROR = RuleFacts(
     "INT001",
@@ -44,6 +47,8 @@ _ANALYSES = {
         "sdfcheck.model.frames:problems",
         "sdfcheck.model.joints:problems",
         "sdfcheck.model.rotation_checks:problems",
+        "sdfcheck.model.inertia:problems",
+        "sdfcheck.model.resources:problems",
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf_survey:problems",
@@ -52,7 +57,10 @@ _ANALYSES = {
         "sdfcheck.model.urdf_joints:problems",
         "sdfcheck.model.rotation_checks:urdf_problems",
         "sdfcheck.model.urdf_references:problems",
+        "sdfcheck.model.inertia:problems",
+        "sdfcheck.model.resources:urdf_problems",
     ),
+    Kind.MODEL_CONFIG: ("sdfcheck.model.model_config:problems",),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
 
@@ -99,17 +107,36 @@ class Dispatch:
                 by_name.setdefault(name, []).append((parents[::-1], facts))
 
 
-def lint_source(data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch) -> FileResult:
-    """Read and lint one file's bytes. Whatever they hold, the result is diagnostics."""
-    document = read(data, path, kind)
+def lint_source(
+    data: bytes,
+    path: Path,
+    kind: Kind | None,
+    dispatch: Dispatch,
+    library: Library | None = None,
+    expander: Expander | None = None,
+) -> FileResult:
+    """Read and lint one file's bytes. Whatever they hold, the result is diagnostics.
+
+    What the file refers to is taken from the library; without one nothing is looked up.
+    """
+    document = library.known(data, path) if library is not None else None
+    if document is None or document.kind is not (kind or document.kind):
+        document = read(data, path, kind)
+    document.library, document.included_by = library, ()
+    if document.kind is Kind.XACRO:
+        from sdfcheck.lint.expanded import lint_xacro
+
+        return FileResult(lint_xacro(document, dispatch, expander), directives(document))
     return FileResult(lint_document(document, dispatch), directives(document))
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     """All diagnostics of one document, sorted by place."""
+    textual: list[Diagnostic] = []
     found: list[Diagnostic] = []
     for analysis in analyses(document, dispatch.readers):
-        found += _explain(analysis(document), document, dispatch)
+        explained = _explain(analysis(document), document, dispatch)
+        (textual if analysis is text_problems else found).extend(explained)
     if tables := _tables(document, dispatch):
         from sdfcheck.model.vendor_references import problems
 
@@ -119,7 +146,9 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         for parents, rule in by_name[name]:
             if _stands_in(element, parents):
                 found += _check(rule, element, document, dispatch)
-    return sorted(set(found), key=lambda diagnostic: diagnostic.sort_key)
+    # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
+    certain = (diagnostic for diagnostic in found if not document.is_doubtful(diagnostic.span))
+    return sorted({*textual, *certain}, key=lambda diagnostic: diagnostic.sort_key)
 
 
 def analyses(
@@ -128,10 +157,11 @@ def analyses(
     """The analyses that fit a document's kind; each yields problems for rules to explain."""
     from importlib import import_module
 
+    of_text = () if document.is_expanded else _ANALYSES_OF_ALL
     of_readers = [
         _ANALYSES_FOR[reader].get(document.kind, ()) for reader in sorted(readers & _ANALYSES_FOR.keys())
     ]
-    for path in (*_ANALYSES_OF_ALL, *_ANALYSES.get(document.kind, ()), *chain.from_iterable(of_readers)):
+    for path in (*of_text, *_ANALYSES.get(document.kind, ()), *chain.from_iterable(of_readers)):
         module, _, function = path.partition(":")
         yield getattr(import_module(module), function)
 

@@ -135,6 +135,12 @@ class Blame:
         self.patience -= len(self.tokens)
         return sum(token.name == name and token.kind is not TokenKind.END for token in self.tokens)
 
+    def empty_twin(self, opened: int, number: int) -> Token | None:
+        """``<pose/>0 0 0</pose>``: the element that the end tag ``number`` was to end is closed already."""
+        name = self.tokens[number].name
+        twins = (t for _, t in self.children(opened, number) if t.kind is TokenKind.EMPTY and t.name == name)
+        return max(twins, key=lambda token: token.start, default=None)
+
     def block_start(self, opened: int, number: int) -> int:
         """Where the block might begin that the end tag ``number`` ends, of which no start tag is left."""
         indent = self.indent(self.tokens[number].start)

@@ -235,8 +235,8 @@ class _Pairing:
 
     def extra(self, token: Token) -> None:
         """An end tag too many, or one whose start tag got lost: then what it should enclose is misplaced."""
-        name = self.name_span(self.tokens[self.open[-1]])
-        self.defect(SyntaxKind.EXTRA_END_TAG, (token.start, token.end), name, token.name)
+        other = self.blame.empty_twin(self.open[-1], self.number) or self.tokens[self.open[-1]]
+        self.defect(SyntaxKind.EXTRA_END_TAG, (token.start, token.end), self.name_span(other), token.name)
         self.step(Act.DROP, token)
         self.doubt(self.blame.block_start(self.open[-1], self.number), token.end)
 

@@ -128,8 +128,8 @@ class ContentAfterRoot(Record):
 class UnrecognizedDocument(Record):
     """A document of no kind that is linted; ``looks_like`` says what it seems to be.
 
-    ``root`` is the name of the root element, if there is one, and ``suggestion`` what it
-    was probably meant to be.
+    ``root`` is the name of the root element where that is all that can be said, and
+    ``suggestion`` what it was probably meant to be.
     """
 
     span: Span

@@ -18,10 +18,12 @@ def unrecognized(document: Document) -> UnrecognizedDocument:
         kind = sniff(text[:HEAD].encode("utf-8", "surrogatepass"), document.path)
     looks_like = kind.description if kind is not Kind.NOT_XML else "plain text"
     root = document.root
-    if root is not None:
-        suggestion = next((name for name in ROOTS if alike(root.name, name)), None)
-        return UnrecognizedDocument(root.span, looks_like, root.name, suggestion)
-    if kind in {Kind.OTHER_XML, Kind.BROKEN_XML}:
-        looks_like = "XML without any element"
-    place = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
-    return UnrecognizedDocument(document.source.span(*place), looks_like, None, None)
+    if root is None:
+        if kind in {Kind.OTHER_XML, Kind.BROKEN_XML}:
+            looks_like = "XML without any element"
+        place = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
+        return UnrecognizedDocument(document.source.span(*place), looks_like, None, None)
+    if kind is not Kind.OTHER_XML:
+        return UnrecognizedDocument(root.span, looks_like, None, None)
+    suggestion = next((name for name in ROOTS if alike(root.name, name)), None)
+    return UnrecognizedDocument(root.span, looks_like, root.name, suggestion)
