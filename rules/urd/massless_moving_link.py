@@ -15,7 +15,8 @@ class MasslessMovingLink(Rule):
 
     libsdformat drops the link and all that hangs on it; in Drake its joint makes the mass
     matrix singular, and the simulation fails. A link counts as massless when neither it nor
-    any link that fixed joints tie to it has mass.
+    any link that fixed joints tie to it has mass. The same holds below a fixed joint that
+    libsdformat is told to keep.
     """
 
     code = "URD014"
@@ -46,5 +47,8 @@ class MasslessMovingLink(Rule):
     def check(self, problem: problems.MasslessMovingLink) -> Iterator[Diagnostic]:
         below = problem.lost - 1
         others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
-        message = f"{problem.link.title} moves and has no mass, so libsdformat drops it{others}"
-        yield self.diagnostic(problem.mass or problem.link, message, labels={problem.joint: "moves it"})
+        is_kept = problem.joint.attributes.get("type") == "fixed"
+        what = "is not to be merged" if is_kept else "moves"
+        message = f"{problem.link.title} {what} and has no mass, so libsdformat drops it{others}"
+        label = "is kept" if is_kept else "moves it"
+        yield self.diagnostic(problem.mass or problem.link, message, labels={problem.joint: label})

@@ -215,6 +215,8 @@ class UrdfFindings:
             near = _meant_attribute(element, name, self.places[element])
             needed = near in self.places[element].required_attributes
             needed = needed and (element.name != "axis" or _moves(element.parent))
+            if element.name == "dynamics":
+                needed = near is not None and not {"damping", "friction"} & element.attributes.keys()
             self.found.append(urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed))
         return self.found
 

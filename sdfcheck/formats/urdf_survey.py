@@ -118,7 +118,7 @@ class _Walk:
         for name in place.required_children:
             if name not in seen:
                 self.findings.missing_child(parent, name)
-        if parent.tag == "geometry":
+        if parent.tag == "geometry" and not (len(seen) == len(parent) == 1):
             self.findings.shape(parent, place, seen)
 
     def element(self, element: Element, definition: UrdfElement) -> None:
@@ -132,18 +132,20 @@ class _Walk:
 
     def attributes(self, element: Element, definition: UrdfElement) -> None:
         allowed = definition.attributes
+        required = 0
         items = cast("list[tuple[str, str]]", element.items())
         for key, text in items:
             attribute = allowed.get(key)
+            if attribute is not None and attribute.required:
+                required += 1
             if attribute is None or attribute.since > self.version or not attribute.accepts(text):
                 self.findings.attribute(element, definition, key, text)
             elif self.is_wrapped and attribute.is_number:
                 self.findings.attribute_value(element, attribute, text)
-        if required := definition.required_attributes:
+        if required < len(definition.required_attributes):
             given = {key for key, _ in items}
-            missing = tuple(name for name in required if name not in given)
-            if missing:
-                self.findings.missing_attributes(element, missing)
+            missing = tuple(name for name in definition.required_attributes if name not in given)
+            self.findings.missing_attributes(element, missing)
 
     def extensions(self) -> None:
         """The numbers among the settings in ``<gazebo>``."""

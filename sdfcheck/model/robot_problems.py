@@ -48,9 +48,9 @@ class VanishingRoot(Record):
 
 
 class MasslessMovingLink(Record):
-    """A link below a moving joint without mass: neither its own, nor of links fixed to it.
+    """A link without mass, neither its own nor of links fixed to it, below a joint that stays a joint.
 
-    ``mass`` is the value where one is written; ``lost`` counts the link and those below it.
+    That is one that moves, or a fixed one that libsdformat is told to keep. ``mass`` is the value where one is written; ``lost`` counts the link and those below it.
     """
 
     link: Element
@@ -116,6 +116,13 @@ class MimicOfFixedJoint(Record):
     value: Value
     joint: Element
     leader: Value
+
+
+class UnconvertedJoint(Record):
+    """A joint of a type that SDFormat does not have; ``value`` is the type."""
+
+    value: Value
+    joint: Element
 
 
 class SingularPitch(Record):

@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import inf, pi, sqrt
 
+from sdfcheck.formats.problems import MissingAttribute
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.urdf_problems import LockedByDefault, MissingLimit
 from sdfcheck.formats.values import floats
 from sdfcheck.model import joint_problems as kinds
-from sdfcheck.model.robot_problems import MimicOfFixedJoint
+from sdfcheck.model.robot_problems import MimicOfFixedJoint, UnconvertedJoint
 from sdfcheck.model.urdf_tree import MOVING, UrdfJoint, UrdfTree, tree
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 
 _BOUNDED = frozenset({"revolute", "prismatic"})
 _WITH_AXIS = frozenset({"revolute", "continuous", "prismatic", "planar"})
+_UNCONVERTED = frozenset({"floating", "planar"})
 _UNIT = 1e-3
 """How far from 1 the length of an axis may be by rounding its numbers."""
 
@@ -31,6 +33,8 @@ def problems(document: Document) -> Iterator[object]:
             yield kinds.SelfJoint(joint.child, joint.parent, joint.element)
         else:
             yield from _world_as_child(robot, joint)
+        if joint.type in _UNCONVERTED and (kind := joint.element.attribute("type")) is not None:
+            yield UnconvertedJoint(kind, joint.element)
         yield from _axis(joint)
         yield from _limits(joint)
         yield from _mimic(robot, joint)
@@ -102,6 +106,8 @@ def _limits(joint: UrdfJoint) -> Iterator[object]:
         yield from _negative(limit, "velocity", joint)
         yield from _bounds(limit, joint)
     if dynamics is not None:
+        if not any(suggest(name, ("damping", "friction")) for name in dynamics.attributes):
+            yield MissingAttribute(dynamics, "damping", empty=False)
         yield from _negative(dynamics, "damping", joint)
         yield from _negative(dynamics, "friction", joint)
 

@@ -38,8 +38,9 @@ def problems(document: Document) -> Iterator[object]:
         value = robot.links[link].attribute("name")
         assert value is not None
         yield MisnamedLink(value, name, tuple(robot.unknown_ends[name]))
-    yield from _parts(robot)
-    yield from _masses(robot, surveyed)
+    parts = robot.parts()
+    yield from _parts(robot, parts)
+    yield from _masses(robot, surveyed, set(parts[0]))
 
 
 def _names(surveyed: UrdfSurvey, root: Element) -> Iterator[object]:
@@ -87,9 +88,9 @@ def _unfit_for_sdformat(value: Value) -> Iterator[object]:
         yield DelimiterInName(value, refused=True, foreign=None)
 
 
-def _parts(robot: UrdfTree) -> Iterator[object]:
+def _parts(robot: UrdfTree, parts: list[list[str]]) -> Iterator[object]:
     """Links that are not tied to the rest, unless mistakes in as many joints explain it."""
-    main, *others = robot.parts()
+    main, *others = parts
     broken = sum(robot.ends(joint) is None for joint in robot.joints)
     if len(others) <= broken:
         return
@@ -123,10 +124,10 @@ def _top(robot: UrdfTree, group: Iterable[str]) -> str:
     return next((name for name in names if name not in robot.parents), names[0])
 
 
-def _masses(robot: UrdfTree, surveyed: UrdfSurvey) -> Iterator[object]:
+def _masses(robot: UrdfTree, surveyed: UrdfSurvey, main: set[str]) -> Iterator[object]:
     masses = {name: _mass(link) for name, link in robot.links.items()}
-    heavy = _with_lumped(robot, {name for name, mass in masses.items() if _is_mass(mass)}, _kept(surveyed))
-    main = set(robot.parts()[0])
+    kept = _kept(surveyed)
+    heavy = _with_lumped(robot, {name for name, mass in masses.items() if _is_mass(mass)}, kept)
     for root in robot.roots:
         if root not in main:
             continue  # that it is apart is worse
@@ -145,15 +146,17 @@ def _masses(robot: UrdfTree, surveyed: UrdfSurvey) -> Iterator[object]:
                 yield VanishingRoot(robot.links[top], len(members), massless)
                 if massless:
                     continue
-            yield from _moving(robot, masses, heavy, [name for name in members if name != top])
+            below = [name for name in members if name != top]
+            yield from _apart(robot, masses, [name for name in below if name not in heavy], kept)
 
 
-def _moving(
-    robot: UrdfTree, masses: dict[str, Value | None], heavy: set[str], members: list[str]
+def _apart(
+    robot: UrdfTree, masses: dict[str, Value | None], light: list[str], kept: set[str]
 ) -> Iterator[object]:
-    for name in members:
+    """The links without mass that are not merged into the one above."""
+    for name in light:
         joint = robot.parents[name][0]
-        if name not in heavy and joint.type in MOVING:
+        if joint.type in MOVING or joint.name in kept:
             lost = sum(1 for _ in robot.below(name))
             yield MasslessMovingLink(robot.links[name], joint.element, masses[name], lost)
 

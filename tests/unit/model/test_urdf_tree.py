@@ -133,6 +133,9 @@ LIMIT = '<limit lower="{}" upper="{}" effort="1" velocity="1"/>'
         ("fixed", LIMIT.format(1, -1), []),
         ("continuous", '<limit effort="-5" velocity="-1"/>', ["NegativeLimit"]),
         ("continuous", '<dynamics damping="-1"/>', ["NegativeLimit"]),
+        ("continuous", "<dynamics/>", ["MissingAttribute"]),
+        ("continuous", '<dynamics dampng="1"/>', []),
+        ("planar", "", ["UnconvertedJoint"]),
         ("continuous", '<axis xyz="0 0 0"/>', ["ZeroAxis"]),
         ("fixed", '<axis xyz="0 0 0"/>', []),
         ("continuous", '<axis xyz="0 0 2"/>', ["NonUnitAxis"]),
@@ -182,6 +185,11 @@ BARE = '<link name="{}"/>'
 )
 def test_masses(text: str, found: list[str]) -> None:
     assert kinds(text) == found
+
+
+def test_a_link_below_a_joint_that_is_kept() -> None:
+    kept = '<gazebo reference="j"><disableFixedJointLumping>true</disableFixedJointLumping></gazebo>'
+    assert kinds(links("a") + BARE.format("b") + joint("j", "a", "b") + kept) == ["MasslessMovingLink"]
 
 
 def test_a_robot_without_any_mass() -> None:
