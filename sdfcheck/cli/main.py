@@ -18,6 +18,8 @@ COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
+    "describe": LazyCommand("sdfcheck.cli.describe:describe_command", "Say what a format allows somewhere."),
+    "inertia": LazyCommand("sdfcheck.cli.inertia:inertia", "Show masses, centres of mass and inertias."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
     "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
 }

@@ -1,0 +1,141 @@
+"""``sdfcheck describe``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import click
+
+from sdfcheck.cli.terminal import emit
+from sdfcheck.formats.describe import HOW_OFTEN, Description, Entry, UnknownPlace, describe
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
+from sdfcheck.source.wrong_usage import WrongUsage
+
+VERSION = 1
+"""Of the JSON."""
+
+_MANY = 3
+"""From more places than this on, they are listed instead of described."""
+
+
+@click.command(name="describe")
+@click.argument("element")
+@click.option(
+    "--sdf-version", metavar="VERSION", default=str(NEWEST), help=f"Of SDFormat.  [default: {NEWEST}]"
+)
+@click.option(
+    "--format", "form", type=click.Choice(["text", "json"]), default="text", help="How to describe."
+)
+def describe_command(element: str, sdf_version: str, form: str) -> None:
+    """Say what the format allows at a place.
+
+    \b
+    sdfcheck describe joint/axis                 an element of SDFormat
+    sdfcheck describe pose/@degrees              an attribute
+    sdfcheck describe urdf:joint/limit           an element of URDF
+    sdfcheck describe drake:proximity_properties an element of Drake's own
+    """
+    try:
+        found = describe(element, version(sdf_version))
+    except UnknownPlace as error:
+        raise WrongUsage(str(error)) from None
+    if form == "json":
+        import json
+
+        emit(json.dumps({"version": VERSION, "places": [record(one) for one in found]}, indent=2) + "\n")
+    elif len(found) > _MANY:
+        emit(_overview(element, found))
+    else:
+        emit("\n".join(text(one) for one in found))
+
+
+def version(given: str) -> Version:
+    """The version that a person gave.
+
+    Raises:
+        WrongUsage: there is none.
+    """
+    known = Version.parse(given)
+    if known is None:
+        raise WrongUsage(f"unknown version `{given}` of SDFormat (choose from {OLDEST} to {NEWEST})")
+    return known
+
+
+def record(description: Description) -> dict[str, object]:
+    """What JSON holds: everything that there is to say."""
+    told: dict[str, object] = {}
+    for key, value in description._asdict().items():
+        if value or key in {"name", "format", "what"}:
+            told[key] = [_field(item) for item in value] if isinstance(value, tuple) else value
+    return told
+
+
+def _field(item: str | Entry) -> object:
+    return (
+        {name: value for name, value in item._asdict().items() if value} if isinstance(item, Entry) else item
+    )
+
+
+def text(description: Description) -> str:
+    """A page for people."""
+    lines = [f"{description.name} ({description.format})", f"  {_nature(description)}"]
+    facts = (
+        ("default", description.default),
+        ("unit", description.unit),
+        ("range", description.range),
+        ("values", ", ".join(description.choices)),
+        ("since", description.since),
+        ("until", description.until),
+        ("instead", description.successor),
+    )
+    lines += [f"  {name:8} {value}" for name, value in facts if value]
+    lines += [f"  {note}" for note in description.notes]
+    is_attribute = description.what == "attribute"
+    for title, entries in (
+        ("stands in", description.parents),
+        ("attributes", description.attributes),
+        ("elements", description.children),
+    ):
+        if entries:
+            lines += ["", f"  {title}", *(f"    {line}" for line in _columns(entries, is_attribute))]
+    return "\n".join(lines) + "\n"
+
+
+def _nature(description: Description) -> str:
+    words = [
+        "deprecated " * description.deprecated + description.what,
+        f"of type {description.type}" if description.type else "",
+        "any content" if description.open else "",
+    ]
+    return ", ".join(filter(None, words))
+
+
+def _columns(entries: Sequence[Entry], of_attribute: bool) -> Iterator[str]:
+    rows = [(entry.name, _often(entry, of_attribute), entry.type, _remarks(entry)) for entry in entries]
+    widths = [max(len(row[column]) for row in rows) for column in range(3)]
+    for row in rows:
+        cells = [f"{cell:{width}}" for cell, width in zip(row, widths, strict=False) if width]
+        yield "  ".join((*cells, row[3])).rstrip()
+
+
+def _often(entry: Entry, of_attribute: bool) -> str:
+    if of_attribute or entry.name[0] == "@":
+        return "required" if entry.multiplicity == "1" else "optional"
+    return HOW_OFTEN[entry.multiplicity]
+
+
+def _remarks(entry: Entry) -> str:
+    told = (
+        f"default {entry.default}" if entry.default else "",
+        entry.unit,
+        f"since {entry.since}" if entry.since else "",
+        "deprecated" if entry.deprecated else "",
+        entry.note,
+    )
+    return ", ".join(filter(None, told))
+
+
+def _overview(element: str, found: Sequence[Description]) -> str:
+    lines = [f"{element} stands in {len(found)} places; ask for one of them, or for all with --format json"]
+    lines += [f"  {one.name}{f'  {one.type}' if one.type else ''}" for one in found]
+    return "\n".join(lines) + "\n"

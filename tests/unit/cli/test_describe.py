@@ -1,0 +1,61 @@
+"""``sdfcheck describe``."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from sdfcheck.cli.main import main
+
+
+def test_a_page(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["describe", "joint/axis/mimic"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "mimic (SDFormat 1.12)",
+        "  element",
+        "  since    1.11",
+        "",
+        "  stands in",
+        "    joint/axis  at most one",
+        "",
+        "  attributes",
+        "    @axis   optional  string  default axis",
+        "    @joint  required  string",
+        "",
+        "  elements",
+        "    multiplier  exactly one  double  default 1.0",
+        "    offset      exactly one  double  default 0",
+        "    reference   exactly one  double  default 0",
+    ]
+
+
+def test_many_places_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["describe", "noise"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("noise stands in ")
+    assert "  camera/noise" in lines
+
+
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["describe", "joint/@type", "--sdf-version", "1.4", "--format", "json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    (place,) = told["places"]
+    assert told["version"] == 1
+    assert place["what"] == "attribute"
+    assert place["parents"] == [{"name": "joint", "multiplicity": "1"}]
+    assert "fixed" not in place["choices"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["describe", "jiont"], "did you mean `joint`?"),
+        (["describe", "joint", "--sdf-version", "1.13"], "choose from 1.2 to 1.12"),
+    ],
+)
+def test_wrong_questions(arguments: list[str], says: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(arguments) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert says in err
