@@ -66,29 +66,13 @@ class _Reader:
         element = frame.element
         if element.document.kind.value == "urdf":
             raise RobotError("an included URDF model is to be converted first", element)
-        link = Link(name, self.pose(frame), element, self.body(frame))
+        link = Link(name, self.pose(frame), element, body_of(frame, self.poses))
         for role in ("visual", "collision"):
             for part in element.children(role):
                 geometry = read_geometry(role, part, self.poses.of_part(part, frame))
                 if geometry is not None:
                     link.geometries.append(geometry)
         return link
-
-    def body(self, frame: Frame) -> Body | None:
-        inertial = read_inertial(frame.element)
-        if inertial is None:
-            return None
-        if inertial.is_automatic:
-            return automatic_body(frame, self.poses)
-        mass = 1.0 if inertial.mass is None else inertial.mass.number
-        tensor = inertial.tensor()
-        ixx, iyy, izz, ixy, ixz, iyz = tensor
-        moments = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
-        if not math.isfinite(mass) or not np.isfinite(moments).all():
-            raise RobotError("the inertia is not finite", inertial.element)
-        pose = inertial.element.find("pose")
-        # A reference on an inertial's pose is ignored: the pose is in the link, whatever is written.
-        return Body(mass, np.zeros(3), moments).seen_from(written_pose(pose))
 
     # Joints
 
@@ -163,7 +147,11 @@ class _Reader:
     def direction(self, joint: Frame, axis: Element) -> Array:
         """The axis, turned into the joint's frame and of length 1."""
         xyz = axis.find("xyz")
-        numbers = [float(part) for part in xyz.content.split()[:3]] if xyz is not None and xyz.content else [0, 0, 1]
+        numbers = (
+            [float(part) for part in xyz.content.split()[:3]]
+            if xyz is not None and xyz.content
+            else [0, 0, 1]
+        )
         direction = np.array(numbers, dtype=float)
         length = float(np.linalg.norm(direction))
         if length == 0:
@@ -182,23 +170,39 @@ class _Reader:
         return direction
 
 
+def body_of(frame: Frame, poses: Poses) -> Body | None:
+    """The mass properties of a link, in its frame; None where the file gives none.
+
+    Raises RobotError where they cannot be worked out.
+    """
+    inertial = read_inertial(frame.element)
+    if inertial is None:
+        return None
+    if inertial.is_automatic:
+        return automatic_body(frame, poses)
+    mass = 1.0 if inertial.mass is None else inertial.mass.number
+    ixx, iyy, izz, ixy, ixz, iyz = inertial.tensor()
+    moments = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+    if not math.isfinite(mass) or not np.isfinite(moments).all():
+        raise RobotError("the inertia is not finite", inertial.element)
+    pose = inertial.element.find("pose")
+    # A reference on an inertial's pose is ignored: the pose is in the link, whatever is written.
+    return Body(mass, np.zeros(3), moments).seen_from(written_pose(pose))
+
+
 def automatic_body(frame: Frame, poses: Poses) -> Body:
     """The mass properties that ``auto="true"`` asks for: collisions filled evenly with their density.
 
-    Raises RobotError for shapes without closed form (meshes among them).
+    Raises RobotError for shapes that have no volume, and for meshes that cannot be measured.
     """
     inertial = frame.element.find("inertial")
     total: Body | None = None
     for collision in frame.element.children("collision"):
-        geometry = collision.find("geometry")
-        solid = solid_of(geometry) if geometry is not None else None
-        if solid is None:
-            raise RobotError("its inertia cannot be computed: the collision is no primitive solid", collision)
-        density = collision.number("density") or (inertial.number("density") if inertial is not None else None)
-        mass = (density.number if density is not None else DEFAULT_DENSITY) * solid.volume
-        ixx, iyy, izz, ixy, ixz, iyz = solid.moments.times(mass)
-        moments = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
-        body = Body(mass, np.array([0.0, 0.0, solid.centre]), moments).seen_from(poses.of_part(collision, frame))
+        density = collision.number("density") or (
+            inertial.number("density") if inertial is not None else None
+        )
+        filled = _filled(collision, density.number if density is not None else DEFAULT_DENSITY)
+        body = filled.seen_from(poses.of_part(collision, frame))
         total = body if total is None else total.joined_with(body)
     if total is None:
         raise RobotError("its inertia cannot be computed: the link has no collision", frame.element)
@@ -207,6 +211,26 @@ def automatic_body(frame: Frame, poses: Poses) -> Body:
         factor = wanted.number / total.mass
         return Body(wanted.number, total.centre, total.moments * factor)
     return total
+
+
+def _filled(collision: Element, density: float) -> Body:
+    """A collision as a solid of a density (kg/m³), in its own frame."""
+    geometry = collision.find("geometry")
+    solid = solid_of(geometry) if geometry is not None else None
+    if solid is not None:
+        mass = density * solid.volume
+        ixx, iyy, izz, ixy, ixz, iyz = solid.moments.times(mass)
+        moments = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
+        return Body(mass, np.array([0.0, 0.0, solid.centre]), moments)
+    mesh = geometry.find("mesh") if geometry is not None else None
+    if mesh is None:
+        raise RobotError("its inertia cannot be computed: the collision is no solid", collision)
+    from sdfcheck.model.mesh_mass import MeshError, mesh_body
+
+    try:
+        return mesh_body(mesh, density)
+    except MeshError as error:
+        raise RobotError(f"its inertia cannot be computed: {error}", mesh) from None
 
 
 def canonical_link(scope: Scope) -> Frame | None:
@@ -268,4 +292,4 @@ def _pitch(joint: Element) -> float:
     return 0.0
 
 
-__all__ = ["PoseError", "RobotError", "automatic_body", "canonical_link", "read_sdf_robot"]
+__all__ = ["PoseError", "RobotError", "automatic_body", "body_of", "canonical_link", "read_sdf_robot"]

@@ -1,0 +1,224 @@
+"""``sdfcheck inertia``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import click
+
+from sdfcheck.cli.graph import load
+from sdfcheck.cli.terminal import emit, say
+from sdfcheck.report.visible import visible
+from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+
+if TYPE_CHECKING:
+    from sdfcheck.model.mass_report import LinkMass, MassReport, ModelMass
+    from sdfcheck.model.robot import Body
+    from sdfcheck.source.document import Document
+
+_HEADER = ("", "mass", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "")
+_UNITS = "kg, m, kg·m²; centres of mass and axes in the model's frame, moments about the centre of mass"
+_ORIGINS = {
+    "written": "",
+    "automatic": "automatic",
+    "default": "not written: what simulators take",
+    "none": "no inertial: no mass",
+    "unknown": "unknown",
+}
+
+
+class _Block(NamedTuple):
+    """What is shown of one model, or of the file."""
+
+    title: str
+    rows: list[tuple[str, ...]]
+    notes: tuple[str, ...]
+
+
+@click.command()
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["table", "json"]),
+    default="table",
+    help="A table to read, or JSON.  [default: table]",
+)
+@click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
+@click.option(
+    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
+)
+@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+def inertia(file: Path, form: str, name: str | None, config: Path | None, isolated: bool) -> int:
+    """Show mass, centre of mass and inertia of links and models, and of the whole file.
+
+    Automatic inertias are computed; meshes need the extra `mesh`. Centres of mass are in
+    the frame of the model, with all joints at zero; moments are about the centre of
+    mass, in axes parallel to those of the model.
+    """
+    from sdfcheck.lint.config import Configuration
+
+    if not file.is_file():
+        raise WrongUsage(f"no such file: {file}")
+    settings = Configuration(config, isolated=isolated).settings_for(file)
+    report = measure(load(file, settings))
+    if name is not None:
+        report = _only(report, name)
+    if form == "json":
+        emit(_json(report))
+    elif sys.stdout.isatty():
+        _draw(report)
+    else:
+        emit(_text(report))
+    for note in _warnings(report):
+        say(f"warning: {note}")
+    return 0
+
+
+def measure(document: Document) -> MassReport:
+    """The report on a document.
+
+    Raises:
+        WrongUsage: its numbers cannot be read.
+    """
+    from sdfcheck.model.mass_report import mass_report
+    from sdfcheck.model.poses import PoseError
+    from sdfcheck.model.urdf_robot import RobotError
+
+    try:
+        return mass_report(document)
+    except RobotError as error:
+        line, column = error.element.span.begin
+        raise WrongUsage(f"{document.path}:{line}:{column}: {error}") from None
+    except PoseError as error:
+        raise WrongUsage(f"{document.path}: {error}") from None
+
+
+def _only(report: MassReport, name: str) -> MassReport:
+    from sdfcheck.model.mass_report import MassReport
+
+    found = next((model for model in report.walk() if model.name == name), None)
+    if found is None:
+        names = tuple(model.name for model in report.walk())
+        near = suggestion(name, names) or f" (there is {', '.join(names) or 'none'})"
+        raise WrongUsage(f"no model `{name}`{near}")
+    return MassReport((found,), found.total)
+
+
+def _warnings(report: MassReport) -> Iterator[str]:
+    yield from report.notes
+    for model in report.walk():
+        yield from model.notes
+        for link in model.links:
+            if link.note:
+                yield f"link `{model.name}::{link.name}`: {link.note}"
+
+
+def _blocks(report: MassReport) -> Iterator[_Block]:
+    for model in report.walk():
+        rows = [_row(visible(link.name), link.body, _ORIGINS[link.origin.value]) for link in model.links]
+        inside = " with nested models" if model.models else ""
+        rows.append(
+            _row(f"total{inside}", model.total, "" if model.is_complete else "without what is unknown")
+        )
+        yield _Block(
+            f"model {visible(model.name)}{' (static)' if model.is_static else ''}", rows, model.notes
+        )
+    if len(report.models) > 1 or report.notes:
+        static = sum(model.is_static for model in report.models)
+        what = f"without {static} static model{'s' * (static != 1)}" if static else ""
+        if not report.is_complete:
+            what = ", ".join(filter(None, (what, "without what is unknown")))
+        yield _Block("file", [_row("total", report.total, what)], report.notes)
+
+
+def _row(name: str, body: Body | None, note: str) -> tuple[str, ...]:
+    if body is None:
+        return (name, *["–"] * 10, note)
+    return (name, *(_short(number) for number in _numbers(body)), note)
+
+
+def _numbers(body: Body) -> tuple[float, ...]:
+    m = body.moments
+    moments = (m[0, 0], m[1, 1], m[2, 2], m[0, 1], m[0, 2], m[1, 2])
+    return tuple(float(number) for number in (body.mass, *body.centre, *moments))
+
+
+def _short(number: float) -> str:
+    return f"{number if abs(number) > 1e-15 else 0:.5g}"
+
+
+def _text(report: MassReport) -> str:
+    """Columns of one width over all models, for pipes."""
+    blocks = list(_blocks(report))
+    rows = [_HEADER, *(row for block in blocks for row in block.rows)]
+    widths = [max(len(row[at]) for row in rows) for at in range(len(_HEADER))]
+    lines = [f"# {_UNITS}"]
+    for block in blocks:
+        lines += ["", block.title, *(_aligned(row, widths) for row in (_HEADER, *block.rows))]
+    return "\n".join(lines) + "\n"
+
+
+def _aligned(row: Iterable[str], widths: list[int]) -> str:
+    name, *numbers, note = row
+    cells = (number.rjust(width) for number, width in zip(numbers, widths[1:-1], strict=True))
+    return "  ".join(("  " + name.ljust(widths[0]), *cells, note)).rstrip()
+
+
+def _draw(report: MassReport) -> None:
+    """Tables for a terminal."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    console = Console(highlight=False)
+    for block in _blocks(report):
+        table = Table(title=Text(block.title), title_justify="left", box=None, pad_edge=False)
+        for at, column in enumerate(_HEADER):
+            number = 0 < at < len(_HEADER) - 1
+            table.add_column(column, justify="right" if number else "left", overflow="fold", no_wrap=number)
+        for row in block.rows:
+            table.add_row(*map(Text, row), style="bold" if row[0].startswith("total") else None)
+        console.print(table)
+        console.print()
+    console.print(Text(_UNITS, style="bright_black"))
+
+
+def _json(report: MassReport) -> str:
+    import json
+
+    document = {
+        "version": 1,
+        "models": [_model(model) for model in report.models],
+        "total": _body(report.total),
+        "complete": report.is_complete,
+    }
+    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+
+
+def _model(model: ModelMass) -> dict[str, Any]:
+    return {
+        "name": model.name,
+        "static": model.is_static,
+        "links": [_link(link) for link in model.links],
+        "models": [_model(inner) for inner in model.models],
+        "total": _body(model.total),
+        "complete": model.is_complete,
+        "notes": list(model.notes),
+    }
+
+
+def _link(link: LinkMass) -> dict[str, Any]:
+    body = _body(link.body) or dict.fromkeys(("mass", "centre_of_mass", "inertia"))
+    return {"name": link.name, "from": link.origin.value, **body, "note": link.note}
+
+
+def _body(body: Body | None) -> dict[str, Any] | None:
+    if body is None:
+        return None
+    mass, x, y, z, *moments = _numbers(body)
+    names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+    return {"mass": mass, "centre_of_mass": [x, y, z], "inertia": dict(zip(names, moments, strict=True))}
