@@ -16,6 +16,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
+    "convert": LazyCommand("sdfcheck.cli.convert:convert", "Convert between formats."),
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
     "describe": LazyCommand("sdfcheck.cli.describe:describe_command", "Say what a format allows somewhere."),

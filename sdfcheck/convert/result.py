@@ -1,0 +1,63 @@
+"""What a converter hands back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sdfcheck.convert.loss import Loss
+from sdfcheck.convert.verify import Correspondence, Verification, verify
+from sdfcheck.model.robot import Robot
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """The two robots, each read from its own text by its format's reader, and what became of what."""
+
+    source: Robot
+    result: Robot
+    correspondence: Correspondence
+
+    def verify(self) -> Verification:
+        return verify(self.source, self.result, self.correspondence)
+
+
+@dataclass(frozen=True, slots=True)
+class Conversion:
+    """A finished conversion; ``comparisons`` (one for each model) are what there is to verify.
+
+    ``verifications`` are empty where nobody asked for them. ``files`` are further
+    files that belong to the result, by their paths relative to it.
+    """
+
+    text: str
+    losses: tuple[Loss, ...] = ()
+    comparisons: tuple[Comparison, ...] = ()
+    verifications: tuple[Verification, ...] = ()
+    files: tuple[tuple[Path, str], ...] = ()
+
+    @property
+    def verification(self) -> Verification | None:
+        """The verifications of all models as one; None if there are none."""
+        if not self.verifications:
+            return None
+        done = self.verifications
+        return Verification(
+            sum(one.links for one in done),
+            max(one.configurations for one in done),
+            max(one.position for one in done),
+            max(one.angle for one in done),
+            max(one.inertia for one in done),
+            tuple(difference for one in done for difference in one.differences),
+        )
+
+
+def conversion(
+    text: str, losses: list[Loss], comparisons: list[Comparison], *, verified: bool = True
+) -> Conversion:
+    """A conversion with its losses in order of place, compared with its source if ``verified``."""
+    ordered = sorted(
+        losses, key=lambda loss: (loss.span.source.path.as_posix(), loss.span.start, loss.message)
+    )
+    done = tuple(comparison.verify() for comparison in comparisons) if verified else ()
+    return Conversion(text, tuple(ordered), tuple(comparisons), done)

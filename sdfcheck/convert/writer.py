@@ -1,0 +1,162 @@
+"""XML as people write it: two blanks a level, attributes in order, numbers as their author spelled them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from sdfcheck.source.element import Element, written_name
+from sdfcheck.source.wrong_usage import WrongUsage
+
+INDENT = "  "
+_NOISE = 1e-15
+"""Smaller numbers in a computed vector are what is left of rounding."""
+
+
+class Comment:
+    """A comment; ``text`` is what stands between its delimiters."""
+
+    __slots__ = ("text",)
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+
+class Node:
+    """An element to be written. It holds text or children, in order; comments are children."""
+
+    __slots__ = ("attributes", "children", "name", "text")
+
+    def __init__(self, name: str, text: str | None = None, /, **attributes: str) -> None:
+        self.name = name
+        self.text = text
+        self.attributes: dict[str, str] = attributes
+        self.children: list[Node | Comment] = []
+
+    def add(self, name: str, text: str | None = None, /, **attributes: str) -> Node:
+        """Append a child element and return it."""
+        return self.append(Node(name, text, **attributes))
+
+    def append(self, node: Node) -> Node:
+        self.children.append(node)
+        return node
+
+    def comment(self, text: str) -> None:
+        self.children.append(Comment(text))
+
+    def find(self, name: str) -> Node | None:
+        """The first child element of that name."""
+        return next((c for c in self.children if isinstance(c, Node) and c.name == name), None)
+
+    def reach(self, *names: str) -> Node:
+        """The element at the end of a path of names; what is missing is made."""
+        node = self
+        for name in names:
+            node = node.find(name) or node.add(name)
+        return node
+
+
+def render(root: Node, before: Sequence[Comment] = (), after: Sequence[Comment] = ()) -> str:
+    """The text of a file: declaration, comments, root, comments."""
+    lines = ['<?xml version="1.0"?>']
+    nodes: list[Node | Comment] = [*before, root, *after]
+    for node in nodes:
+        _write(node, "", lines)
+    return "\n".join(lines) + "\n"
+
+
+def _write(node: Node | Comment, indent: str, lines: list[str]) -> None:
+    if isinstance(node, Comment):
+        lines.append(f"{indent}<!--{_harmless(node.text)}-->")
+        return
+    start = "".join((indent, "<", node.name, *(f' {k}="{_quoted(v)}"' for k, v in node.attributes.items())))
+    if node.children:
+        lines.append(f"{start}>")
+        if node.text and node.text.strip():
+            lines.append(f"{indent}{INDENT}{_escaped(node.text.strip())}")
+        for child in node.children:
+            _write(child, indent + INDENT, lines)
+        lines.append(f"{indent}</{node.name}>")
+    elif node.text is not None and node.text.strip():
+        lines.append(f"{start}>{_escaped(node.text)}</{node.name}>")
+    else:
+        lines.append(f"{start}/>")
+
+
+def _harmless(comment: str) -> str:
+    """A comment's text without what would end it early."""
+    text = re.sub("-(?=-)", "- ", comment)
+    return f"{text} " if text.endswith("-") else text
+
+
+def _escaped(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def _quoted(text: str) -> str:
+    escaped = _escaped(text).replace('"', "&quot;")
+    return escaped.replace("\n", "&#10;").replace("\t", "&#9;").replace("\r", "&#13;")
+
+
+def copied(element: Element) -> Node:
+    """An element of a document with all that is in it, comments too, names as written."""
+    node = Node(element.name)
+    node.attributes.update(declared_prefixes(element))
+    node.attributes.update(element.attributes)
+    node.text = element.content or None
+    for child in element:
+        if isinstance(child, Element):
+            node.children.append(copied(child))
+        elif (comment := comment_of(child)) is not None:
+            node.children.append(comment)
+    return node
+
+
+def comment_of(node: object) -> Comment | None:
+    """What to write for a node of lxml that is a comment; None for any other."""
+    from lxml import etree
+
+    return Comment(node.text or "") if isinstance(node, etree._Comment) else None
+
+
+def declared_prefixes(element: Element) -> dict[str, str]:
+    """The prefixes that an element itself declares, as attributes."""
+    parent = element.parent
+    known = parent.nsmap if parent is not None else {}
+    return {
+        f"xmlns:{prefix}" if prefix else "xmlns": uri
+        for prefix, uri in element.nsmap.items()
+        if known.get(prefix) != uri and not written_name(uri, None).startswith("http://www.w3.org/XML/")
+    }
+
+
+def number(value: float) -> str:
+    """The shortest text that reads back as the same number; whole numbers without a point."""
+    if value == 0:
+        return "0"
+    return repr(float(value)).removesuffix(".0")
+
+
+def numbers(values: Iterable[float]) -> str:
+    """Computed numbers, separated by blanks; the dust of rounding is swept to 0."""
+    return " ".join(number(0.0 if abs(value) < _NOISE else float(value)) for value in values)
+
+
+def spaced(text: str) -> str:
+    """An author's numbers as they are, separated by single blanks."""
+    return " ".join(text.split())
+
+
+def write_atomically(path: Path, text: str) -> None:
+    """Write a file whole or not at all.
+
+    Raises:
+        WrongUsage: it cannot be written.
+    """
+    from sdfcheck.source.overwrite import overwrite
+
+    try:
+        overwrite(path, text.encode("utf-8", "surrogateescape"))
+    except OSError as error:
+        raise WrongUsage(f"cannot write {path}: {error.strerror or error}") from None
