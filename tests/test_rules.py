@@ -7,14 +7,18 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import Dispatch, lint_source
+from sdfcheck.lint.engine import Dispatch, Xacro, lint_source
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.packs import BUILT_IN, find_pack, import_pack, load_index, rule_classes
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.select import ActiveRules
+from sdfcheck.source.library import Library
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.xacro.expansion import Expander
 
 INDEX = load_index()
 DISPATCH = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
+XACRO = Xacro(Expander())
 RULES = sorted(
     (rule for module in import_pack(find_pack(BUILT_IN)) for rule in rule_classes(module)),
     key=lambda r: r.code,
@@ -24,8 +28,16 @@ OF_ABSENCE = {"INR004"}
 DEFAULT = {rule.code for rule in RULES if rule.default} - OF_ABSENCE
 
 
-def lint(text: str, file: str) -> list[Diagnostic]:
-    return lint_source(text.encode(), Path(file or "example"), None, DISPATCH).diagnostics
+def lint(text: str, example: Bad | Good, folder: Path) -> list[Diagnostic]:
+    """Lint a text as the example's file, among the example's other files."""
+    kind = {".xacro": Kind.XACRO, ".config": Kind.MODEL_CONFIG}.get(Path(example.file).suffix)
+    path, library = Path(example.file or "example"), None
+    if example.files is not None:
+        for name, content in example.files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(content, encoding="utf-8")
+        path, library = folder / path, Library()
+    return lint_source(text.encode(), path, kind, DISPATCH, library, XACRO).diagnostics
 
 
 def examples(kind: str) -> list[object]:
@@ -57,9 +69,9 @@ def test_codes_and_names_are_unique() -> None:
 
 
 @pytest.mark.parametrize(("rule", "example"), examples("bad"))
-def test_bad_examples_are_reported_in_place(rule: type[Rule], example: Bad) -> None:
+def test_bad_examples_are_reported_in_place(rule: type[Rule], example: Bad, tmp_path: Path) -> None:
     text, start, end = unmark(fill(rule.scaffold, example))
-    found = lint(text, example.file)
+    found = lint(text, example, tmp_path)
     own = [d for d in found if d.code == rule.code]
     assert len(own) == 1, [f"{d.code} {d.message}" for d in found]
     span = own[0].span
@@ -72,15 +84,15 @@ def test_bad_examples_are_reported_in_place(rule: type[Rule], example: Bad) -> N
 
 
 @pytest.mark.parametrize(("rule", "example"), examples("good"))
-def test_good_examples_are_left_alone(rule: type[Rule], example: Good) -> None:
-    found = lint(fill(rule.scaffold, example), example.file)
+def test_good_examples_are_left_alone(rule: type[Rule], example: Good, tmp_path: Path) -> None:
+    found = lint(fill(rule.scaffold, example), example, tmp_path)
     assert [d.message for d in found if d.code == rule.code] == []
 
 
 @pytest.mark.parametrize(("rule", "example"), examples("bad"))
-def test_fixes_give_what_the_example_shows(rule: type[Rule], example: Bad) -> None:
+def test_fixes_give_what_the_example_shows(rule: type[Rule], example: Bad, tmp_path: Path) -> None:
     text, _, _ = unmark(fill(rule.scaffold, example))
-    (diagnostic,) = (d for d in lint(text, example.file) if d.code == rule.code)
+    (diagnostic,) = (d for d in lint(text, example, tmp_path) if d.code == rule.code)
     if example.fixed is None:
         return
     assert diagnostic.fix is not None, "the example shows a fix"
@@ -89,4 +101,4 @@ def test_fixes_give_what_the_example_shows(rule: type[Rule], example: Bad) -> No
         text = text[: edit.span.start] + edit.text + text[edit.span.end :]
     expected = fill(rule.scaffold, example._replace(text=example.fixed))
     assert text == expected
-    assert [d.message for d in lint(text, example.file) if d.code == rule.code] == []
+    assert [d.message for d in lint(text, example, tmp_path) if d.code == rule.code] == []

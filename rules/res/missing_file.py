@@ -12,8 +12,8 @@ class MissingFile(Rule):
     Simulators load the rest: what has lost its mesh is invisible, and collides with
     nothing. A model or package that is nowhere on the search path is a warning, once for
     each, because another computer may have it: set `model-paths`, `package-paths` or
-    `packages` in the configuration. So is a folder that is not there at all, because
-    meshes are often kept elsewhere.
+    `packages` in the configuration. So is a folder that is not there at all or holds no
+    other file of the kind, because meshes are often kept elsewhere.
     Nothing is ever fetched from the network.
     """
 
@@ -74,7 +74,8 @@ class MissingFile(Rule):
             message = f"{problem.what} `{value.text.strip()}` does not exist"
             if problem.suggestion is not None:
                 message += f", did you mean `{problem.suggestion}`?"
-            yield self.diagnostic(value, message, help=where)
+            severity = Severity.ERROR if problem.has_kin else Severity.WARNING
+            yield self.diagnostic(value, message, severity=severity, help=where)
             return
         times = f", needed for {len(problem.uses)} files" if len(problem.uses) > 1 else ""
         if isinstance(problem, problems.MissingFolder):

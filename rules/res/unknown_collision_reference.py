@@ -1,16 +1,16 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
 
 SENSOR = '<sensor name="s" type="contact"><contact><collision>{}</collision></contact></sensor>'
 SHELL = '<collision name="shell"><geometry><sphere><radius>1</radius></sphere></geometry></collision>'
 
 
 class UnknownCollisionReference(Rule):
-    """A contact sensor, sound or gripper names a collision or link that is not there.
+    """A contact sensor, sound, gripper or state names a collision, link or model that is not there.
 
     No reader complains. The sensor never senses, the sound never sounds, the gripper
-    never grips.
+    never grips, the state is not restored.
     """
 
     code = "RES011"
@@ -30,6 +30,11 @@ class UnknownCollisionReference(Rule):
             '<gripper name="g"><gripper_link>base</gripper_link><palm_link>«bass»</palm_link></gripper>',
             scaffold=IN_MODEL,
             says="did you mean `base`?",
+        ),
+        Bad(
+            '<state world_name="w"><model_state name="«cart»"/></state>',
+            scaffold=IN_WORLD,
+            says="world `w` has no model `cart`",
         ),
     )
     good = (

@@ -22,7 +22,8 @@ class MissingAttribute(Rule):
         Bad('<sensor name="s" «type»=""/>', says="`type` of sensor `s` is empty"),
         Bad("<«link»/>", scaffold=IN_MODEL, says="`link` has no `name`"),
         Bad(
-            '<sdf version="1.9"><world name="w"><state world_name="w"><model name="m">'
+            '<sdf version="1.9"><world name="w"><model name="m"><link name="l"/></model>'
+            '<state world_name="w"><model name="m">'
             '<«joint»><angle axis="0">1</angle></joint></model></state></world></sdf>',
             scaffold="",
             says="required up to version 1.11",

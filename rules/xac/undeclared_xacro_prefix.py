@@ -24,7 +24,6 @@ class UndeclaredXacroPrefix(Rule):
             fixed='<sdf version="1.12" xmlns:xacro="http://www.ros.org/wiki/xacro"><model name="m">'
             '<xacro:property name="w" value="1"/><link name="l${w}"/></model></sdf>',
             file=FILE,
-            also=("NS003",),
         ),
     )
     good = (

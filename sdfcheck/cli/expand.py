@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.terminal import emit, pair, say
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -81,23 +81,16 @@ def _expand(request: Request) -> tuple[Document, Expansion]:
 
     file = request.file
     settings = Configuration(request.config, isolated=request.isolated).settings_for(file)
-    named = [_pair(text, "=", "--package name=path") for text in request.packages]
+    named = [pair(text, "=", "--package name=path") for text in request.packages]
     packages = {**dict(settings.packages), **{name: Path(path) for name, path in named}}
     paths = (*request.package_paths, *settings.package_paths)
     sets = settings.arguments_for(file)
     chosen = dict(sets[0]) if sets else {}
-    chosen.update(_pair(text, ":=", "name:=value") for text in request.arguments)
+    chosen.update(pair(text, ":=", "name:=value") for text in request.arguments)
     document = read(file.read_bytes(), file, Kind.XACRO)
     document.library = Library(SearchPaths((), paths, tuple(packages.items())))
     with Expander(Surroundings(packages, paths, request.variables)) as expander:
         return document, expander.expand(document, chosen)
-
-
-def _pair(text: str, sign: str, form: str) -> tuple[str, str]:
-    name, found, value = text.partition(sign)
-    if not found or not name:
-        raise WrongUsage(f"`{text}` is not of the form {form}")
-    return name, value
 
 
 def _explained(document: Document, problems: Sequence[object]) -> list[Diagnostic]:

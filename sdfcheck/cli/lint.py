@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.output import FORMATS, Output, outputs, write
-from sdfcheck.cli.terminal import Progress, emit, say, wants_color
+from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
 from sdfcheck.lint.config import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import Level, Notice, Options, find, run, selected
+from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -40,11 +41,18 @@ class Request:
     fail_on: str | None
     max_warnings: int | None
     exit_zero: bool
+    fix: bool
+    unsafe_fixes: bool
+    diff: bool
     output_format: tuple[str, ...]
     output_file: Path | None
     statistics: bool
     stdin_filename: Path | None
     kind: str | None
+    no_expand: bool
+    packages: tuple[str, ...]
+    package_paths: tuple[Path, ...]
+    model_paths: tuple[Path, ...]
     force_exclude: bool
     skip_unrelated: bool
     config: Path | None
@@ -72,6 +80,11 @@ def _path(flag: str, help: str) -> Callable[[Any], Any]:
     return click.option(flag, type=click.Path(path_type=Path), metavar="FILE", help=help)
 
 
+def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
+    kind = click.Path(path_type=Path)
+    return click.option(flag, name, multiple=True, type=kind, metavar="FOLDER", help=help)
+
+
 @click.command()
 @click.argument("paths", nargs=-1, type=click.Path(path_type=Path, allow_dash=True))
 @_listing("--select", "The rules to run: codes, names, families or ALL, parted by commas.")
@@ -80,6 +93,11 @@ def _path(flag: str, help: str) -> Callable[[Any], Any]:
 @_listing(
     "--target", "Keep the rules that matter to these readers: gazebo, drake, urdfdom, mujoco.", "READERS"
 )
+@click.option("--fix", is_flag=True, help="Apply safe fixes; report what is left.")
+@click.option(
+    "--unsafe-fixes", is_flag=True, help="With --fix or --diff: also those that a person should check."
+)
+@click.option("--diff", is_flag=True, help="Show what --fix would change; exit with 1 if that is anything.")
 @click.option(
     "--fail-on",
     type=click.Choice([severity.value for severity in Severity]),
@@ -101,6 +119,10 @@ def _path(flag: str, help: str) -> Callable[[Any], Any]:
     type=click.Choice([kind.value for kind in _KINDS]),
     help="What the named files are, whatever they look like.",
 )
+@click.option("--no-expand", is_flag=True, help="Check xacro files only as they are written.")
+@click.option("--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is.")
+@_folders("--package-path", "package_paths", "A folder below which to look for ROS packages.")
+@_folders("--model-path", "model_paths", "A folder in which to look for models.")
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
 @click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
 @_path("--config", "Use this configuration file and no other.")
@@ -114,7 +136,8 @@ def _path(flag: str, help: str) -> Callable[[Any], Any]:
 def lint(**given: Any) -> int:
     """Check SDFormat, URDF, xacro and model.config files.
 
-    PATHS are files, folders to walk (default: the current one), or - for stdin.
+    PATHS are files, folders to walk (default: the current one), or - for stdin; NAME:=VALUE
+    among them is an argument for the expansion of xacro files.
     """
     # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
     gc.set_threshold(100_000, 50, 100)
@@ -133,20 +156,29 @@ def lint(**given: Any) -> int:
     finally:
         if progress:
             progress.clear()
+    if request.fix or request.diff:
+        from sdfcheck.cli.fix import Fixer
+
+        fixer = Fixer(paths, options, teller, unsafe=request.unsafe_fixes)
+        if request.diff:
+            changes = fixer.show(done, quiet=request.quiet)
+            teller.flush()
+            return 2 if teller.failed else 0 if request.exit_zero else changes
+        done = fixer.fix(done)
     teller.flush()
-    _report(request, wanted, done)
+    _report(request, wanted, done, aside=request.fix and options.stdin is not None)
     if teller.failed:
         return 2
     fail_on = Severity(request.fail_on) if request.fail_on else settings.fail_on
     return 0 if request.exit_zero else verdict(done, fail_on, request.max_warnings)
 
 
-def _report(request: Request, wanted: Sequence[Output], done: Run) -> None:
-    """Write the reports; where none is for people, sum up on stderr."""
-    color = wants_color(request.color, sys.stdout)
+def _report(request: Request, wanted: Sequence[Output], done: Run, *, aside: bool) -> None:
+    """Write the reports (``aside``: to stderr, not stdout); where none is for people, sum up on stderr."""
+    color = wants_color(request.color, sys.stderr if aside else sys.stdout)
     for output in wanted:
         if output.file is not None or not request.statistics:
-            write(output, done, color=color)
+            write(output, done, color=color, aside=aside)
     if request.statistics:
         from sdfcheck.report import statistics
 
@@ -195,7 +227,9 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         from sdfcheck.lint.select import check_targets
 
         check_targets(request.target)
-    paths = request.paths or (Path(),)
+    arguments = tuple(pair(str(path), ":=", "name:=value") for path in request.paths if ":=" in str(path))
+    paths = tuple(path for path in request.paths if ":=" not in str(path)) or (Path(),)
+    named = tuple(pair(text, "=", "--package name=path") for text in request.packages)
     stdin = None
     if _STDIN in paths:
         stdin = sys.stdin.buffer.read()
@@ -210,6 +244,11 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         kind=Kind(request.kind) if request.kind else None,
         stdin=stdin,
         stdin_path=request.stdin_filename or Path("<stdin>"),
+        expand=not request.no_expand,
+        arguments=arguments,
+        search=SearchPaths(
+            request.model_paths, request.package_paths, tuple((name, Path(path)) for name, path in named)
+        ),
     )
     return options, tuple(path for path in paths if path != _STDIN)
 

@@ -11,6 +11,8 @@ from typing import TextIO
 
 import click
 
+from sdfcheck.source.wrong_usage import WrongUsage
+
 
 def wants_color(choice: str, stream: TextIO, environment: Mapping[str, str] = os.environ) -> bool:
     """Whether to colour what goes to ``stream``; ``choice`` is auto, always or never."""
@@ -68,3 +70,15 @@ class Progress:
             self._stream.write("\r\x1b[K")
             self._stream.flush()
             self._drawn = False
+
+
+def pair(text: str, sign: str, form: str) -> tuple[str, str]:
+    """The two sides of ``sign`` in an argument.
+
+    Raises:
+        WrongUsage: the text is not of the ``form``.
+    """
+    name, found, value = text.partition(sign)
+    if not found or not name:
+        raise WrongUsage(f"`{text}` is not of the form {form}")
+    return name, value

@@ -86,6 +86,13 @@ class FileResult(NamedTuple):
     """Those that speak to sdfcheck."""
 
 
+class Xacro(NamedTuple):
+    """How to expand a xacro file: by whom (None: not at all), once for each set of arguments."""
+
+    expander: Expander | None
+    argument_sets: tuple[Mapping[str, str], ...] = ()
+
+
 class Dispatch:
     """Which rules want which problems and which elements; made once for a set of rules."""
 
@@ -113,7 +120,7 @@ def lint_source(
     kind: Kind | None,
     dispatch: Dispatch,
     library: Library | None = None,
-    expander: Expander | None = None,
+    xacro: Xacro | None = None,
 ) -> FileResult:
     """Read and lint one file's bytes. Whatever they hold, the result is diagnostics.
 
@@ -126,7 +133,8 @@ def lint_source(
     if document.kind is Kind.XACRO:
         from sdfcheck.lint.expanded import lint_xacro
 
-        return FileResult(lint_xacro(document, dispatch, expander), directives(document))
+        expander, sets = xacro or Xacro(None)
+        return FileResult(lint_xacro(document, dispatch, expander, sets), directives(document))
     return FileResult(lint_document(document, dispatch), directives(document))
 
 

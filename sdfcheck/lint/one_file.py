@@ -15,7 +15,10 @@ from sdfcheck.source.sniff import Kind
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import FileResult
+    from sdfcheck.lint.config_read import ArgumentSet
+    from sdfcheck.lint.engine import Xacro
     from sdfcheck.source.document import Document
+    from sdfcheck.source.xacro.expansion import Expander
 
 _INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
 
@@ -29,15 +32,40 @@ class Selected(NamedTuple):
 
 
 class Shelves:
-    """The libraries of a run: one for all files that have the same search paths."""
+    """The libraries and expanders of a run: one for all files that have the same search paths."""
 
-    __slots__ = ("_libraries",)
+    __slots__ = ("_arguments", "_expand", "_expanders", "_libraries")
 
-    def __init__(self) -> None:
+    def __init__(self, *, expand: bool = True, arguments: ArgumentSet = ()) -> None:
+        self._expand = expand
+        self._arguments = arguments
         self._libraries: dict[SearchPaths, Library] = {}
+        self._expanders: dict[SearchPaths, Expander] = {}
+
+    def __enter__(self) -> Shelves:
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        for expander in self._expanders.values():
+            expander.close()
+
+    def xacro(self, settings: Settings, path: Path) -> Xacro:
+        """How to expand a file: by whom (None: not at all) and with which sets of arguments."""
+        from sdfcheck.lint.engine import Xacro
+
+        if not self._expand:
+            return Xacro(None, ())
+        from sdfcheck.source.xacro.expansion import Expander, Surroundings
+
+        search = _search(settings)
+        if search not in self._expanders:
+            around = Surroundings(dict(search.packages), search.packages_in)
+            self._expanders[search] = Expander(around)
+        sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
+        return Xacro(self._expanders[search], tuple(dict(given) for given in sets))
 
     def library(self, settings: Settings) -> Library:
-        search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
+        search = _search(settings)
         if search not in self._libraries:
             self._libraries[search] = Library(search)
         return self._libraries[search]
@@ -56,15 +84,21 @@ class Shelves:
                     yield document
 
 
+def _search(settings: Settings) -> SearchPaths:
+    return SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
+
+
 def lint_file(
-    file: Selected, book: RuleBook, settings: Settings, library: Library
+    file: Selected, book: RuleBook, settings: Settings, shelves: Shelves
 ) -> tuple[Sequence[Diagnostic], int]:
     """The diagnostics of one file, and how many were silenced."""
     from sdfcheck.lint.engine import lint_source
 
     # The parser tells what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
-    result = lint_source(file.data, file.path, kind, book.dispatch(settings, file.path), library)
+    dispatch, library = book.dispatch(settings, file.path), shelves.library(settings)
+    xacro = shelves.xacro(settings, file.path) if kind is Kind.XACRO else None
+    result = lint_source(file.data, file.path, kind, dispatch, library, xacro)
     return _silence(result, book, settings, file.path)
 
 

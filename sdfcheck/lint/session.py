@@ -15,6 +15,7 @@ from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, Choice
 from sdfcheck.source.discover import DiscoveredFile, Found, discover
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
+from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
@@ -46,7 +47,9 @@ class Options(NamedTuple):
     """What the caller asks for; the configuration settles the rest.
 
     ``kind`` is what named files are taken for, whatever they look like. ``stdin`` is a
-    text to lint under the name ``stdin_path``.
+    text to lint under the name ``stdin_path``. xacro files are expanded with ``arguments``
+    (in place of those of the configuration) unless ``expand`` is False. ``search`` are
+    further places of models and packages.
     """
 
     configuration: Configuration
@@ -57,6 +60,20 @@ class Options(NamedTuple):
     kind: Kind | None = None
     stdin: bytes | None = None
     stdin_path: Path = Path("<stdin>")
+    expand: bool = True
+    arguments: tuple[tuple[str, str], ...] = ()
+    search: SearchPaths = SearchPaths()
+
+    def settings_for(self, path: Path) -> Settings:
+        """The settings of a file, with what the caller adds: search paths and xacro arguments."""
+        settings = self.configuration.settings_for(path)
+        if self.search == SearchPaths() and not self.arguments:
+            return settings
+        return settings._replace(
+            model_paths=(*self.search.models, *settings.model_paths),
+            package_paths=(*self.search.packages_in, *settings.package_paths),
+            packages=(*settings.packages, *self.search.packages),
+        )
 
 
 class InternalError(Exception):
@@ -86,16 +103,16 @@ def run(
     diagnostics: list[Diagnostic] = []
     used: dict[str, RuleFacts] = {}
     suppressed = 0
-    shelves = Shelves()
-    for file in selected(found, options, skipped, notify=notify, progress=progress):
-        settings = options.configuration.settings_for(file.path)
-        active = book.active(settings, file.path)
-        with _bugs_told_of(file.path):
-            kept, silenced = lint_file(file, book, settings, shelves.library(settings))
-        files.append(file.path)
-        diagnostics += kept
-        suppressed += silenced
-        used.update((facts.code, facts) for facts in active.facts)
+    with Shelves(expand=options.expand, arguments=options.arguments) as shelves:
+        for file in selected(found, options, skipped, notify=notify, progress=progress):
+            settings = options.settings_for(file.path)
+            active = book.active(settings, file.path)
+            with _bugs_told_of(file.path):
+                kept, silenced = lint_file(file, book, settings, shelves)
+            files.append(file.path)
+            diagnostics += kept
+            suppressed += silenced
+            used.update((facts.code, facts) for facts in active.facts)
     for document in shelves.included(files):
         with _bugs_told_of(document.path):
             kept, silenced = lint_included(document, book, options.configuration)

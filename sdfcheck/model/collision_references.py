@@ -1,7 +1,7 @@
-"""Names of collisions and links that sensors, sounds and grippers use.
+"""Names of collisions, links and models that sensors, sounds, grippers and states use.
 
-No reader checks them: a contact sensor on a misspelt collision stays silent, and a
-gripper without its links holds nothing.
+No reader checks them: a contact sensor on a misspelt collision stays silent, a gripper
+without its links holds nothing, and a state of an unknown model is not restored.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _TOUCHING = frozenset({"sensor", "audio_source"})
 def problems(document: Document) -> list[UnknownReference]:
     """The references of an SDF document that name nothing."""
     surveyed = survey(document)
-    return [*_collisions(surveyed), *_gripped(document, surveyed)]
+    return [*_collisions(surveyed), *_gripped(document, surveyed), *_restored(document, surveyed)]
 
 
 def _collisions(surveyed: Survey) -> Iterator[UnknownReference]:
@@ -50,3 +50,24 @@ def _gripped(document: Document, surveyed: Survey) -> Iterator[UnknownReference]
             if (found is None and not scope.may_hold(name)) or (found is not None and found.kind != "link"):
                 links = [frame.name for frame in scope.links()]
                 yield UnknownReference(reference.own_value, "link", scope.element, suggest(name, links))
+
+
+def _restored(document: Document, surveyed: Survey) -> Iterator[UnknownReference]:
+    """The worlds and models whose state is to be restored."""
+    for state in surveyed.index.get("state", ()):
+        from sdfcheck.model.scopes import scopes
+
+        scope, world = scopes(document).of(state), state.attribute("world_name")
+        if scope is None or scope.kind != "world" or not scope.complete:
+            continue
+        if world is not None and world.text.strip() not in {"", _DEFAULT, scope.name}:
+            root = document.root
+            assert root is not None
+            yield UnknownReference(world, "world", root, suggest(world.text, [scope.name]))
+            continue
+        models = [frame.name for frame in scope.frames.values() if frame.kind == "model"]
+        for kind in ("model", "model_state"):
+            for element in state.children(kind):
+                name = element.attribute("name")
+                if name is not None and "::" not in name.text and name.text not in models:
+                    yield UnknownReference(name, "model", scope.element, suggest(name.text, models))

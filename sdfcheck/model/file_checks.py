@@ -128,14 +128,14 @@ def _texture(document: Document, what: str, text: str) -> bool:
 
 def _missing(value: Value, what: str, location: Location, expected: Path | None) -> MissingFile:
     if expected is None:
-        return MissingFile(value, what, location, None)
+        return MissingFile(value, what, location, None, has_kin=False)
     from sdfcheck.formats.suggest import suggest
 
     try:
         beside = [name for name in os.listdir(expected.parent) if name.endswith(expected.suffix)]
     except OSError:
         beside = []
-    return MissingFile(value, what, location, suggest(expected.name, beside))
+    return MissingFile(value, what, location, suggest(expected.name, beside), has_kin=bool(beside))
 
 
 def _expected(location: Location) -> Path | None:

@@ -13,13 +13,15 @@ from sdfcheck.source.record import Record
 class MissingFile(Record):
     """A file that is not where its URI leads. ``what`` says what it would be: a mesh, a texture.
 
-    ``suggestion`` is a file beside it that may be meant.
+    ``suggestion`` is a file beside it that may be meant. ``has_kin``: its folder holds
+    others of its suffix; without any, such files may be kept elsewhere.
     """
 
     value: Value
     what: str
     location: Location
     suggestion: str | None
+    has_kin: bool
 
 
 class MissingFolder(Record):

@@ -50,22 +50,39 @@ def link_poses(robot: Robot, positions: Positions) -> dict[str, Array]:
     """The 4×4 pose of every link in the model's frame; joints that close loops are passed over.
 
     ``positions`` leaves out joints at zero; followers are worked out from their leaders.
+    What hangs together is placed from the world, or else from its first link that no joint carries.
     """
     values = with_followers(robot, positions)
-    poses: dict[str, Array] = {"world": np.eye(4)}
-    carried = {joint.child: joint for joint in robot.tree()}
-    for name, link in robot.links.items():
-        if name not in carried:
-            poses[name] = link.pose
-    for joint in carried.values():
-        parent, child = robot.links.get(joint.parent), robot.links[joint.child]
-        zero = parent.pose if parent is not None else np.eye(4)
-        if joint.parent not in poses:
-            continue  # part of a ring
-        here = poses[joint.parent] @ inverse(zero) @ joint.pose
-        moved = here @ motion(joint, values.get(joint.name, ()))
-        poses[joint.child] = moved @ inverse(joint.pose) @ child.pose
-    return {name: poses[name] for name in robot.links if name in poses}
+    beside: dict[str, list[Joint]] = {}
+    for joint in robot.spanning():
+        for end in (joint.parent, joint.child):
+            beside.setdefault(end, []).append(joint)
+    poses: dict[str, Array] = {}
+    for start in ("world", *robot.roots(), *robot.links):
+        if start in poses:
+            continue
+        poses[start] = _zero(robot, start)
+        waiting = [start]
+        while waiting:
+            here = waiting.pop()
+            for joint in beside.get(here, ()):
+                there = joint.child if here == joint.parent else joint.parent
+                if there not in poses:
+                    poses[there] = poses[here] @ _step(robot, joint, values, here)
+                    waiting.append(there)
+    return {name: poses[name] for name in robot.links}
+
+
+def _zero(robot: Robot, name: str) -> Array:
+    link = robot.links.get(name)
+    return np.eye(4) if link is None else link.pose
+
+
+def _step(robot: Robot, joint: Joint, values: Positions, start: str) -> Array:
+    """The pose of one end of a joint in the other, ``start``."""
+    moved = joint.pose @ motion(joint, values.get(joint.name, ())) @ inverse(joint.pose)
+    across = inverse(_zero(robot, joint.parent)) @ moved @ _zero(robot, joint.child)
+    return across if start == joint.parent else inverse(across)
 
 
 def with_followers(robot: Robot, positions: Positions) -> dict[str, tuple[float, ...]]:

@@ -27,7 +27,7 @@ def problems(document: Document) -> Iterator[object]:
         from sdfcheck.model import file_checks
 
         yield from file_checks.problems(document)
-    if "contact" in index or "gripper" in index:
+    if "contact" in index or "gripper" in index or "state" in index:
         from sdfcheck.model import collision_references
 
         yield from collision_references.problems(document)

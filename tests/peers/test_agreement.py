@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import pytest
 
 from tests.peers import cases, verdicts
@@ -15,47 +13,65 @@ pytestmark = [
     pytest.mark.skipif(not SHARED.is_dir(), reason="the files to compare on are not here"),
 ]
 
-AGREED = {Expected.ERROR: 0.0, Expected.WARNING: 0.0, Expected.WEAK: 0.0, Expected.OK: 0.95}
-"""The share of small cases on which we must agree, by the peer's verdict."""
-
-OF_OTHER_READERS = frozenset({"missing-axis", "undeclared-prefix"})
-"""Errors that are none for this reader, but for another one: no false alarms."""
-
-
-class Bounds(NamedTuple):
-    """How many files may be false alarms, and what share of the rejected ones may be missed."""
-
-    alarms: int
-    missed: float
-
-
-BOUNDS = {
-    ("libsdformat", "sdf"): Bounds(alarms=0, missed=1.0),
-    ("libsdformat", "urdf"): Bounds(alarms=0, missed=1.0),
-    ("drake", "sdf"): Bounds(alarms=0, missed=1.0),
-    ("drake", "urdf"): Bounds(alarms=0, missed=1.0),
+ARGUED = {
+    "attribute_with_prefix.sdf": "an undeclared prefix: no namespace-aware parser reads the file",
+    "element_with_prefix.sdf": "the same",
+    "urdf_robot_origin_word.urdf": "libsdformat takes zero for a word, and says so only on its console",
+    "urdf_unknown_shape.urdf": "urdfdom drops the rest of the link",
+    "urdf_colour_word.urdf": "urdfdom drops the rest of the link",
+    "urdf_planar_joint.urdf": "legal URDF, which ROS reads: a warning tells what libsdformat makes of it",
+    "urdf_only_link_without_inertial.urdf": "the same",
+    "urdf_projector_without_slash.urdf": "a wrong complaint of the peer",
 }
+"""Small cases on which we differ from libsdformat, and why."""
+
+OF_OTHER_READERS = {
+    "clashing-name": "URDF: libsdformat refuses it as one name space",
+    "disconnected-link": "urdfdom refuses it",
+    "expansion-error": "a xacro file under another name",
+    "feature-above-version": "urdfdom drops the rest of the link",
+    "impossible-inertia": "libsdformat refuses it once converted",
+    "incomplete-inertia": "urdfdom drops the rest of the link",
+    "malformed-value": "urdfdom refuses it",
+    "misplaced-drake-tag": "Drake refuses it",
+    "missing-attribute": "urdfdom refuses it",
+    "missing-axis": "Drake refuses it",
+    "missing-geometry": "urdfdom drops the rest of the link",
+    "missing-limit": "urdfdom refuses it",
+    "several-roots": "urdfdom refuses it",
+    "undeclared-prefix": "namespace-aware parsers refuse it",
+    "undefined-macro": "xacro refuses it",
+    "unknown-drake-tag": "Drake refuses it",
+    "unknown-joint-end": "urdfdom refuses it; only Drake knows a world without a link of that name",
+    "unreferenced-extension": "libsdformat drops the block",
+    "unresolved-include": "the file is not part of the collection",
+}
+"""Errors that are none for one reader, but for another: no false alarms."""
+
+FORGIVEN = {
+    "URI_LOOKUP": "remote includes, which nobody fetches here",
+    "PARSING_ERROR": "siblings of one name that make no frames: only the peer's check refuses them",
+    "MODEL_WITHOUT_LINK": "URDF whose root libsdformat drops: a warning",
+}
+"""First errors of a reader on files that we find sound, and why."""
 
 
 @pytest.mark.parametrize("expected", Expected, ids=lambda expected: expected.value)
 def test_small_cases(expected: Expected) -> None:
     found = [outcome for outcome in cases.outcomes() if outcome.case.expected is expected]
-    agreed = sum(outcome.agrees for outcome in found)
     assert found
-    assert agreed >= AGREED[expected] * len(found), "\n".join(cases.show(found))
+    differing = [outcome for outcome in found if not outcome.agrees]
+    assert not [o for o in differing if o.case.path.name not in ARGUED], "\n".join(cases.show(found))
 
 
-@pytest.mark.parametrize(("reader", "kind"), BOUNDS, ids="-".join)
+@pytest.mark.parametrize("reader", ["libsdformat", "drake"])
+@pytest.mark.parametrize("kind", ["sdf", "urdf"])
 def test_real_files(reader: str, kind: str) -> None:
     compared = verdicts.compare(reader, kind)
-    alarms = [
-        comparison
-        for comparison in compared
-        if comparison.is_false_alarm and {finding.name for finding in comparison.errors} - OF_OTHER_READERS
-    ]
-    rejected = [comparison for comparison in compared if not comparison.verdict.accepted]
-    missed = sum(comparison.is_miss for comparison in compared)
+    alarms = [c for c in compared if c.is_false_alarm and {e.name for e in c.errors} - OF_OTHER_READERS.keys()]
+    missed = [c for c in compared if c.is_miss and c.verdict.first not in FORGIVEN]
     assert compared
     report = "\n".join(verdicts.show(compared))
-    assert len(alarms) <= BOUNDS[reader, kind].alarms, report
-    assert missed <= BOUNDS[reader, kind].missed * len(rejected), report
+    assert not alarms, report
+    # Drake's verdicts name no error; the two that are missed are limits that it has on request.
+    assert len(missed) <= (1 if reader == "drake" else 0), report

@@ -62,7 +62,7 @@ def install(monkeypatch: pytest.MonkeyPatch) -> list[Seen]:
     seen: list[Seen] = []
 
     def lint_source(
-        data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch, library: Library
+        data: bytes, path: Path, kind: Kind | None, dispatch: Dispatch, library: Library, xacro: object
     ) -> FileResult:
         seen.append(Seen(data, path, kind))
         source = Source(path, data.decode())
