@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from sdfcheck.cli.terminal import emit
+from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
@@ -43,15 +43,15 @@ def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
     return tuple(wanted)
 
 
-def write(output: Output, run: Run, *, color: bool) -> None:
-    """Render a run and put it where it belongs.
+def write(output: Output, run: Run, *, color: bool, aside: bool = False) -> None:
+    """Render a run and put it where it belongs; ``aside``: to stderr where that is stdout.
 
     Raises:
         WrongUsage: the file cannot be written.
     """
     text = render(output.format, run, color=color and output.file is None)
     if output.file is None:
-        emit(text)
+        say(text.rstrip("\n")) if aside else emit(text)
         return
     try:
         output.file.write_bytes(text.encode("utf-8", "backslashreplace"))

@@ -10,14 +10,14 @@ from sdfcheck.lint.run import Run
 
 def closing_line(run: Run) -> str:
     """One line that sums a run up."""
-    fixed = f"Fixed {_counted(run.fixed, 'finding')}. " if run.fixed else ""
-    files = _counted(len(run.files), "file")
+    fixed = f"Fixed {_of_all(run)}. " if run.fixed else ""
+    files = counted(len(run.files), "file")
     if run.diagnostics:
         kinds = (Severity.ERROR, Severity.WARNING, Severity.INFO)
-        counts = [_counted(run.count(kind), kind.value) for kind in kinds if run.count(kind)]
+        counts = [counted(run.count(kind), kind.value) for kind in kinds if run.count(kind)]
         return f"{fixed}Found {_listed(counts)} in {files}{_fixes(run)}."
     # Only a clean result can be mistaken for more than was looked at.
-    unseen = [_counted(len(run.skipped), "file") + " skipped"] if run.skipped else []
+    unseen = [counted(len(run.skipped), "file") + " skipped"] if run.skipped else []
     if not run.files:
         return f"{fixed}No files to lint{_in_brackets(unseen)}."
     if run.suppressed:
@@ -34,7 +34,14 @@ def _fixes(run: Run) -> str:
     return _in_brackets([f"{safe} fixable with --fix", *more])
 
 
-def _counted(number: int, noun: str) -> str:
+def _of_all(run: Run) -> str:
+    """How many findings were fixed, and of how many where some are left."""
+    everything = run.fixed + len(run.diagnostics)
+    return (f"{run.fixed} of " if run.diagnostics else "") + counted(everything, "finding")
+
+
+def counted(number: int, noun: str) -> str:
+    """``1 file``, ``2 files``."""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 from sdfcheck.source.problems import EncodingDefect, EncodingKind
 from sdfcheck.source.text import Source
@@ -15,10 +16,10 @@ _DECLARATION = re.compile(
 # Longer marks first: UTF-32's little-endian mark begins with UTF-16's.
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
-    (codecs.BOM_UTF32_LE, "utf-32"),
-    (codecs.BOM_UTF32_BE, "utf-32"),
-    (codecs.BOM_UTF16_LE, "utf-16"),
-    (codecs.BOM_UTF16_BE, "utf-16"),
+    (codecs.BOM_UTF32_LE, "utf-32-le"),
+    (codecs.BOM_UTF32_BE, "utf-32-be"),
+    (codecs.BOM_UTF16_LE, "utf-16-le"),
+    (codecs.BOM_UTF16_BE, "utf-16-be"),
 )
 # Without a mark; a text begins with a tag.
 _WIDE_STARTS = (
@@ -43,40 +44,62 @@ def _as_latin1(error: UnicodeError) -> tuple[str, int]:
 codecs.register_error("sdfcheck-latin-1", _as_latin1)
 
 
-def decode(data: bytes, path: Path) -> tuple[Source, list[EncodingDefect]]:
-    """Decode a file's bytes; whatever they hold, there is a text, and a defect where it is a guess."""
+class Encoding(NamedTuple):
+    """How the bytes of a file spell characters.
+
+    ``kind`` says what is wrong with the declaration, if anything is.
+    """
+
+    mark: bytes
+    """The byte order mark that they begin with."""
+    codec: str
+    declared: str = ""
+    place: tuple[int, int] = (0, 0)
+    """Where the name of the encoding stands in the declaration."""
+    kind: EncodingKind | None = None
+
+
+def encoding_of(data: bytes) -> Encoding:
+    """The encoding to read a file's bytes with."""
     mark, marked = next(((m, name) for m, name in _MARKS if data.startswith(m)), (b"", ""))
     wide = marked if marked != "utf-8" else ""
     wide = wide or next((name for start, name in _WIDE_STARTS if data.startswith(start)), "")
     if wide:
-        source = Source(path, data.decode(wide, "replace").lstrip("\ufeff"))
-        family = wide[:6].upper()
-        return source, [EncodingDefect(source.span(0, 1), EncodingKind.WIDE, family, family)]
+        return Encoding(mark, wide, kind=EncodingKind.WIDE)
+    declaration = _DECLARATION.match(data[len(mark) : len(mark) + 400].decode("latin-1"))
+    if not declaration:
+        return Encoding(mark, "utf-8")
+    codec, kind = _choose(declaration[2], data[len(mark) :], bool(mark))
+    return Encoding(mark, codec, declaration[2], declaration.span(2), kind)
+
+
+def decode(data: bytes, path: Path) -> tuple[Source, list[EncodingDefect]]:
+    """Decode a file's bytes; whatever they hold, there is a text, and a defect where it is a guess."""
+    mark, codec, declared, place, kind = encoding_of(data)
     data = data[len(mark) :]
-    declaration = _DECLARATION.match(data[:400].decode("latin-1"))
-    declared = declaration[2] if declaration else ""
-    encoding, kind = _choose(declared, data, bool(mark))
+    if kind is EncodingKind.WIDE:
+        source = Source(path, data.decode(codec, "replace").lstrip("\ufeff"))
+        family = codec[:6].upper()
+        return source, [EncodingDefect(source.span(0, 1), EncodingKind.WIDE, family, family)]
     try:
-        text, bad = data.decode(encoding), -1
+        text, bad = data.decode(codec), -1
     except UnicodeDecodeError as error:
-        bad = len(data[: error.start].decode(encoding, "replace"))
-        text = data.decode(encoding, "sdfcheck-latin-1" if encoding == "utf-8" else "replace")
+        bad = len(data[: error.start].decode(codec, "replace"))
+        text = data.decode(codec, "sdfcheck-latin-1" if codec == "utf-8" else "replace")
     source = Source(path, text)
     defects = []
-    if kind and declaration:
-        place = source.span(declaration.start(2), declaration.end(2))
-        defects.append(EncodingDefect(place, kind, declared, "UTF-8"))
+    if kind:
+        defects.append(EncodingDefect(source.span(*place), kind, declared, "UTF-8"))
     elif bad >= 0:
-        guess = "Latin-1" if encoding == "utf-8" else ""
-        place = source.span(bad, bad + 1)
-        defects.append(EncodingDefect(place, EncodingKind.UNDECODABLE, declared or "UTF-8", guess))
+        guess = "Latin-1" if codec == "utf-8" else ""
+        defects.append(
+            EncodingDefect(source.span(bad, bad + 1), EncodingKind.UNDECODABLE, declared or "UTF-8", guess)
+        )
     return source, defects
 
 
 def _choose(declared: str, data: bytes, marked_utf8: bool) -> tuple[str, EncodingKind | None]:
     """The encoding to read with, and what is wrong with the declaration."""
-    if not declared:
-        return "utf-8", None
     try:
         name = codecs.lookup(declared).name
     except LookupError:

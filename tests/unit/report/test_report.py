@@ -129,7 +129,7 @@ SAFE, UNSAFE = fixed(ERROR, "b"), fixed(ERROR, "b", safe=False)
             "Found 3 errors in 1 file (1 fixable with --fix, 2 more with --unsafe-fixes).",
         ),
         (run(UNSAFE), "Found 1 error in 1 file (1 fixable with --fix --unsafe-fixes)."),
-        (run(ERROR, fixed=1), "Fixed 1 finding. Found 1 error in 1 file."),
+        (run(ERROR, fixed=1), "Fixed 1 of 2 findings. Found 1 error in 1 file."),
         (run(fixed=7), "Fixed 7 findings. All clear: 1 file, no findings."),
     ],
 )

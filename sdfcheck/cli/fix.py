@@ -1,0 +1,102 @@
+"""``--fix`` and ``--diff`` of ``sdfcheck lint``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from sdfcheck.cli.terminal import emit, say
+from sdfcheck.lint.fixer import ROUNDS, Mended, mend
+from sdfcheck.lint.run import Run
+from sdfcheck.lint.session import Level, Notice, Notify, Options, run
+from sdfcheck.report.summary import counted
+from sdfcheck.source.decode import decode, encoding_of
+from sdfcheck.source.overwrite import overwrite
+
+
+class Fixer:
+    """Fixes what a run has found in the files below ``paths``, or the text of stdin."""
+
+    def __init__(self, paths: Sequence[Path], options: Options, notify: Notify, *, unsafe: bool) -> None:
+        self._paths = paths
+        self._options = options
+        self._notify = notify
+        self._unsafe = unsafe
+        self._given_up: set[Path] = set()
+
+    def fix(self, done: Run) -> Run:
+        """Write what changes, and lint again: a fix in one file may show in another.
+
+        The text of stdin goes to stdout.
+        """
+        fixed = 0
+        for _ in range(ROUNDS):
+            written = sum(mended.fixed for mended in self._mended(done) if self._write(mended))
+            if not written:
+                break
+            fixed += written
+            done = run(self._paths, self._options)
+        if self._options.stdin is not None:
+            sys.stdout.buffer.write(self._options.stdin)
+            sys.stdout.flush()
+        return done._replace(fixed=fixed)
+
+    def show(self, done: Run, *, quiet: bool) -> int:
+        """Print what would change as a unified diff; the exit code says whether there is anything."""
+        fixed = 0
+        for mended in self._mended(done):
+            emit(unified_diff(mended))
+            fixed += mended.fixed
+        if not quiet:
+            whole = counted(max(fixed, len(done.diagnostics)), "finding")
+            say(f"Would fix {fixed} of {whole}." if fixed else "Nothing to fix.")
+        return int(fixed > 0)
+
+    def _mended(self, done: Run) -> Iterator[Mended]:
+        for mended in mend(done, self._paths, self._options, unsafe=self._unsafe):
+            if mended.path in self._given_up:
+                continue
+            if mended.refusal:
+                self._give_up(mended.path, Level.WARNING, f"not fixed: {mended.refusal}")
+            elif mended.fixed:
+                yield mended
+
+    def _write(self, mended: Mended) -> bool:
+        if self._options.stdin is not None and mended.path == self._options.stdin_path:
+            self._options = self._options._replace(stdin=mended.after)
+            return True
+        try:
+            if mended.path.read_bytes() != mended.before:
+                self._give_up(mended.path, Level.FAILURE, "not fixed: it has changed meanwhile")
+                return False
+            overwrite(mended.path, mended.after)
+        except OSError as error:
+            self._give_up(mended.path, Level.FAILURE, f"cannot be written: {error.strerror}")
+            return False
+        return True
+
+    def _give_up(self, path: Path, level: Level, reason: str) -> None:
+        self._given_up.add(path)
+        self._notify(Notice(level, f"{path}: {reason}"))
+
+
+def unified_diff(mended: Mended) -> str:
+    """What changed in a file, as ``diff -u`` says it."""
+    from difflib import unified_diff as compare
+
+    name = mended.path.as_posix()
+    before, after = (_lines(data, mended.path) for data in (mended.before, mended.after))
+    lines = compare(before, after, f"a/{name}", f"b/{name}")
+    return "".join(
+        line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines
+    )
+
+
+def _lines(data: bytes, path: Path) -> list[str]:
+    """The lines with their ends; only a line feed ends one, as for ``diff``."""
+    source, _ = decode(data, path)
+    mark = "\ufeff" if encoding_of(data).mark else ""
+    lines = (mark + source.text).split("\n")
+    last = lines.pop()
+    return [*(f"{line}\n" for line in lines), *([last] if last else [])]

@@ -1,0 +1,41 @@
+"""Fixes come to rest: applied to every rule's examples, they break nothing and leave nothing to fix."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.example import Bad, fill, unmark
+from sdfcheck.lint.fixer import Mended, applicable, mend_file
+from sdfcheck.lint.one_file import Selected
+from sdfcheck.lint.rule import Rule
+from sdfcheck.source.sniff import Kind, sniff
+from tests.test_rules import examples, lint
+
+
+def mended(data: bytes, path: Path, example: Bad, folder: Path) -> Mended:
+    def again(file: Selected) -> list[Diagnostic]:
+        return lint(file.data.decode(), example, folder)
+
+    # What is broken may be anything; the parser tells.
+    kind = sniff(data, path)
+    known = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
+    return mend_file(Selected(path, data, kind if kind in known else Kind.BROKEN_XML), again, unsafe=True)
+
+
+@pytest.mark.parametrize(("rule", "example"), examples("bad"))
+def test_fixing_comes_to_rest(rule: type[Rule], example: Bad, tmp_path: Path) -> None:
+    data = unmark(fill(rule.scaffold, example))[0].encode()
+    path = Path(example.file or "example")
+    if example.files is not None:
+        path = tmp_path / path
+    once = mended(data, path, example, tmp_path)
+    assert not once.refusal
+    assert (once.after != data) is (once.fixed > 0)
+    assert once.fixed or example.fixed is None
+    left = lint(once.after.decode(), example, tmp_path)
+    assert applicable(left, path, unsafe=True) == []
+    if example.fixed is not None:
+        assert [d.message for d in left if d.code == rule.code] == []

@@ -1,0 +1,144 @@
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fixer import Mended, mend_file, together
+from sdfcheck.lint.one_file import Selected
+from sdfcheck.source.decode import decode
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Source
+
+PATH = Path("a.sdf")
+TEXT = '<sdf version="1.9">{}</sdf>'
+Changes = Callable[[Source], list[tuple[Edit, ...]]]
+
+
+def swap(pattern: str, new: str) -> Changes:
+    """One fix for each match."""
+
+    def changes(source: Source) -> list[tuple[Edit, ...]]:
+        return [(Edit(source.span(*m.span()), new),) for m in re.finditer(pattern, source.text)]
+
+    return changes
+
+
+def mended(data: bytes | str, *rules: Changes, unsafe: bool = False, applicability: str = "safe") -> Mended:
+    def lint(file: Selected) -> list[Diagnostic]:
+        source, _ = decode(file.data, file.path)
+        return [
+            Diagnostic(
+                "A1",
+                "a",
+                Severity.ERROR,
+                "m",
+                edits[0].span,
+                fix=Fix("t", edits, Applicability(applicability)),
+            )
+            for rule in rules
+            for edits in rule(source)
+        ]
+
+    given = data.encode() if isinstance(data, str) else data
+    return mend_file(Selected(PATH, given, Kind.SDF), lint, unsafe=unsafe)
+
+
+def body(result: Mended) -> str:
+    return result.after.decode().removeprefix('<sdf version="1.9">').removesuffix("</sdf>")
+
+
+def test_all_fixes_apply_at_once_and_then_again_until_stable() -> None:
+    result = mended(TEXT.format("aaa"), swap("a(?!s)", "b"), swap("b", "c"))
+    assert (body(result), result.fixed, result.refusal) == ("ccc", 6, "")
+
+
+def test_overlapping_fixes_wait_for_the_next_round() -> None:
+    result = mended(TEXT.format("xyz"), swap("xy", "q"), swap("yz", "r"))
+    assert (body(result), result.fixed) == ("qz", 1)
+
+
+def test_more_insertions_at_one_place_than_rounds() -> None:
+    words = [f"w{number:02}" for number in range(25)]
+
+    def rule(word: str) -> Changes:
+        return lambda source: [] if word in source.text else [(Edit(source.span(19, 19), f"<{word}/>"),)]
+
+    result = mended(TEXT.format(""), *map(rule, words))
+    assert result.fixed == 25
+    assert all(word in body(result) for word in words)
+
+
+def test_what_two_fixes_want_alike_is_done_once() -> None:
+    source = Source(PATH, "abc")
+    shared = Edit(source.span(0, 0), "+")
+    first = Fix("t", (shared, Edit(source.span(1, 2), "B")))
+    second = Fix("t", (shared, Edit(source.span(2, 3), "C")))
+    third = Fix("t", (Edit(source.span(0, 2), "Z"),))
+    edits, applied = together([first, second, third])
+    assert [(edit.span.start, edit.text) for edit in edits] == [(0, "+"), (1, "B"), (2, "C")]
+    assert applied == 2
+
+
+def test_a_fix_is_applied_whole_or_not_at_all() -> None:
+    source = Source(PATH, "abcd")
+    first = Fix("t", (Edit(source.span(2, 3), "C"),))
+    second = Fix("t", (Edit(source.span(0, 1), "A"), Edit(source.span(1, 3), "Z")))
+    third = Fix("t", (Edit(source.span(0, 2), "Y"),))
+    edits, applied = together([first, second, third])
+    assert ([edit.text for edit in edits], applied) == (["Y", "C"], 2)
+
+
+def test_unsafe_fixes_only_on_request() -> None:
+    rule = swap("a", "b")
+    assert mended(TEXT.format("a"), rule, applicability="unsafe").fixed == 0
+    assert mended(TEXT.format("a"), rule, applicability="unsafe", unsafe=True).fixed == 1
+
+
+def test_fixes_of_other_files_are_left_alone() -> None:
+    def elsewhere(_: Source) -> list[tuple[Edit, ...]]:
+        return [(Edit(Source(Path("b.sdf"), "a").span(0, 1), "b"),)]
+
+    assert mended(TEXT.format("a"), elsewhere).fixed == 0
+
+
+@pytest.mark.parametrize(
+    ("rules", "reason"),
+    [
+        ((swap("b", "a"), swap("a", "b")), "undo one another"),
+        ((swap("$", " "),), "undo one another"),
+        ((swap("</sdf>", ""),), "would break it"),
+        ((swap("sdf", "robot"),), "would break it"),
+    ],
+)
+def test_fixes_that_do_no_good_are_refused(rules: tuple[Changes, ...], reason: str) -> None:
+    text = TEXT.format("a").encode()
+    result = mended(text, *rules)
+    assert result.after == text
+    assert reason in result.refusal
+    assert result.fixed == 0
+
+
+def test_fixes_that_cannot_be_written_are_refused() -> None:
+    data = '<?xml version="1.0" encoding="latin-1"?><sdf>ä</sdf>'.encode("latin-1")
+    assert "no character for '€'" in mended(data, swap("ä", "€")).refusal
+    assert "other characters" in mended(data, swap("latin-1", "cp437")).refusal
+    assert mended(data, swap("ä", "ö")).after == data.replace("ä".encode("latin-1"), "ö".encode("latin-1"))
+
+
+@given(st.lists(st.tuples(st.integers(0, 12), st.integers(0, 4), st.text("xy", max_size=2)), max_size=8))
+def test_edits_never_overlap(wanted: list[tuple[int, int, str]]) -> None:
+    source = Source(PATH, "." * 16)
+    fixes = [Fix("t", (Edit(source.span(at, at + length), text),)) for at, length, text in wanted]
+    edits, applied = together(fixes)
+    places = [(edit.span.start, edit.span.end) for edit in edits]
+    assert places == sorted(places)
+    assert all(one[1] <= two[0] and one[0] < two[0] for one, two in pairwise(places))
+    assert bool(applied) is bool(wanted)
