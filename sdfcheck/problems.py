@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from sdfcheck.model.file_problems import *  # noqa: F403
     from sdfcheck.model.frames import *  # noqa: F403
     from sdfcheck.model.include_problems import *  # noqa: F403
-    from sdfcheck.model.inertia import *  # noqa: F403
+    from sdfcheck.model.inertia import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
-    from sdfcheck.model.model_config import *  # noqa: F403
-    from sdfcheck.model.names import *  # noqa: F403
-    from sdfcheck.model.rotation_checks import *  # noqa: F403
+    from sdfcheck.model.model_config import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.model.names import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.model.robot_problems import *  # noqa: F403
+    from sdfcheck.model.rotation_checks import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
     from sdfcheck.source.xacro.problems import *  # noqa: F403
 

@@ -47,5 +47,7 @@ class IndefiniteInertia(Rule):
             message = f"{name} {problem.value.text} is negative: the inertia is not positive definite"
             yield self.diagnostic(problem.value, message, labels=labels)
             return
-        message = f"the inertia is not positive definite: its smallest principal moment is {problem.smallest:.6g}"
+        message = (
+            f"the inertia is not positive definite: its smallest principal moment is {problem.smallest:.6g}"
+        )
         yield self.diagnostic(problem.inertia, message, labels=labels)

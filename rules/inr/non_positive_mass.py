@@ -50,4 +50,6 @@ class NonPositiveMass(Rule):
             return
         text = problem.value.text
         what = "negative" if problem.value.number < 0 else "not a number"
-        yield self.diagnostic(problem.value, f"mass {text} is {what}", labels={problem.link: "the mass of this link"})
+        yield self.diagnostic(
+            problem.value, f"mass {text} is {what}", labels={problem.link: "the mass of this link"}
+        )

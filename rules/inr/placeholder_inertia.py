@@ -42,6 +42,8 @@ class PlaceholderInertia(Rule):
     )
 
     def check(self, problem: problems.PlaceholderInertia) -> Iterator[Diagnostic]:
-        how = "unit inertia" if problem.written else "an inertia that is left out, so 1 kg·m² about each axis,"
+        how = (
+            "unit inertia" if problem.written else "an inertia that is left out, so 1 kg·m² about each axis,"
+        )
         message = f"{how} is {problem.ratio:.1g} times what {problem.mass:.6g} kg in this link's shapes have"
         yield self.diagnostic(problem.place, message, labels={problem.link: "this link"})

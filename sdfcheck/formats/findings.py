@@ -44,7 +44,8 @@ _FOUND_ANYWHERE = frozenset(("include",))
 _CLOSED = frozenset(("material/pbr",))
 
 # The table allows one, and the readers take all.
-_REPEATABLE = frozenset(("geometry/polyline",))
+REPEATABLE = frozenset(("geometry/polyline",))
+"""What may stand several times though the tables say once: together they make one thing."""
 
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
@@ -122,7 +123,7 @@ class Findings:
 
     def repeated(self, element: Element, first: Element, parent: Element) -> None:
         # What may stand at the root is judged as a whole, by the analysis of structure.
-        if parent.parent is not None and f"{parent.name}/{element.name}" not in _REPEATABLE:
+        if parent.parent is not None and f"{parent.name}/{element.name}" not in REPEATABLE:
             self.found.append(problems.RepeatedElement(element, first, parent))
 
     def deprecated(self, element: Element, definition: Definition) -> None:

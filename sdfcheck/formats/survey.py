@@ -35,7 +35,7 @@ class Survey:
         text = document.version if root is not None and root.name == "sdf" else None
         self.prepare(document, (Version.parse(text) if text else None) or NEWEST)
         if root is not None and root.name == "sdf":
-            self.problems = _Walk(self).run(root)
+            self.problems += _Walk(self).run(root)
 
     def prepare(self, document: Document, version: Version) -> None:
         """Be empty."""
@@ -102,7 +102,7 @@ class _Walk:
             self.children(element, definition)
         return self._findings.conclude() if self._findings else []
 
-    def children(self, parent: Element, place: Definition) -> None:
+    def children(self, parent: Element, place: Definition) -> None:  # noqa: C901, PLR0912 - the hot loop
         """Check the children of one container, and theirs."""
         allowed = place.children
         index = self.index

@@ -26,7 +26,8 @@ def standard_inside(custom: Element, parent: Element, place: Definition) -> Iter
         name = child.name
         if ":" in name:
             yield from standard_inside(child, parent, place)
-        elif name in _ENTITIES and (definition := place.children.get(name)) is not None:
+        elif name in _ENTITIES and name in place.children:
+            definition = place.children[name]
             if _is_standard(child, definition) and not _refers(child, parent):
                 yield child
 

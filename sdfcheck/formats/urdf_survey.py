@@ -133,7 +133,7 @@ class _Walk:
     def attributes(self, element: Element, definition: UrdfElement) -> None:
         allowed = definition.attributes
         required = 0
-        items = cast("list[tuple[str, str]]", element.items())
+        items = element.items()
         for key, text in items:
             attribute = allowed.get(key)
             if attribute is not None and attribute.required:

@@ -225,10 +225,9 @@ def _selected(document: Document, by_name: dict[str, Any]) -> Iterator[tuple[str
             for element in index.get(name, ()):
                 yield name, element
         return
-    for element in document.root.iter(etree.Element):
-        name = element.name  # type: ignore[attr-defined]
-        if name in by_name:
-            yield name, element  # type: ignore[misc]
+    for node in document.root.iter(etree.Element):
+        if isinstance(node, Element) and (name := node.name) in by_name:
+            yield name, node
 
 
 def _stands_in(element: Element, parents: list[str]) -> bool:

@@ -12,9 +12,12 @@ IN_WORLD = '<sdf version="1.12"><world name="w">{}</world></sdf>'
 IN_MODEL = '<sdf version="1.12"><model name="m"><link name="base"/>{}</model></sdf>'
 IN_LINK = '<sdf version="1.12"><model name="m"><link name="base">{}</link></model></sdf>'
 IN_COLLISION = (
-    '<sdf version="1.12"><model name="m"><link name="base"><collision name="c">{}</collision></link></model></sdf>'
+    '<sdf version="1.12"><model name="m"><link name="base">'
+    '<collision name="c">{}</collision></link></model></sdf>'
 )
-IN_VISUAL = '<sdf version="1.12"><model name="m"><link name="base"><visual name="v">{}</visual></link></model></sdf>'
+IN_VISUAL = (
+    '<sdf version="1.12"><model name="m"><link name="base"><visual name="v">{}</visual></link></model></sdf>'
+)
 IN_JOINT = (
     '<sdf version="1.12"><model name="m"><link name="base"/><link name="arm"/>'
     '<joint name="j" type="revolute"><parent>base</parent><child>arm</child>{}</joint></model></sdf>'

@@ -13,10 +13,9 @@ from sdfcheck.source.library import Library, SearchPaths
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.diagnostic import Diagnostic
-    from sdfcheck.lint.engine import FileResult
     from sdfcheck.lint.config_read import ArgumentSet
-    from sdfcheck.lint.engine import Xacro
+    from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.lint.engine import FileResult, Xacro
     from sdfcheck.source.document import Document
     from sdfcheck.source.xacro.expansion import Expander
 

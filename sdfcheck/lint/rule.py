@@ -51,7 +51,7 @@ class Rule:
         """Look at one selected element or one problem, and say what is wrong with it."""
         raise NotImplementedError
 
-    def diagnostic(
+    def diagnostic(  # noqa: PLR0913 - all but two are named
         self,
         target: Target,
         message: str,

@@ -8,14 +8,14 @@ from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.config import Configuration, Settings
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, Choice
 from sdfcheck.source.discover import DiscoveredFile, Found, discover
-from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.library import SearchPaths
+from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:

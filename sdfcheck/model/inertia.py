@@ -119,14 +119,11 @@ def _moving_links(document: Document) -> Iterable[Element]:
     if root is None:
         return []
     if root.name == "robot":
-        return [link for link in root.children("link") if isinstance(link.tag, str)]
-    links = survey(document).index.get("link", [])
-    static = {scope.element for scope in scopes(document).all() if scope.is_static}
-    return [link for link in links if link.parent not in static and _is_model(link.parent)]
-
-
-def _is_model(element: Element | None) -> bool:
-    return element is not None and element.name == "model"
+        return root.children("link")
+    moving = {
+        scope.element for scope in scopes(document).all() if scope.kind == "model" and not scope.is_static
+    }
+    return [link for link in survey(document).index.get("link", []) if link.parent in moving]
 
 
 def _look_at(inertial: Inertial, is_urdf: bool) -> Iterator[Record]:
@@ -216,4 +213,3 @@ def _look_at_automatic(inertial: Inertial) -> Iterator[Record]:
         if not names or names[0] in _NO_SOLID:
             what = f"a {names[0]}" if names else "a collision without shape"
             yield UnusableAutomaticInertia(collision, inertial.link, collision, f"{what} has no volume")
-

@@ -15,7 +15,9 @@ Positions = Mapping[str, tuple[float, ...]]
 
 def degrees_of_freedom(joint: Joint) -> int:
     """How many positions a joint takes."""
-    return {"fixed": 0, "ball": 3, "universal": 2, "revolute2": 2, "planar": 3, "floating": 6}.get(joint.kind, 1)
+    return {"fixed": 0, "ball": 3, "universal": 2, "revolute2": 2, "planar": 3, "floating": 6}.get(
+        joint.kind, 1
+    )
 
 
 def motion(joint: Joint, positions: tuple[float, ...]) -> Array:

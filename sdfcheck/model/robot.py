@@ -74,7 +74,7 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Mimic:
-    """position = multiplier · (position of the leader − reference) + offset."""
+    """position = multiplier · (position of the leader - reference) + offset."""
 
     leader: str
     multiplier: float = 1.0
@@ -150,7 +150,27 @@ class Robot:
                 placed.add(child)
         return ordered
 
+    def spanning(self) -> list[Joint]:
+        """The tree and the joints that tie trees together: no loops, but a link may have several parents."""
+        chosen = self.tree()
+        group = {name: name for name in (*self.links, "world")}
+
+        def top(name: str) -> str:
+            while group[name] != name:
+                group[name] = name = group[group[name]]
+            return name
+
+        for joint in chosen:
+            group[top(joint.child)] = top(joint.parent)
+        taken = {joint.name for joint in chosen}
+        for joint in self.joints.values():
+            known = joint.parent in group and joint.child in group
+            if joint.name not in taken and known and top(joint.parent) != top(joint.child):
+                group[top(joint.child)] = top(joint.parent)
+                chosen.append(joint)
+        return chosen
+
     def loops(self) -> list[Joint]:
-        """The joints that are not part of the tree."""
-        tree = {joint.name for joint in self.tree()}
+        """The joints that close loops."""
+        tree = {joint.name for joint in self.spanning()}
         return [joint for joint in self.joints.values() if joint.name not in tree]

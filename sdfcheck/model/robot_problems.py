@@ -50,7 +50,8 @@ class VanishingRoot(Record):
 class MasslessMovingLink(Record):
     """A link without mass, neither its own nor of links fixed to it, below a joint that stays a joint.
 
-    That is one that moves, or a fixed one that libsdformat is told to keep. ``mass`` is the value where one is written; ``lost`` counts the link and those below it.
+    That is one that moves, or a fixed one that libsdformat is told to keep. ``mass`` is the value where one
+    is written; ``lost`` counts the link and those below it.
     """
 
     link: Element

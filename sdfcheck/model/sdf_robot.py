@@ -162,7 +162,7 @@ class _Reader:
         expressed = xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
         if expressed:
             frame = self.poses.named(joint.scope, expressed)[:3, :3]
-            return here.T @ frame @ direction
+            return np.asarray(here.T @ frame @ direction)
         if version < _SEVEN:
             flag = axis.find("use_parent_model_frame")
             in_model = version < _FIVE or (flag is not None and flag.content.lower() in {"true", "1"})

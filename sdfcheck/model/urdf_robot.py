@@ -70,7 +70,9 @@ def _body(link: Element) -> Body | None:
     weight = _number(mass, "value", 0.0) if mass is not None else 0.0
     moments = np.zeros((3, 3))
     if inertia is not None:
-        ixx, ixy, ixz, iyy, iyz, izz = (_number(inertia, n, 0.0) for n in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"))
+        ixx, ixy, ixz, iyy, iyz, izz = (
+            _number(inertia, n, 0.0) for n in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+        )
         moments = np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
     return Body(weight, np.zeros(3), moments).seen_from(origin_of(inertial))
 
@@ -82,7 +84,9 @@ def _joint(element: Element) -> Joint:
         end = element.find(role)
         ends.append(end.attributes.get("link", "") if end is not None else "")
     axes = () if kind in {"fixed", "floating"} else (_axis(element, kind),)
-    return Joint(element.attributes.get("name", ""), kind, ends[0], ends[1], origin_of(element), element, axes)
+    return Joint(
+        element.attributes.get("name", ""), kind, ends[0], ends[1], origin_of(element), element, axes
+    )
 
 
 def _axis(joint: Element, kind: str) -> Axis:
@@ -104,7 +108,9 @@ def _axis(joint: Element, kind: str) -> Axis:
         None
         if mimic is None
         else Mimic(
-            mimic.attributes.get("joint", ""), _number(mimic, "multiplier", 1.0), _number(mimic, "offset", 0.0)
+            mimic.attributes.get("joint", ""),
+            _number(mimic, "multiplier", 1.0),
+            _number(mimic, "offset", 0.0),
         ),
     )
 

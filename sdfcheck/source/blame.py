@@ -15,7 +15,6 @@ LOOK_AHEAD = 5_000
 PATIENCE = 2_000_000
 REMEDIES = 50
 
-_INDENT = re.compile(r"(?:[\r\n]|\A)([ \t]*)\Z")
 _UNKNOWN = "?"
 
 
@@ -41,10 +40,24 @@ class Blame:
         self.patience = PATIENCE
         self.remedies = REMEDIES
 
+    def note_remedy(self) -> None:
+        """One has been applied: whoever did has to go back, and that takes time, too."""
+        self.remedies -= 1
+        self.patience -= len(self.tokens)
+
+    @property
+    def is_exhausted(self) -> bool:
+        """Has so much been asked already that a text like this is worth no more questions?"""
+        return self.remedies <= 0 or self.patience <= 0
+
     def next_unmatched_end(self, number: int) -> str | None:
         """The name in the next end tag behind token ``number`` that ends what is open; None: no such."""
         depth = 0
-        for token in self.tokens[number + 1 : number + 1 + LOOK_AHEAD]:
+        if self.is_exhausted:
+            return _UNKNOWN
+        for index in range(number + 1, min(number + 1 + LOOK_AHEAD, len(self.tokens))):
+            self.patience -= 1
+            token = self.tokens[index]
             if token.kind is TokenKind.START:
                 depth += 1
             elif token.kind is TokenKind.END:
@@ -59,17 +72,16 @@ class Blame:
 
         ``opened[depth]`` is the element that this token closes.
         """
-        if self.remedies <= 0 or self.patience <= 0:
+        if self.is_exhausted:
             return None
         remedy = self.doubled_start(opened[depth + 1 :])
         if remedy is None:
             remedy = self.damaged_end(opened[-1], number) or self.missing_end(opened, number)
-        self.remedies -= remedy is not None
         return remedy
 
     def doubled_start(self, opened: list[int]) -> Remedy | None:
         """``<pose>0 0 0<pose>``: the second one is an end tag without its slash; or almost."""
-        if len(opened) < 2:
+        if len(opened) < 2 or self.is_exhausted:
             return None
         token, outer = self.tokens[opened[-1]], self.tokens[opened[-2]]
         if self.text[token.start : token.end] != f"<{token.name}>":
@@ -112,7 +124,7 @@ class Blame:
 
     def bare_start(self, opened: int, number: int) -> Remedy | None:
         """``pose>0 0 0</pose>``: the end tag ``number`` is sound, and its start tag lacks the ``<``."""
-        if self.remedies <= 0 or self.patience <= 0:
+        if self.is_exhausted:
             return None
         found: tuple[int, re.Match[str]] | None = None
         for index, token in self.children(opened, number):
@@ -122,13 +134,14 @@ class Blame:
                         found = index, match
         if found is None:
             return None
-        self.remedies -= 1
         index, match = found
         return self._split(index, Token(TokenKind.START, *match.span(), match[1], tag_of(match)))
 
     def is_misspelt_start(self, start: str, end: str) -> bool:
         """Of two names that differ by a slip: is only the end tag's used elsewhere?"""
-        return alike(start, end) and self.uses(start) == 1 and self.uses(end) > 0
+        if self.is_exhausted or not alike(start, end):
+            return False
+        return self.uses(start) == 1 and self.uses(end) > 0
 
     def uses(self, name: str) -> int:
         """How many start tags there are of that name."""
@@ -169,8 +182,10 @@ class Blame:
 
     def indent(self, at: int) -> int | None:
         """The column at which a line begins at ``at``; None if something stands before it."""
-        match = _INDENT.search(self.text, max(at - 200, 0), at)
-        return len(match[1].expandtabs()) if match else None
+        far = max(at - 200, 0)
+        line = max(self.text.rfind("\n", far, at), self.text.rfind("\r", far, at)) + 1
+        before = self.text[line:at] if line or far == 0 else "?"
+        return len(before.expandtabs()) if not before.strip(" \t") else None
 
     def _as_end_tag(self, index: int, opened: Token) -> Remedy:
         token = self.tokens[index]

@@ -143,8 +143,7 @@ class Document:
             self.problems.append(self._unexplained(fault))
         if not self._scan.starts:
             return None
-        tree = etree.fromstring(_encoded(self._scan.wellformed), self._parser(recover=True))
-        return tree  # type: ignore[return-value]
+        return etree.fromstring(_encoded(self._scan.wellformed), self._parser(recover=True))  # type: ignore[return-value]
 
     def _parser(self, *, recover: bool) -> etree.XMLParser:
         """A parser whose elements know this document; it loads nothing from anywhere."""

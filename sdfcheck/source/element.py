@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, ClassVar, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
 from lxml import etree
 
@@ -87,6 +87,13 @@ class Element(etree.ElementBase):
     # element proxies at will, so they cannot hold anything themselves.
     document: ClassVar[Document]
 
+    if TYPE_CHECKING:
+        # A parser makes all elements of a document of this class; comments have a function for a tag.
+        tag: Any
+
+        def __iter__(self) -> Iterator[Element]: ...  # type: ignore[override]
+        def items(self) -> list[tuple[str, str]]: ...
+
     @property
     def name(self) -> str:
         return written_name(self.tag, self.prefix)
@@ -155,8 +162,8 @@ class Element(etree.ElementBase):
     def next(self, name: str | None = None) -> Element | None:
         """The next sibling element, of that name if one is given."""
         for node in self.itersiblings():
-            if isinstance(node.tag, str) and (name is None or node.name == name):  # type: ignore[attr-defined]
-                return node  # type: ignore[return-value]
+            if isinstance(node, Element) and (name is None or node.name == name):
+                return node
         return None
 
     def attribute(self, name: str) -> Value | None:
@@ -181,11 +188,11 @@ class Element(etree.ElementBase):
         """The text of this element as a value."""
         return Value(self, None, self.content)
 
-    @overload
+    @overload  # type: ignore[override]
     def get(self, name: str) -> str | None: ...
     @overload
     def get(self, name: str, type: type[T]) -> T | None: ...
-    def get(self, name: str, type: type[T] | type[str] = str) -> T | str | None:  # type: ignore[override]
+    def get(self, name: str, type: type[T] | type[str] = str) -> T | str | None:
         """The typed value of an attribute, else of a child element; None if there is neither.
 
         ``type`` is str, int, float or bool. Raises ValueError, with the place, for a
@@ -196,7 +203,7 @@ class Element(etree.ElementBase):
             return None
         try:
             if type is bool:
-                return _BOOLEANS[found.text.strip().lower()]  # type: ignore[return-value]
+                return _BOOLEANS[found.text.strip().lower()]
             return type(found.text)
         except (ValueError, KeyError):
             line, column = found.span.begin

@@ -103,7 +103,7 @@ class _Pairing:
 
     def take_start(self, token: Token) -> None:
         if len(self.open) >= DEPTH_LIMIT:
-            if not any(isinstance(problem, TooDeep) for _, problem in self.problems):
+            if not self.too_deep and not any(isinstance(p, TooDeep) for _, p in self.problems):
                 self.note(TooDeep(self.name_span(token), DEPTH_LIMIT))
             self.too_deep += token.kind is TokenKind.START
             self.step(Act.DROP, token)
@@ -238,10 +238,12 @@ class _Pairing:
         other = self.blame.empty_twin(self.open[-1], self.number) or self.tokens[self.open[-1]]
         self.defect(SyntaxKind.EXTRA_END_TAG, (token.start, token.end), self.name_span(other), token.name)
         self.step(Act.DROP, token)
-        self.doubt(self.blame.block_start(self.open[-1], self.number), token.end)
+        if not self.blame.is_exhausted:
+            self.doubt(self.blame.block_start(self.open[-1], self.number), token.end)
 
     def apply(self, remedy: Remedy) -> bool:
         """Change the tokens as the remedy says, and go back to where it begins."""
+        self.blame.note_remedy()
         self.number = remedy.number
         self.tokens[remedy.number : remedy.number + remedy.replaced] = remedy.tokens
         while self.steps and self.steps[-1].number >= remedy.number:

@@ -22,7 +22,9 @@ class _RecordType(type):
     """Turns annotations into slots, in their order."""
 
     def __new__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> _RecordType:
-        own = tuple(f for f, kind in namespace.get("__annotations__", {}).items() if "ClassVar" not in str(kind))
+        own = tuple(
+            f for f, kind in namespace.get("__annotations__", {}).items() if "ClassVar" not in str(kind)
+        )
         defaults = {field: namespace.pop(field) for field in own if field in namespace}
         namespace["__slots__"] = own
         made = super().__new__(cls, name, bases, namespace)
@@ -54,7 +56,7 @@ class Record(metaclass=_RecordType):
         raise AttributeError(f"{type(self).__name__} is frozen")
 
     def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self._values() == other._values()  # type: ignore[attr-defined]
+        return type(self) is type(other) and self._values() == other._values()
 
     def __hash__(self) -> int:
         return hash((type(self), self._values()))

@@ -27,9 +27,9 @@ class InnerComment(NamedTuple):
     rest_end: int
 
 
-def line_end(text: str, at: int) -> int:
-    """The offset of the end of the line."""
-    match = _LINE.match(text, at)
+def line_end(text: str, at: int, limit: int | None = None) -> int:
+    """The offset of the end of the line, at most ``limit``."""
+    match = _LINE.match(text, at, len(text) if limit is None else limit)
     assert match
     return match.end()
 
@@ -51,7 +51,7 @@ def comment_end(text: str, begin: int, limit: int | None = None) -> int:
             return match.end()
     if markup == len(text):
         return markup
-    return min(line_end(text, begin), limit)
+    return line_end(text, begin, limit)
 
 
 def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:

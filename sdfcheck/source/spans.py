@@ -11,7 +11,9 @@ from sdfcheck.source.scan import ElementPlace, Scan
 from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
 from sdfcheck.source.text import Source, Span
 
-_PIECE = re.compile(r"<!--.*?-->|<!\[CDATA\[(?P<cdata>.*?)\]\]>|<\?.*?\?>|(?P<markup><)|(?P<text>[^<]+)", re.S)
+_PIECE = re.compile(
+    r"<!--.*?-->|<!\[CDATA\[(?P<cdata>.*?)\]\]>|<\?.*?\?>|(?P<markup><)|(?P<text>[^<]+)", re.DOTALL
+)
 _WORD = re.compile(r"\S+")
 
 

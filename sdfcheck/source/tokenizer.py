@@ -271,7 +271,7 @@ class _Tokenizer:
         if end == 1 or _SWALLOWED_MARKUP.search(text, at, end):
             self.defect(SyntaxKind.UNCLOSED_SECTION, at, at + 2, "?>")
             following = text.find("<", at + 1)
-            end = line_end(text, at) if following < 0 else min(line_end(text, at), following)
+            end = line_end(text, at, following if following >= 0 else None)
             end = text.find(">", at, end) + 1 or end
         elif not _INSTRUCTION.fullmatch(text, at, end):
             self.defect(SyntaxKind.MALFORMED_INSTRUCTION, at, end)

@@ -22,6 +22,9 @@ from sdfcheck.source.xml_names import made_name
 LENGTH_LIMIT = 10_000_000
 """libxml2's bound on one text or attribute value."""
 
+REFERENCE_LIMIT = 1_000
+"""How many undefined references of one file are worth a list."""
+
 _AMPERSAND = re.compile(r"&(?:([\w.\-:]+);|(#[0-9]{1,8}|#x[0-9a-fA-F]{1,7});)?")
 _PREDEFINED = frozenset({"amp", "lt", "gt", "quot", "apos"})
 _PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]*")
@@ -38,6 +41,7 @@ class Writer:
         self.scan = scan
         self.problems = scan.problems
         self.entities = entities
+        self.patience = REFERENCE_LIMIT
         self.pieces: list[str] = []
         self.copied = 0
         self.open: list[tuple[int, str]] = []
@@ -166,7 +170,8 @@ class Writer:
         if self.text.find("&", start, end) < 0:
             return
         for match in _AMPERSAND.finditer(self.text, start, end):
-            if not _is_defined(match) and match[1] not in self.entities:
+            if not _is_defined(match) and match[1] not in self.entities and self.patience > 0:
+                self.patience -= 1
                 span = self.source.span(match.start(), match.end())
                 self.problems.append(UnknownEntity(span, match[1] or match[2] or ""))
 

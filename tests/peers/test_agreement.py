@@ -68,7 +68,9 @@ def test_small_cases(expected: Expected) -> None:
 @pytest.mark.parametrize("kind", ["sdf", "urdf"])
 def test_real_files(reader: str, kind: str) -> None:
     compared = verdicts.compare(reader, kind)
-    alarms = [c for c in compared if c.is_false_alarm and {e.name for e in c.errors} - OF_OTHER_READERS.keys()]
+    alarms = [
+        c for c in compared if c.is_false_alarm and {e.name for e in c.errors} - OF_OTHER_READERS.keys()
+    ]
     missed = [c for c in compared if c.is_miss and c.verdict.first not in FORGIVEN]
     assert compared
     report = "\n".join(verdicts.show(compared))
