@@ -20,7 +20,9 @@ COMMANDS = {
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
     "describe": LazyCommand("sdfcheck.cli.describe:describe_command", "Say what a format allows somewhere."),
+    "diff": LazyCommand("sdfcheck.cli.diff:diff", "Show what changed in the robot."),
     "inertia": LazyCommand("sdfcheck.cli.inertia:inertia", "Show masses, centres of mass and inertias."),
+    "schema": LazyCommand("sdfcheck.cli.schema:schema_command", "Write SDFormat as XML Schema or RELAX NG."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
     "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
 }

@@ -32,6 +32,8 @@ def top_model(path: Path) -> ModelMass | None:
     document = Library().document(path)
     if document is None or document.root is None or document.root.name != "sdf":
         return None
+    if "drake:deformable_properties" in document.source.text:
+        return None  # no rigid body to Drake
     report = mass_report(document)
     sound = len(report.models) == 1 and document.root.has("model") and report.is_complete
     return report.models[0] if sound and not report.models[0].models else None

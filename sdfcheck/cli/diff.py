@@ -1,0 +1,149 @@
+"""``sdfcheck diff``."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import click
+
+from sdfcheck.cli.graph import load
+from sdfcheck.cli.terminal import emit, wants_color
+from sdfcheck.report.visible import visible
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.convert.difference import Change
+    from sdfcheck.convert.file_difference import FileDifference
+
+_SIGNS = {"added": "+", "removed": "-", "renamed": ">", "changed": "~"}
+_COLORS = {"added": "green", "removed": "red", "renamed": "cyan", "changed": "yellow"}
+
+
+class Request(NamedTuple):
+    """The command line, as click read it."""
+
+    a: Path
+    b: Path
+    form: str
+    exit_code: bool
+    tolerance: float
+    config: Path | None
+    isolated: bool
+    color: str
+
+
+@click.command()
+@click.argument("a", type=click.Path(path_type=Path))
+@click.argument("b", type=click.Path(path_type=Path))
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    help="Lines to read, or JSON.  [default: text]",
+)
+@click.option(
+    "--exit-code/--no-exit-code", default=True, help="Exit with 1 if the robots differ.  [default: on]"
+)
+@click.option(
+    "--tolerance",
+    type=click.FloatRange(min=0),
+    default=1e-9,
+    help="Smaller differences do not count (m, rad; relative for others).  [default: 1e-9]",
+)
+@click.option(
+    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
+)
+@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@click.option(
+    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour the text."
+)
+def diff(**given: Any) -> int:
+    """Show what changed in the robot from A to B, not in the text.
+
+    A and B may be of different formats: SDFormat, URDF, xacro. What is compared are
+    models, links, joints and frames: poses, masses and inertias, shapes, axes, limits,
+    dynamics, mimicking. Exit code 0: the same robot; 1: another one; 2: could not compare.
+    """
+    request = Request(**given)
+    found = _compare(request)
+    if request.form == "json":
+        emit(_json(found))
+    else:
+        emit(_text(found, color=wants_color(request.color, sys.stdout)))
+    return 1 if found.changes and request.exit_code else 0
+
+
+def _compare(request: Request) -> FileDifference:
+    from sdfcheck.convert.file_difference import compare_files
+    from sdfcheck.lint.config import Configuration
+    from sdfcheck.model.poses import PoseError
+    from sdfcheck.model.urdf_robot import RobotError
+
+    configuration = Configuration(request.config, isolated=request.isolated)
+    documents = []
+    for file in (request.a, request.b):
+        if not file.is_file():
+            raise WrongUsage(f"no such file: {file}")
+        documents.append(load(file, configuration.settings_for(file)))
+    try:
+        return compare_files(*documents, tolerance=request.tolerance)
+    except RobotError as error:
+        span = error.element.span
+        raise WrongUsage(f"{span.source.path}:{span.begin.line}:{span.begin.column}: {error}") from None
+    except PoseError as error:
+        raise WrongUsage(str(error)) from None
+
+
+def _text(found: FileDifference, *, color: bool) -> str:
+    if not found.changes:
+        parts = [
+            f"{count} {word}{'s' * (count != 1)}"
+            for count, word in ((found.models, "model"), (found.links, "link"), (found.joints, "joint"))
+        ]
+        return f"the same robot: {', '.join(parts)}\n"
+    lines: list[str] = []
+    for model, changes in found.changes:
+        if not any(
+            change.part == "model" and change.kind.value in {"added", "removed"} for change in changes
+        ):
+            lines.append(f"model {visible(model)}")
+        lines += [_line(change, color) for change in changes]
+    return "\n".join(lines) + "\n"
+
+
+def _line(change: Change, color: bool) -> str:
+    kind = change.kind.value
+    if kind == "renamed":
+        text = f"{change.part} `{change.before}` → `{change.after}`"
+    else:
+        text = f"{change.part} `{change.name}`"
+    if kind == "changed":
+        values = " → ".join(filter(None, (change.before, change.after)))
+        text = f"{text}: {change.what} {values}"
+    alone = change.part == "model" and kind in {"added", "removed"}
+    line = f"{'' if alone else '  '}{_SIGNS[kind]} {visible(text)}"
+    return click.style(line, fg=_COLORS[kind]) if color else line
+
+
+def _json(found: FileDifference) -> str:
+    import json
+
+    models = [
+        {"name": name, "changes": [_change(change) for change in changes]} for name, changes in found.changes
+    ]
+    document = {"version": 1, "equal": not found.changes, "models": models}
+    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+
+
+def _change(change: Change) -> dict[str, str]:
+    return {
+        "kind": change.kind.value,
+        "part": change.part,
+        "name": change.name,
+        "what": change.what,
+        "before": change.before,
+        "after": change.after,
+    }

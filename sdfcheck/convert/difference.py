@@ -1,0 +1,268 @@
+"""What differs between two robots, whatever formats they were read from.
+
+Links are compared where their parents carry them, so that one moved joint is one
+difference and not one for every link behind it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import PurePosixPath
+
+import numpy as np
+
+from sdfcheck.convert.renaming import Names, same_geometry, same_pose, seat
+from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
+from sdfcheck.model.robot import Axis, Body, Geometry, Joint, Link, Mimic, Robot
+from sdfcheck.model.rotations import Array, inverse, to_rpy
+
+
+class ChangeKind(Enum):
+    ADDED = "added"
+    REMOVED = "removed"
+    RENAMED = "renamed"
+    CHANGED = "changed"
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One difference: of a ``part`` (model, link, joint, frame), and where it is changed, in ``what``."""
+
+    kind: ChangeKind
+    part: str
+    name: str
+    what: str = ""
+    before: str = ""
+    after: str = ""
+    """Of what was renamed: the old and the new name."""
+
+
+def compare(
+    a: Robot, b: Robot, *, across_formats: bool = False, tolerance: float = TOLERANCE
+) -> list[Change]:
+    """What changed from ``a`` to ``b``.
+
+    ``across_formats``: what only one of the formats can say (names of shapes, frames, where
+    a mesh is looked for) is not compared.
+    """
+    comparison = _Comparison(a, b, across_formats, tolerance)
+    found = list(comparison.run())
+    if found:
+        return found
+    # Nothing that is known to matter has changed; make sure that the robots also move alike.
+    proof = verify(a, b, comparison.correspondence(), configurations=4, tolerance=tolerance * 100)
+    return [Change(ChangeKind.CHANGED, "robot", d.name, d.what, "", d.text) for d in proof.differences]
+
+
+class _Comparison:
+    def __init__(self, a: Robot, b: Robot, across_formats: bool, tolerance: float) -> None:
+        self.a = a
+        self.b = b
+        self.across_formats = across_formats
+        self.tolerance = tolerance
+        self.names = Names.between(a, b, tolerance)
+
+    def correspondence(self) -> Correspondence:
+        links = {name: Counterpart(other) for name, other in self.names.links.items()}
+        return Correspondence(links, self.names.joints)
+
+    def run(self) -> Iterator[Change]:
+        yield from self.parts("link", self.a.links, self.b.links, self.names.links)
+        yield from self.parts("joint", self.a.joints, self.b.joints, self.names.joints)
+        for name, link in self.a.links.items():
+            if name in self.names.links:
+                yield from self.link(link, self.b.links[self.names.links[name]])
+        for name, joint in self.a.joints.items():
+            if name in self.names.joints:
+                yield from self.joint(joint, self.b.joints[self.names.joints[name]])
+        if not self.across_formats:
+            yield from self.frames()
+
+    def parts(
+        self, part: str, before: Mapping[str, object], after: Mapping[str, object], same: Mapping[str, str]
+    ) -> Iterator[Change]:
+        for name in before:
+            if name not in same:
+                yield Change(ChangeKind.REMOVED, part, name)
+        kept = set(same.values())
+        for name in after:
+            if name not in kept:
+                yield Change(ChangeKind.ADDED, part, name)
+        for name, other in same.items():
+            if name != other:
+                yield Change(ChangeKind.RENAMED, part, name, "", name, other)
+
+    # Links
+
+    def link(self, a: Link, b: Link) -> Iterator[Change]:
+        parent, here = seat(self.a, a.name)
+        other_parent, there = seat(self.b, b.name)
+        if self.names.links.get(parent, parent) != other_parent:
+            parent, here, there = "", a.pose, b.pose  # the joint tells that the parent is another
+        if not same_pose(here, there, self.tolerance):
+            what = f"pose in `{parent}`" if parent else "pose"
+            yield self.changed("link", b.name, what, *pose_texts(here, there))
+        yield from self.body(b.name, a.body, b.body)
+        yield from self.geometries(a, b)
+
+    def body(self, name: str, a: Body | None, b: Body | None) -> Iterator[Change]:
+        if a is None or b is None:
+            if (a or b) is not None and (not self.across_formats or (a or b).mass):  # type: ignore[union-attr]
+                texts = ("none" if body is None else f"{body.mass:g} kg" for body in (a, b))
+                yield self.changed("link", name, "inertial", *texts)
+            return
+        if not self.equal(a.mass, b.mass):
+            yield self.changed("link", name, "mass", *_pair((a.mass,), (b.mass,)))
+        if not np.allclose(a.centre, b.centre, rtol=0, atol=self.tolerance):
+            yield self.changed("link", name, "centre of mass", *_pair(a.centre, b.centre))
+        size = max(float(np.abs(a.moments).max()), float(np.abs(b.moments).max()))
+        pairs = (("ixx", 0, 0), ("iyy", 1, 1), ("izz", 2, 2), ("ixy", 0, 1), ("ixz", 0, 2), ("iyz", 1, 2))
+        for what, row, column in pairs:
+            x, y = float(a.moments[row, column]), float(b.moments[row, column])
+            if abs(x - y) > self.tolerance * size:
+                yield self.changed("link", name, what, *_pair((x,), (y,)))
+
+    def geometries(self, a: Link, b: Link) -> Iterator[Change]:
+        gone, new = list(a.geometries), []
+        for geometry in b.geometries:
+            equal = next((g for g in gone if self.same_geometry(g, geometry)), None)
+            if equal is None:
+                new.append(geometry)
+            else:
+                gone.remove(equal)
+        for geometry in list(gone):
+            other = _partner(geometry, gone, new)
+            if other is not None:
+                gone.remove(geometry)
+                new.remove(other)
+                yield from self.geometry(b.name, geometry, other)
+        for geometry in gone:
+            yield self.changed("link", b.name, geometry.role, _title(geometry), "none")
+        for geometry in new:
+            yield self.changed("link", b.name, geometry.role, "none", _title(geometry))
+
+    def same_geometry(self, a: Geometry, b: Geometry) -> bool:
+        named = self.across_formats or a.name == b.name
+        return named and same_geometry(a, b, self.tolerance) and self.uri(a) == self.uri(b)
+
+    def geometry(self, link: str, a: Geometry, b: Geometry) -> Iterator[Change]:
+        label = f"{b.role} `{b.name}`" if b.name else b.role
+        if not self.across_formats and a.name != b.name:
+            yield self.changed("link", link, f"name of a {b.role}", a.name or "none", b.name or "none")
+        if a.kind != b.kind:
+            yield self.changed("link", link, f"{label} shape", _title(a), _title(b))
+        elif len(a.size) != len(b.size) or not np.allclose(a.size, b.size, rtol=1e-9, atol=self.tolerance):
+            yield self.changed("link", link, f"{label} size", *_pair(a.size, b.size))
+        if self.uri(a) != self.uri(b):
+            yield self.changed("link", link, f"{label} file", a.uri or "none", b.uri or "none")
+        if not same_pose(a.pose, b.pose, self.tolerance):
+            yield self.changed("link", link, f"{label} pose", *pose_texts(a.pose, b.pose))
+
+    def uri(self, geometry: Geometry) -> str:
+        return PurePosixPath(geometry.uri).name if self.across_formats else geometry.uri
+
+    # Joints
+
+    def joint(self, a: Joint, b: Joint) -> Iterator[Change]:
+        name = b.name
+        if a.kind != b.kind:
+            yield self.changed("joint", name, "type", a.kind, b.kind)
+        for what, x, y in (("parent", a.parent, b.parent), ("child", a.child, b.child)):
+            if self.names.links.get(x, x) != y:
+                yield self.changed("joint", name, what, x, y)
+        here, there = _in_child(self.a, a), _in_child(self.b, b)
+        if self.across_formats:  # URDF has no frames of joints that are turned: the axis tells
+            here[:3, :3] = there[:3, :3] = np.eye(3)
+        if not same_pose(here, there, self.tolerance) and (a.moves or not self.across_formats):
+            yield self.changed("joint", name, "pose in the child", *pose_texts(here, there))
+        if not self.equal(a.pitch, b.pitch):
+            yield self.changed("joint", name, "pitch", *_pair((a.pitch,), (b.pitch,)))
+        for number, (x_axis, y_axis) in enumerate(zip(a.axes, b.axes, strict=False)):
+            label = f"axis {number + 1} " if max(len(a.axes), len(b.axes)) > 1 else ""
+            turns = _in_child(self.a, a)[:3, :3], _in_child(self.b, b)[:3, :3]
+            yield from self.axis(name, label, x_axis, y_axis, turns)
+
+    def axis(self, joint: str, label: str, a: Axis, b: Axis, turns: tuple[Array, Array]) -> Iterator[Change]:
+        here, there = turns[0] @ a.direction, turns[1] @ b.direction
+        if not np.allclose(here, there, rtol=0, atol=max(self.tolerance, 1e-9)):
+            yield self.changed("joint", joint, f"{label}direction", *_pair(here, there))
+        for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):
+            x, y = getattr(a, what), getattr(b, what)
+            if not self.equal(x, y):
+                yield self.changed("joint", joint, label + what, *_pair((x,), (y,)))
+        if not self.same_mimic(a.mimic, b.mimic):
+            yield self.changed("joint", joint, f"{label}mimic", _mimic(a.mimic), _mimic(b.mimic))
+
+    def same_mimic(self, a: Mimic | None, b: Mimic | None) -> bool:
+        if a is None or b is None:
+            return a is b
+        same = self.names.joints.get(a.leader, a.leader) == b.leader and self.equal(
+            a.multiplier, b.multiplier
+        )
+        return same and self.equal(
+            a.offset - a.multiplier * a.reference, b.offset - b.multiplier * b.reference
+        )
+
+    def frames(self) -> Iterator[Change]:
+        same = {name: name for name in self.a.frames if name in self.b.frames}
+        yield from self.parts("frame", self.a.frames, self.b.frames, same)
+        for name in same:
+            (link, pose), (other, other_pose) = self.a.frames[name], self.b.frames[name]
+            if self.names.links.get(link, link) != other:
+                yield self.changed("frame", name, "attached to", link, other)
+            elif not same_pose(pose, other_pose, self.tolerance):
+                yield self.changed("frame", name, f"pose in `{other}`", *pose_texts(pose, other_pose))
+
+    def equal(self, x: float, y: float) -> bool:
+        return x == y or math.isclose(x, y, rel_tol=self.tolerance, abs_tol=min(self.tolerance, 1e-12))
+
+    def changed(self, part: str, name: str, what: str, before: str, after: str) -> Change:
+        return Change(ChangeKind.CHANGED, part, name, what, before, after)
+
+
+def _in_child(robot: Robot, joint: Joint) -> Array:
+    child = robot.links.get(joint.child)
+    return inverse(child.pose) @ joint.pose if child is not None else joint.pose.copy()
+
+
+def _partner(geometry: Geometry, gone: list[Geometry], new: list[Geometry]) -> Geometry | None:
+    """What a shape has become: the one of its name, or the only other one of its role."""
+    same_role = [g for g in new if g.role == geometry.role]
+    named = next((g for g in same_role if g.name and g.name == geometry.name), None)
+    alone = len(same_role) == 1 and sum(g.role == geometry.role for g in gone) == 1
+    return named or (same_role[0] if alone else None)
+
+
+def _title(geometry: Geometry) -> str:
+    name = f" `{geometry.name}`" if geometry.name else ""
+    return " ".join(filter(None, (geometry.kind + name, geometry.uri)))
+
+
+def _mimic(mimic: Mimic | None) -> str:
+    if mimic is None:
+        return "none"
+    return f"{mimic.multiplier:g} × `{mimic.leader}` + {mimic.offset - mimic.multiplier * mimic.reference:g}"
+
+
+def pose_texts(a: Array, b: Array) -> tuple[str, str]:
+    """Two poses as x y z roll pitch yaw (m, rad)."""
+    return _pair((*a[:3, 3], *to_rpy(a[:3, :3])), (*b[:3, 3], *to_rpy(b[:3, :3])))
+
+
+def _pair(a: Array | tuple[float, ...], b: Array | tuple[float, ...]) -> tuple[str, str]:
+    """Two lists of numbers, with as many digits as it takes to tell them apart."""
+    texts = ("", "")
+    for digits in (6, 10, 17):
+        texts = tuple(" ".join(_digits(float(x), digits) for x in numbers) for numbers in (a, b))  # type: ignore[assignment]
+        if texts[0] != texts[1]:
+            break
+    return texts
+
+
+def _digits(number: float, digits: int) -> str:
+    if math.isinf(number):
+        return "none"
+    return f"{0.0 if abs(number) < 1e-15 else number:.{digits}g}"

@@ -1,0 +1,109 @@
+"""What differs between two files: the models in them, where they stand, and each robot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sdfcheck.convert.difference import Change, ChangeKind, compare, pose_texts
+from sdfcheck.convert.renaming import same_pose
+from sdfcheck.convert.verify import TOLERANCE
+from sdfcheck.model.poses import Poses, written_pose
+from sdfcheck.model.robot import Robot
+from sdfcheck.model.rotations import Array
+from sdfcheck.model.scopes import Scope, scopes
+from sdfcheck.model.sdf_robot import read_sdf_robot
+from sdfcheck.model.urdf_robot import read_urdf_robot
+from sdfcheck.source.document import Document
+from sdfcheck.source.sniff import Kind
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A model of a file: the robot, its 4×4 pose in the world, and whether it stands still."""
+
+    robot: Robot
+    pose: Array
+    is_static: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FileDifference:
+    """The changes by model (by its new name), and how much was compared."""
+
+    changes: tuple[tuple[str, tuple[Change, ...]], ...]
+    models: int
+    links: int
+    joints: int
+
+
+def placed_models(document: Document) -> dict[str, Placed]:
+    """The models at the top of a document or in its world.
+
+    Raises RobotError or PoseError where one cannot be read.
+    """
+    if document.kind is Kind.URDF:
+        robot = read_urdf_robot(document)
+        return {robot.name: Placed(robot, np.eye(4))}
+    found: dict[str, Placed] = {}
+    poses = Poses()
+    for root in scopes(document).roots:
+        if root.kind == "model":
+            found[root.name] = _placed(root, written_pose(root.element.find("pose")))
+            continue
+        for frame in root.frames.values():
+            if frame.kind == "model" and frame.inner is not None:
+                found[frame.name] = _placed(frame.inner, poses.in_scope(frame))
+    return found
+
+
+def compare_files(a: Document, b: Document, *, tolerance: float = TOLERANCE) -> FileDifference:
+    """What changed from one document to another.
+
+    Raises RobotError or PoseError where one of them cannot be read.
+    """
+    before, after = placed_models(a), placed_models(b)
+    across = a.kind is not b.kind
+    names = _counterparts(before, after)
+    changes: list[tuple[str, tuple[Change, ...]]] = []
+    for name, placed in before.items():
+        if name not in names:
+            changes.append((name, (Change(ChangeKind.REMOVED, "model", name),)))
+            continue
+        found = _compare(name, placed, names[name], after[names[name]], across, tolerance)
+        if found:
+            changes.append((names[name], tuple(found)))
+    kept = set(names.values())
+    changes += [(name, (Change(ChangeKind.ADDED, "model", name),)) for name in after if name not in kept]
+    robots = [placed.robot for placed in after.values()]
+    links, joints = sum(len(robot.links) for robot in robots), sum(len(robot.joints) for robot in robots)
+    return FileDifference(tuple(changes), len(robots), links, joints)
+
+
+def _placed(scope: Scope, pose: Array) -> Placed:
+    return Placed(read_sdf_robot(scope), pose, scope.is_static)
+
+
+def _counterparts(before: dict[str, Placed], after: dict[str, Placed]) -> dict[str, str]:
+    """By name; a last one on both sides is the same with another name if it shares a link or has none."""
+    names = {name: name for name in before if name in after}
+    gone = [name for name in before if name not in names]
+    new = [name for name in after if name not in names]
+    if len(gone) == len(new) == 1:
+        old_links, new_links = before[gone[0]].robot.links, after[new[0]].robot.links
+        if old_links.keys() & new_links.keys() or len(before) == len(after) == 1:
+            names[gone[0]] = new[0]
+    return names
+
+
+def _compare(name: str, a: Placed, other: str, b: Placed, across: bool, tolerance: float) -> list[Change]:
+    changes: list[Change] = []
+    if name != other:
+        changes.append(Change(ChangeKind.RENAMED, "model", name, "", name, other))
+    if not same_pose(a.pose, b.pose, tolerance):
+        changes.append(Change(ChangeKind.CHANGED, "model", other, "pose", *pose_texts(a.pose, b.pose)))
+    if a.is_static is not b.is_static:
+        texts = ("true" if placed.is_static else "false" for placed in (a, b))
+        changes.append(Change(ChangeKind.CHANGED, "model", other, "static", *texts))
+    return changes + compare(a.robot, b.robot, across_formats=across, tolerance=tolerance)

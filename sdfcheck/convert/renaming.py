@@ -1,0 +1,99 @@
+"""Which link and joint of one robot is which of another: by name, or by being alike."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from sdfcheck.model.robot import Body, Geometry, Joint, Link, Robot
+from sdfcheck.model.rotations import Array, inverse
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """Names in the first robot → names in the second, of all links and joints that are in both."""
+
+    links: dict[str, str]
+    joints: dict[str, str]
+
+    @classmethod
+    def between(cls, a: Robot, b: Robot, tolerance: float) -> Names:
+        """Pair what has one name; of the rest, pair what is alike if nothing else is."""
+        links = {name: name for name in a.links if name in b.links}
+
+        def alike(name: str, other: str) -> bool:
+            return _same_link(a, a.links[name], b, b.links[other], links, tolerance)
+
+        # A renamed link is known by its parent, which may have been renamed as well.
+        while found := _unique_pairs(list(a.links), list(b.links), links, alike):
+            links.update(found)
+        joints = {name: name for name in a.joints if name in b.joints}
+
+        def between_same_links(name: str, other: str) -> bool:
+            return _ends(a.joints[name], links) == _ends(b.joints[other], {})
+
+        joints.update(_unique_pairs(list(a.joints), list(b.joints), joints, between_same_links))
+        return cls(
+            {name: links[name] for name in a.links if name in links},
+            {name: joints[name] for name in a.joints if name in joints},
+        )
+
+
+def seat(robot: Robot, name: str) -> tuple[str, Array]:
+    """The link that carries a link, empty for none, and the 4×4 pose in it or in the model."""
+    pose = robot.links[name].pose
+    for joint in robot.joints.values():
+        parent = robot.links.get(joint.parent)
+        if joint.child == name and parent is not None and joint.parent != name:
+            return parent.name, inverse(parent.pose) @ pose
+    return "", pose
+
+
+def same_pose(a: Array, b: Array, tolerance: float) -> bool:
+    scale = max(1.0, float(np.abs(a[:3, 3]).max()))
+    return bool(np.allclose(a, b, rtol=0, atol=tolerance * scale))
+
+
+def same_geometry(a: Geometry, b: Geometry, tolerance: float) -> bool:
+    """Are they one shape at one place? Names and files do not matter."""
+    if (a.role, a.kind, len(a.size)) != (b.role, b.kind, len(b.size)):
+        return False
+    return bool(np.allclose(a.size, b.size, rtol=1e-9, atol=tolerance)) and same_pose(
+        a.pose, b.pose, tolerance
+    )
+
+
+def _unique_pairs(
+    before: list[str], after: list[str], known: dict[str, str], alike: Callable[[str, str], bool]
+) -> dict[str, str]:
+    taken = set(known.values())
+    gone = [name for name in before if name not in known]
+    new = [name for name in after if name not in taken]
+    candidates = {name: [other for other in new if alike(name, other)] for name in gone}
+    found = {name: others[0] for name, others in candidates.items() if len(others) == 1}
+    chosen = [other for others in candidates.values() for other in others]
+    return {name: other for name, other in found.items() if chosen.count(other) == 1}
+
+
+def _same_link(a: Robot, link: Link, b: Robot, other: Link, links: dict[str, str], tolerance: float) -> bool:
+    parent, here = seat(a, link.name)
+    other_parent, there = seat(b, other.name)
+    if (links.get(parent) if parent else "") != other_parent or not same_pose(here, there, tolerance):
+        return False
+    if len(link.geometries) != len(other.geometries) or not _same_body(link.body, other.body):
+        return False
+    pairs = zip(link.geometries, other.geometries, strict=True)
+    return all(same_geometry(mine, theirs, tolerance) for mine, theirs in pairs)
+
+
+def _same_body(a: Body | None, b: Body | None) -> bool:
+    if a is None or b is None:
+        return a is b
+    same_mass = bool(np.isclose(a.mass, b.mass, rtol=1e-9, atol=0))
+    return same_mass and np.allclose(a.centre, b.centre) and np.allclose(a.moments, b.moments, rtol=1e-6)
+
+
+def _ends(joint: Joint, links: dict[str, str]) -> tuple[str, str]:
+    return links.get(joint.parent, joint.parent), links.get(joint.child, joint.child)

@@ -1,0 +1,175 @@
+"""What changed in a robot, and what did not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.difference import Change, ChangeKind
+from sdfcheck.convert.file_difference import FileDifference, compare_files
+from tests.unit.model.files import opened, write
+
+LINK = (
+    "<link name='{}'><inertial><mass>1</mass></inertial>"
+    "<visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual></link>"
+)
+ARM = (
+    "<sdf version='1.10'><model name='arm'>"
+    "<link name='base'><inertial><mass>1</mass></inertial>"
+    "<visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual></link>"
+    "<link name='fore'><pose>0 0 1 0 0 0</pose><inertial><mass>2</mass></inertial></link>"
+    "<link name='tip'><pose relative_to='fore'>0 0 1 0 0 0</pose></link>"
+    "<joint name='elbow' type='revolute'><parent>base</parent><child>fore</child><axis><xyz>0 1 0</xyz>"
+    "<limit><lower>-1</lower><upper>1</upper></limit></axis></joint>"
+    "<joint name='wrist' type='fixed'><parent>fore</parent><child>tip</child></joint>"
+    "</model></sdf>"
+)
+URDF = (
+    "<robot name='arm'><link name='base'><inertial><mass value='1'/>"
+    "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"
+    "<visual><geometry><box size='1 1 1'/></geometry></visual></link>"
+    "<link name='fore'><inertial><mass value='2'/>"
+    "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link><link name='tip'/>"
+    "<joint name='elbow' type='revolute'><origin xyz='0 0 1'/><parent link='base'/><child link='fore'/>"
+    "<axis xyz='0 1 0'/><limit lower='-1' upper='1'/></joint>"
+    "<joint name='wrist' type='fixed'><origin xyz='0 0 1'/><parent link='fore'/><child link='tip'/></joint>"
+    "</robot>"
+)
+
+
+def difference(folder: Path, a: str, b: str) -> FileDifference:
+    names = ["a.urdf" if "<robot" in a else "a.sdf", "b.urdf" if "<robot" in b else "b.sdf"]
+    write(folder, dict(zip(names, (a, b), strict=True)))
+    return compare_files(opened(folder / names[0]), opened(folder / names[1]))
+
+
+def changes(folder: Path, a: str, b: str) -> list[Change]:
+    return [change for _, found in difference(folder, a, b).changes for change in found]
+
+
+def edited(folder: Path, old: str, new: str, text: str = ARM) -> list[tuple[str, str, str, str, str]]:
+    """The changes that an edit makes, without their kind."""
+    assert old in text
+    found = changes(folder, text, text.replace(old, new))
+    assert all(change.kind is ChangeKind.CHANGED for change in found)
+    return [(change.part, change.name, change.what, change.before, change.after) for change in found]
+
+
+def test_another_text_may_be_the_same_robot(tmp_path: Path) -> None:
+    other = ARM.replace(
+        "<pose relative_to='fore'>0 0 1 0 0 0</pose>", "<pose degrees='true'>0 0 2 0 0 0</pose>"
+    )
+    other = other.replace("<mass>2</mass>", "<!-- kg --><mass>2.000</mass>")
+    found = difference(tmp_path, ARM, other)
+    assert found.changes == ()
+    assert (found.models, found.links, found.joints) == (1, 3, 2)
+
+
+def test_another_format_may_be_the_same_robot(tmp_path: Path) -> None:
+    assert changes(tmp_path, ARM, URDF) == []
+    assert changes(tmp_path, URDF, ARM) == []
+
+
+def test_a_change_across_formats(tmp_path: Path) -> None:
+    (change,) = changes(tmp_path, ARM, URDF.replace("upper='1'", "upper='2'"))
+    assert (change.part, change.name, change.what, change.before, change.after) == (
+        "joint",
+        "elbow",
+        "upper",
+        "1",
+        "2",
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("<mass>2</mass>", "<mass>3</mass>", ("link", "fore", "mass", "2", "3")),
+        ("0 1 0</xyz>", "0 0 1</xyz>", ("joint", "elbow", "direction", "0 1 0", "0 0 1")),
+        ("<lower>-1<", "<lower>-2<", ("joint", "elbow", "lower", "-1", "-2")),
+        ("<upper>1</upper>", "<upper>inf</upper>", ("joint", "elbow", "upper", "1", "none")),
+        ("'fixed'", "'ball'", ("joint", "wrist", "type", "fixed", "ball")),
+        ("1 1 1</size>", "1 2 1</size>", ("link", "base", "visual `v` size", "1 1 1", "1 2 1")),
+        ("<mass>2</mass>", "<pose>1 0 0 0 0 0</pose><mass>2</mass>",
+         ("link", "fore", "centre of mass", "0 0 0", "1 0 0")),
+        ("<mass>2</mass>", "<mass>2</mass><inertia><iyz>0.1</iyz></inertia>", ("link", "fore", "iyz", "0", "0.1")),
+        ("</axis>", "<dynamics><damping>1</damping></dynamics></axis>", ("joint", "elbow", "damping", "0", "1")),
+        ("<box><size>1 1 1</size></box>", "<sphere/>", ("link", "base", "visual `v` shape", "box `v`", "sphere `v`")),
+        ("<model name='arm'>", "<model name='arm'><static>1</static>", ("model", "arm", "static", "false", "true")),
+        ("<model name='arm'>", "<model name='arm'><pose>1 0 0 0 0 0</pose>",
+         ("model", "arm", "pose", "0 0 0 0 0 0", "1 0 0 0 0 0")),
+    ],
+)  # fmt: skip
+def test_one_edit_is_one_change(tmp_path: Path, old: str, new: str, expected: tuple[str, ...]) -> None:
+    assert edited(tmp_path, old, new) == [expected]
+
+
+def test_a_moved_joint_does_not_move_what_is_behind_it(tmp_path: Path) -> None:
+    found = edited(
+        tmp_path,
+        "<origin xyz='0 0 1'/><parent link='base'/>",
+        "<origin xyz='0 0 3'/><parent link='base'/>",
+        URDF,
+    )
+    assert found == [("link", "fore", "pose in `base`", "0 0 1 0 0 0", "0 0 3 0 0 0")]
+
+
+def test_what_is_new_and_what_is_gone(tmp_path: Path) -> None:
+    found = changes(tmp_path, ARM, ARM.replace("</model>", LINK.format("lamp") + "</model>"))
+    assert [(change.kind, change.part, change.name) for change in found] == [
+        (ChangeKind.ADDED, "link", "lamp")
+    ]
+    found = changes(tmp_path, ARM.replace("</model>", LINK.format("lamp") + "</model>"), ARM)
+    assert [(change.kind, change.part, change.name) for change in found] == [
+        (ChangeKind.REMOVED, "link", "lamp")
+    ]
+
+
+def test_new_names_are_told_as_such(tmp_path: Path) -> None:
+    found = changes(
+        tmp_path, ARM, ARM.replace("'base'", "'foot'").replace(">base<", ">foot<").replace("elbow", "knee")
+    )
+    assert [(change.kind, change.part, change.before, change.after) for change in found] == [
+        (ChangeKind.RENAMED, "link", "base", "foot"),
+        (ChangeKind.RENAMED, "joint", "elbow", "knee"),
+    ]
+
+
+def test_a_name_among_twins_cannot_be_followed(tmp_path: Path) -> None:
+    model = "<sdf version='1.10'><model name='m'>{}{}</model></sdf>"
+    found = changes(
+        tmp_path,
+        model.format(LINK.format("a"), LINK.format("b")),
+        model.format(LINK.format("c"), LINK.format("d")),
+    )
+    assert {change.kind for change in found} == {ChangeKind.ADDED, ChangeKind.REMOVED}
+
+
+def test_nested_models(tmp_path: Path) -> None:
+    nested = (
+        "<sdf version='1.10'><model name='m'><link name='a'/><model name='n'><pose>{} 0 0 0 0 0</pose>"
+        "<link name='b'/></model></model></sdf>"
+    )
+    (change,) = changes(tmp_path, nested.format(1), nested.format(2))
+    assert (change.name, change.what) == ("n::b", "pose")
+
+
+def test_models_of_worlds(tmp_path: Path) -> None:
+    world = "<sdf version='1.10'><world name='w'>{}</world></sdf>"
+    model = "<model name='{}'><pose>{} 0 0 0 0 0</pose><link name='{}'/></model>"
+    a = world.format(model.format("x", 0, "l") + model.format("y", 0, "k"))
+    b = world.format(model.format("x", 1, "l") + model.format("z", 0, "j") + model.format("q", 0, "j"))
+    found = changes(tmp_path, a, b)
+    assert [(change.kind.value, change.name) for change in found] == [
+        ("changed", "x"),
+        ("removed", "y"),
+        ("added", "z"),
+        ("added", "q"),
+    ]
+
+
+def test_mimicking(tmp_path: Path) -> None:
+    mimic = "<mimic joint='wrist'/><limit lower="
+    (change,) = changes(tmp_path, URDF, URDF.replace("<limit lower=", mimic))
+    assert (change.what, change.before, change.after) == ("mimic", "none", "1 × `wrist` + 0")
