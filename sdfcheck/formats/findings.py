@@ -45,7 +45,6 @@ _CLOSED = frozenset(("material/pbr",))
 
 # The table allows one, and the readers take all.
 REPEATABLE = frozenset(("geometry/polyline",))
-"""What may stand several times though the tables say once: together they make one thing."""
 
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 

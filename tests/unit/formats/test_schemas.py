@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -21,23 +20,21 @@ FIXTURES = Path(__file__).parents[3] / "fixtures"
 SOUND = ("diff_drive/model.sdf", "two_link_arm/model.sdf", "workcell/workcell.world")
 VERSIONS = [Version(1, minor) for minor in range(2, 13)]
 
-Validate = Callable[[etree._Element], bool]
+
+@cache
+def by_xsd(version: Version) -> etree.XMLSchema:
+    return etree.XMLSchema(etree.fromstring(xsd(version).encode()))
 
 
 @cache
-def by_xsd(version: Version) -> Validate:
-    return etree.XMLSchema(etree.fromstring(xsd(version).encode())).validate
-
-
-@cache
-def by_rng(version: Version) -> Validate:
-    return etree.RelaxNG(etree.fromstring(rng(version).encode())).validate
+def by_rng(version: Version) -> etree.RelaxNG:
+    return etree.RelaxNG(etree.fromstring(rng(version).encode()))
 
 
 def verdicts(text: str, version: Version = NEWEST) -> tuple[bool, bool]:
     """What XML Schema and RELAX NG say."""
     tree = etree.fromstring(text.encode())
-    return by_xsd(version)(tree), by_rng(version)(tree)
+    return by_xsd(version).validate(tree), by_rng(version).validate(tree)
 
 
 def model(inside: str, version: Version = NEWEST) -> tuple[bool, bool]:
@@ -74,8 +71,10 @@ def test_of_the_version_that_is_declared() -> None:
         '<plugin filename="f"/>',
         '<link name="l" p:k="1" xmlns:p="urn:p"><p:a><link/></p:a><p:a/></link>',
         '<pose p:k="1" xmlns:p="urn:p">0 0 0 0 0 0</pose>',
-        '<joint type="Revolute" name="j"><parent>a</parent><child>b</child>'
-        "<axis><xyz>0 0 1.</xyz><limit><lower>-inf</lower><upper>+1e3</upper></limit></axis></joint>",
+        '<joint type="Revolute" name="j"><parent>a</parent><child>b</child><axis><xyz>0 0 1.</xyz></axis></joint>',
+        '<joint type="prismatic" name="j"><parent>a</parent><child>b</child>{}</joint>'.format(
+            "<axis><xyz>1 0 0</xyz><limit><lower>-inf</lower><upper>+1e3</upper></limit></axis>"
+        ),
         '<link name="l"><visual name="v"><geometry><box><size> 1 .5\t1 </size></box></geometry></visual></link>',
         "<self_collide/><!-- nothing: the default -->",
     ],
