@@ -15,6 +15,7 @@ from sdfcheck.formats.survey import survey
 from sdfcheck.model.inertials import COMPONENTS, Inertial, Shape, read_inertial, shapes
 from sdfcheck.model.scopes import scopes
 from sdfcheck.model.solids import Moments
+from sdfcheck.model.sound_inertia import is_sound
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import Record
@@ -102,6 +103,8 @@ def problems(document: Document) -> list[Record]:
     found: list[Record] = []
     is_urdf = document.root is not None and document.root.name == "robot"
     for link in _moving_links(document):
+        if is_sound(link):
+            continue
         inertial = read_inertial(link)
         if inertial is None:
             # In URDF what a link without inertial means depends on its joint: said with the tree.
