@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from sdfcheck import problems
+    from sdfcheck.lint.call import lint
     from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
     from sdfcheck.lint.example import (
         IN_COLLISION,
@@ -27,10 +28,14 @@ if TYPE_CHECKING:
     )
     from sdfcheck.lint.fix import Applicability, Edit, Fix
     from sdfcheck.lint.rule import Consumer, Rule, Target, edit, replace
+    from sdfcheck.lint.run import Run
     from sdfcheck.lint.vendor_rule import VendorRule
+    from sdfcheck.model.load import Unreadable, load, parse
+    from sdfcheck.model.objects import Joint, Link, Model, NotFound, Root, World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Position, Source, Span
+    from sdfcheck.source.wrong_usage import WrongUsage
 
 __version__ = "0.1.0"
 
@@ -41,10 +46,14 @@ _HOMES = {
     ),
     "sdfcheck.lint.fix": "Applicability Edit Fix",
     "sdfcheck.lint.rule": "Consumer Rule Target edit replace",
+    "sdfcheck.lint.run": "Run",
     "sdfcheck.lint.vendor_rule": "VendorRule",
+    "sdfcheck.model.load": "Unreadable load parse",
+    "sdfcheck.model.objects": "Joint Link Model NotFound Root World",
     "sdfcheck.source.document": "Document",
     "sdfcheck.source.element": "Element Value",
     "sdfcheck.source.text": "Position Source Span",
+    "sdfcheck.source.wrong_usage": "WrongUsage",
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names.split()}
 
@@ -68,18 +77,30 @@ __all__ = [
     "Element",
     "Fix",
     "Good",
+    "Joint",
     "Label",
+    "Link",
+    "Model",
+    "NotFound",
     "Origin",
     "Position",
+    "Root",
     "Rule",
+    "Run",
     "Severity",
     "Source",
     "Span",
     "Target",
+    "Unreadable",
     "Value",
     "VendorRule",
+    "World",
+    "WrongUsage",
     "__version__",
     "edit",
+    "lint",
+    "load",
+    "parse",
     "problems",
     "replace",
 ]
@@ -88,8 +109,8 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     from importlib import import_module
 
-    if name == "problems":
-        return import_module("sdfcheck.problems")
+    if name in {"lint", "problems"}:
+        return import_module(f"sdfcheck.{name}")
     if name not in _HOME_OF:
         raise AttributeError(f"module 'sdfcheck' has no attribute {name!r}")
     value = getattr(import_module(_HOME_OF[name]), name)

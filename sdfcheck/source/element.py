@@ -55,6 +55,18 @@ class Value:
         except ValueError:
             return float("nan")
 
+    def to(self, type: type[T]) -> T:
+        """The text as str, int, float or bool; raises ValueError, with the place, if it is none."""
+        try:
+            if type is bool:
+                return _BOOLEANS[self.text.strip().lower()]
+            return type(self.text)
+        except (ValueError, KeyError):
+            line, column = self.span.begin
+            place = f"{self.span.source.path}:{line}:{column}"
+            named = self.attribute or self.element.name
+            raise ValueError(f"{place}: {named} is {self.text!r}, not {type.__name__}") from None
+
     @property
     def span(self) -> Span:
         """The value without its quotes or surrounding blanks; the name where it is empty."""
@@ -199,16 +211,7 @@ class Element(etree.ElementBase):
         text that is not of the type.
         """
         found = self.value(name)
-        if found is None:
-            return None
-        try:
-            if type is bool:
-                return _BOOLEANS[found.text.strip().lower()]
-            return type(found.text)
-        except (ValueError, KeyError):
-            line, column = found.span.begin
-            place = f"{found.span.source.path}:{line}:{column}"
-            raise ValueError(f"{place}: {name} is {found.text!r}, not {type.__name__}") from None
+        return None if found is None else found.to(type)  # type: ignore[type-var]
 
 
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}

@@ -1,0 +1,64 @@
+"""Linting, called from programs."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.run import Run
+from sdfcheck.lint.select import Choice, check_targets
+from sdfcheck.lint.session import Options, run
+from sdfcheck.source.library import SearchPaths
+
+
+def lint(  # noqa: PLR0913
+    what: str | bytes | os.PathLike[str] | Iterable[os.PathLike[str]],
+    *,
+    select: Sequence[str] | None = None,
+    extend_select: Sequence[str] = (),
+    ignore: Sequence[str] = (),
+    target: Sequence[str] | None = None,
+    name: str | os.PathLike[str] = "<text>",
+    arguments: Mapping[str, str] | None = None,
+    model_paths: Sequence[Path] = (),
+    package_paths: Sequence[Path] = (),
+    config: Path | None = None,
+    isolated: bool = False,
+) -> Run:
+    """Lint files, folders, or a text.
+
+    ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A
+    text goes by ``name``. The other arguments are the options of the command; configuration
+    files count as they do there, unless ``isolated``.
+
+    Raises:
+        sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
+    """
+    text, paths = _told_apart(what)
+    if target:
+        check_targets(tuple(target))
+    options = Options(
+        Configuration(config, isolated=isolated),
+        Choice(tuple(select) if select is not None else None, tuple(extend_select), tuple(ignore)),
+        tuple(target) if target is not None else None,
+        stdin=text,
+        stdin_path=Path(name),
+        arguments=tuple((arguments or {}).items()),
+        search=SearchPaths(tuple(model_paths), tuple(package_paths)),
+    )
+    return run(paths, options)
+
+
+def _told_apart(
+    what: str | bytes | os.PathLike[str] | Iterable[os.PathLike[str]],
+) -> tuple[bytes | None, tuple[Path, ...]]:
+    """The text or the paths."""
+    if isinstance(what, bytes):
+        return what, ()
+    if isinstance(what, str) and what.lstrip("\ufeff \t\r\n").startswith("<"):
+        return what.encode("utf-8", "surrogatepass"), ()
+    if isinstance(what, str | os.PathLike):
+        return None, (Path(what),)
+    return None, tuple(Path(path) for path in what)

@@ -1,0 +1,220 @@
+"""What programs can do with the package."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+
+FIXTURES = Path(__file__).parents[2] / "fixtures"
+GARDEN = FIXTURES / "api" / "garden.sdf"
+ARM = FIXTURES / "robots" / "desk_arm" / "desk_arm.urdf"
+
+
+def test_the_walk_of_the_proposal() -> None:
+    """The example of the custom-elements proposal, step by step, on a document of our own."""
+    root = sdfcheck.load(GARDEN)
+
+    world = root.world(0)
+    season = world.attribute("farm:season")
+    assert season is not None
+    assert season.text == season.to(str) == "spring"
+
+    model = world.model(0)
+    post = model.link(0)
+    paint = post.get("farm:paint")
+    coats = post.get("farm:coats", int)
+    assert (paint, coats) == ("green", 2)
+
+    drive = model.find("farm:drive")
+    assert drive is not None
+    assert drive.get("name") == "opener"
+    assert drive.get("farm:kind") == "farm/Motor"
+
+    joint = drive.find("farm:joint")
+    assert joint is not None
+    assert joint.get("name") == "hinge"
+
+    signal = joint.find("farm:signal")
+    assert signal is not None
+    assert joint.get("farm:signal") == signal.content == "effort"
+    second = signal.next("farm:signal")
+    assert second is not None
+    assert second.content == "position"
+    assert second.next("farm:signal") is None
+
+
+def test_parts_by_name() -> None:
+    world = sdfcheck.load(GARDEN).world("garden")
+    assert world.get("farm:owner") == "Ada"
+    model = world.model("gate")
+    assert [link.name for link in model.links] == ["post", "wing"]
+    assert model.link("wing").element is model.links[1].element
+    hinge = model.joint("hinge")
+    assert (hinge.type, hinge.parent, hinge.child) == ("revolute", "post", "wing")
+    assert model.joint(-1).name == "hinge"
+    assert model.has("farm:drive")
+    assert not model.has("farm:brake")
+
+
+def test_included_and_nested_models_are_found() -> None:
+    world = sdfcheck.load(GARDEN).world(0)
+    assert [model.name for model in world.models] == ["gate", "store"]
+    store = world.model("store")
+    assert store.element.document.path.name == "shed.sdf"
+    assert store.include is not None
+    assert store.include.get("uri") == "shed.sdf"
+    assert store.link("door::panel").name == "panel"
+    assert world.model("store::door").link(0).name == "panel"
+    assert world.model("gate").include is None
+
+
+def test_a_urdf_file_is_one_model() -> None:
+    root = sdfcheck.load(str(ARM))
+    (model,) = root.models
+    assert root.worlds == ()
+    assert model.name == root.element.get("name")
+    joint = model.joints[0]
+    assert model.link(joint.parent).name == joint.parent != model.link(joint.child).name
+
+
+def test_xacro_is_expanded() -> None:
+    text = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+      <xacro:arg name="n" default="a"/><link name="$(arg n)"/></robot>"""
+    assert sdfcheck.parse(text, "r.urdf.xacro").model(0).link(0).name == "a"
+    assert sdfcheck.parse(text, "r.urdf.xacro", arguments={"n": "b"}).model("r").link(0).name == "b"
+
+
+@pytest.mark.parametrize(
+    ("look", "message"),
+    [
+        (lambda root: root.world(1), "the file has no world number 1; it has 1 world"),
+        (lambda root: root.world("gardn"), "the file has no world `gardn`, did you mean `garden`?"),
+        (
+            lambda root: root.world(0).model("gate").link(7),
+            "model `gate` has no link number 7; it has 2 links",
+        ),
+        (
+            lambda root: root.world(0).model("gate").link("pst"),
+            "model `gate` has no link `pst`, did you mean `post`?",
+        ),
+        (
+            lambda root: root.world(0).model("store::dor"),
+            "model `store` has no model `dor`, did you mean `door`?",
+        ),
+        (lambda root: root.model(0), "the file has no model number 0; it has 0 models"),
+    ],
+)
+def test_what_is_not_there_is_said(look: object, message: str) -> None:
+    with pytest.raises(sdfcheck.NotFound) as caught:
+        look(sdfcheck.load(GARDEN))  # type: ignore[operator]
+    assert str(caught.value) == message
+
+
+def test_values_have_types_or_say_why_not() -> None:
+    root = sdfcheck.parse(
+        '<sdf version="1.9"><world name="w" a:b="5" a:c="yes" a:d=" true "/></sdf>', "w.sdf"
+    )
+    world = root.world(0)
+    assert world.get("a:b", int) == 5
+    assert world.get("a:b", float) == 5.0
+    assert world.get("a:d", bool) is True
+    assert world.get("a:none", int) is None
+    assert world.attribute("a:none") is None
+    with pytest.raises(ValueError, match=r"^w\.sdf:1:49: a:c is 'yes', not bool$"):
+        world.get("a:c", bool)
+    value = world.attribute("a:c")
+    assert value is not None
+    with pytest.raises(ValueError, match="a:c is 'yes', not float"):
+        value.to(float)
+
+
+def test_looking_changes_nothing() -> None:
+    from lxml import etree
+
+    root = sdfcheck.load(GARDEN)
+    before = etree.tostring(root.element)
+    model = root.world(0).model(0)
+    assert model.find("farm:none") is None
+    assert model.get("farm:none") is None
+    assert not model.has("farm:none")
+    assert list(model.children("farm:none")) == []
+    with pytest.raises(sdfcheck.NotFound):
+        model.link("none")
+    assert etree.tostring(root.element) == before
+
+
+def test_prefixes_need_no_declaration() -> None:
+    root = sdfcheck.parse(
+        '<sdf version="1.9"><model name="m"><link name="l" x:a="1"/><x:b>2</x:b></model></sdf>'
+    )
+    model = root.model("m")
+    assert model.link("l").get("x:a", int) == 1
+    assert model.get("x:b", float) == 2.0
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "looks like an empty file"),
+        ("<mujoco/>", "looks like MJCF"),
+        ("<model><name>m</name></model>", "no robot description"),
+    ],
+)
+def test_what_is_no_robot_is_refused(text: str, message: str) -> None:
+    with pytest.raises(sdfcheck.Unreadable, match=message):
+        sdfcheck.parse(text, "a.sdf")
+
+
+def test_a_missing_file_is_an_os_error(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        sdfcheck.load(tmp_path / "none.sdf")
+
+
+def test_linting(tmp_path: Path) -> None:
+    run = sdfcheck.lint('<sdf version="1.9"><world name="w"><!-- -- --></world></sdf>', isolated=True)
+    assert isinstance(run, sdfcheck.Run)
+    (found,) = run.diagnostics
+    assert (found.name, found.span.begin) == ("double-hyphen-in-comment", (1, 41))
+    assert found.fix is not None
+    assert sdfcheck.lint(ARM, isolated=True).files == (ARM,)
+    assert len(sdfcheck.lint([ARM, GARDEN], isolated=True).files) == 2
+    assert (
+        sdfcheck.lint(b"<sdf version='1.9'/>", name="b.sdf", isolated=True, select=["NS"]).diagnostics == ()
+    )
+    with pytest.raises(sdfcheck.WrongUsage, match="no such file"):
+        sdfcheck.lint(tmp_path / "none.sdf")
+    with pytest.raises(sdfcheck.WrongUsage):
+        sdfcheck.lint(ARM, select=["ns01"], isolated=True)
+
+
+def test_the_package_brings_nothing_along() -> None:
+    code = "import sdfcheck, sys; print(*(n for n in sys.modules if n.startswith(('sdfcheck.', 'lxml'))))"
+    child = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert child.stdout == "\n"
+
+
+def test_every_public_name_is_there() -> None:
+    for name in sdfcheck.__all__:
+        assert getattr(sdfcheck, name) is not None
+    assert set(sdfcheck.__all__) == set(dir(sdfcheck))
+
+
+def test_the_examples_of_the_manual_run(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    manual = (FIXTURES.parent / "docs" / "api.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(GARDEN.parent)
+    exec("".join(re.findall(r"^```python\n(.*?)^```$", manual, re.MULTILINE | re.DOTALL)), {})
+    out = capsys.readouterr().out
+    assert out.startswith("['post', 'wing']\npost\nLink('panel')\nspring\ngreen 2\nopener farm/Motor\n")
+    assert "effort 19\nposition 20\n" in out
+    assert out.endswith("1 file\n")
+    with pytest.raises(ValueError, match="not int") as caught:
+        sdfcheck.load("garden.sdf").world(0).model(0).link(0).get("farm:paint", int)
+    assert str(caught.value) in manual
