@@ -117,6 +117,7 @@ class Definition:
         "required_children",
         "row",
         "single",
+        "sound",
         "type",
         "version",
     )
@@ -134,6 +135,8 @@ class Definition:
     """Content is free: nothing inside is the format's business."""
     single: bool
     """At most one below a parent."""
+    sound: set[str | None]
+    """Texts that ``accepts`` has accepted: a memory for those who walk over large documents."""
     attributes: dict[str, AttributeDefinition]
     children: dict[str, Definition]
     required_attributes: tuple[str, ...]
@@ -167,6 +170,7 @@ class Definition:
         self.multiplicity = at(use.multiplicity, minor)
         self.own_multiplicity = (use.extras and at(use.extra("own"), minor)) or self.multiplicity
         self.single = self.multiplicity not in {"*", "+"}
+        self.sound = set()
         self.deprecated = row.extras != [] and at(row.extra("deprecated"), minor) != ""
         self.open = row.extras != [] and row.extra("open") != ""
 

@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from sdfcheck.formats.findings import Findings
 
 
+_REMEMBERED = 1000
+"""So many accepted texts are kept for each place: most worlds repeat themselves."""
+
+
 class Survey:
     """What the walk found.
 
@@ -127,8 +131,8 @@ class _Walk:
             elif definition.single:
                 self.findings.repeated(child, seen[tag], parent)
             if definition.type is not None:
-                if len(child) or not definition.accepts(child.text or "") or _is_rotated(items):
-                    self.findings.value(child, parent, definition)
+                if items or child.text not in definition.sound or len(child):
+                    self.leaf(child, parent, definition, items)
             elif not definition.open:
                 self.children(child, definition)
             if definition.deprecated:
@@ -136,6 +140,16 @@ class _Walk:
         for name in place.needed_children:
             if name not in seen:
                 self.findings.missing(parent, place, name)
+
+    def leaf(
+        self, element: Element, parent: Element, definition: Definition, items: list[tuple[str, str]]
+    ) -> None:
+        """Check a value that was not met before."""
+        text = element.text
+        if len(element) or not definition.accepts(text or "") or _is_rotated(items):
+            self.findings.value(element, parent, definition)
+        elif len(definition.sound) < _REMEMBERED:
+            definition.sound.add(text)
 
     def attributes(
         self, element: Element, parent: Element, definition: Definition, items: list[tuple[str, str]]
