@@ -70,7 +70,7 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     balance = 0
     for tag in _TAG.finditer(text, at + 4, min(inner, at + _NEAR)):
         balance += -1 if tag[1] else not tag[2]
-    begins_with_words = text.find("<", at + 4, line_end(text, at)) < 0
+    begins_with_words = text.find("<", at + 4, line_end(text, at, end)) < 0
     if balance < 0 or (balance > 0 and begins_with_words):
         return InnerComment(inner, True, end)
     return None

@@ -64,5 +64,5 @@ def first_line(token: Token, text: str) -> tuple[int, int]:
     """The first line of a text that is not blank."""
     content = text[token.start : token.end]
     start = token.start + len(content) - len(content.lstrip(" \t\r\n"))
-    end = min(line_end(text, start), token.end)
+    end = line_end(text, start, token.end)
     return start, start + len(text[start:end].rstrip())
