@@ -40,9 +40,11 @@ types: $(TOOLS) build/mypy/sdfcheck_rules
 
 generate: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.index
+	$(BIN)/python -m sdfcheck.lint.manual_pages
 
 generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.index --check
+	$(BIN)/python -m sdfcheck.lint.manual_pages --check
 
 golden: $(TOOLS)
 	$(BIN)/python -m pytest -q -n0 tests/test_golden.py --golden
