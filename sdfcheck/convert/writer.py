@@ -106,10 +106,10 @@ def copied(element: Element) -> Node:
     node.attributes.update(element.attributes)
     node.text = element.content or None
     for child in element:
-        if isinstance(child, Element):
-            node.children.append(copied(child))
-        elif (comment := comment_of(child)) is not None:
+        if (comment := comment_of(child)) is not None:
             node.children.append(comment)
+        elif isinstance(child.tag, str):
+            node.children.append(copied(child))
     return node
 
 

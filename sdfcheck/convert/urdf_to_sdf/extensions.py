@@ -1,0 +1,253 @@
+"""``<gazebo>`` blocks: what they say of a link, a joint or the model goes where SDFormat has it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
+from sdfcheck.convert.writer import Comment, Node, comment_of, copied
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.rotations import Array, from_rpy, transform
+from sdfcheck.source.element import Element
+
+_SURFACE = {
+    "mu1": ("surface", "friction", "ode", "mu"),
+    "mu": ("surface", "friction", "ode", "mu"),
+    "mu2": ("surface", "friction", "ode", "mu2"),
+    "fdir1": ("surface", "friction", "ode", "fdir1"),
+    "kp": ("surface", "contact", "ode", "kp"),
+    "kd": ("surface", "contact", "ode", "kd"),
+    "maxVel": ("surface", "contact", "ode", "max_vel"),
+    "minDepth": ("surface", "contact", "ode", "min_depth"),
+    "maxContacts": ("max_contacts",),
+    "max_contacts": ("max_contacts",),
+    "laserRetro": ("laser_retro",),
+}
+"""What a block for a link says of each of its collisions."""
+_OF_JOINT = {
+    "stopCfm": ("physics", "ode", "limit", "cfm"),
+    "stopErp": ("physics", "ode", "limit", "erp"),
+    "fudgeFactor": ("physics", "ode", "fudge_factor"),
+    "provideFeedback": ("physics", "provide_feedback"),
+    "implicitSpringDamper": ("physics", "ode", "implicit_spring_damper"),
+    "cfmDamping": ("physics", "ode", "implicit_spring_damper"),
+    "springReference": ("axis", "dynamics", "spring_reference"),
+    "springStiffness": ("axis", "dynamics", "spring_stiffness"),
+}
+_FLAGS = {"turnGravityOff": ("gravity", True), "selfCollide": ("self_collide", False)}
+"""Setting → SDFormat's name for it, and whether it says the contrary."""
+_KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
+_PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
+_SCRIPTS = "file://media/materials/scripts/gazebo.material"
+_TRUE = frozenset({"true", "yes", "1"})
+
+
+class Extensions:
+    """Applies the blocks of a robot to what was written for its links and joints."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    def apply(self, block: Element, model: Node) -> None:
+        reference = block.attributes.get("reference", "").strip()
+        plan = self.context.plan
+        if not reference:
+            self._each(block, model, self._model_part)
+        elif reference in self.context.joints or reference in plan.merged_joints:
+            if reference not in self.context.joints:
+                self._only_hints(block, reference)
+                return
+            self._each(block, self.context.joints[reference], self._joint_part)
+        elif reference in plan.home:
+            survivor, offset = plan.home[reference]
+            if survivor not in self.context.links:
+                self._unknown(block, f"`{reference}` is the world")
+                return
+            part = _LinkPart(self.context, reference, offset)
+            self._each(block, self.context.links[survivor], part.put)
+        else:
+            self._unknown(block, f"no link or joint is called `{reference}`")
+
+    def _each(self, block: Element, node: Node, put: Callable[[Element, Node], None]) -> None:
+        for entry in block:
+            if (comment := comment_of(entry)) is not None:
+                node.children.append(comment)
+            elif isinstance(entry.tag, str):
+                put(entry, node)
+
+    def _unknown(self, block: Element, reason: str) -> None:
+        if any(True for _ in block.children()):
+            text = f"a <gazebo> block is left out: {reason}"
+            self.context.lose(block, LossKind.UNKNOWN_REFERENCE, text)
+
+    def _only_hints(self, block: Element, joint: str) -> None:
+        for entry in block.children():
+            if entry.name not in _KEEP_FIXED:
+                text = f"<{entry.name}> is left out: joint `{joint}` was merged"
+                self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+
+    # The model
+
+    def _model_part(self, entry: Element, model: Node) -> None:
+        if entry.name in _SURFACE or entry.name == "material":
+            text = (
+                f"<{entry.name}> outside a block for a link has no effect, in Gazebo neither; it is left out"
+            )
+            self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+        elif entry.is_custom or self.context.allows(entry.name):
+            self._native(entry, model)
+        else:
+            self.context.keep(entry, model)
+
+    def _native(self, entry: Element, model: Node) -> None:
+        """What is SDFormat already; its name must not be one that the robot uses."""
+        made = copied(entry)
+        model.append(made)
+        if entry.name not in {"link", "joint", "frame", "model"}:
+            return
+        own = made.attributes.get("name", "")
+        name = made.attributes["name"] = self.context.plan.names.free(own)
+        if entry.name == "link":
+            self.context.own_links.add(name)
+        if name != own:
+            text = f"{entry.title} of a <gazebo> block is named `{name}`"
+            self.context.lose(entry, LossKind.RENAMED, text)
+
+    # Joints
+
+    def _joint_part(self, entry: Element, joint: Node) -> None:
+        context, name = self.context, entry.name
+        if name in _OF_JOINT:
+            self._joint_number(entry, joint)
+        elif name == "axis":
+            if (axis := joint.find("axis")) is not None:
+                merge(copied(entry), axis)
+            else:
+                text = "<axis> means nothing on a fixed joint and is left out"
+                context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+        elif name in _KEEP_FIXED:
+            return
+        elif entry.is_custom or (name != "pose" and context.allows(f"joint/{name}")):
+            made = copied(entry)
+            if (there := joint.find(name)) is not None and name == "physics":
+                merge(made, there)
+            else:
+                joint.append(made)
+        else:
+            context.keep(entry, joint)
+
+    def _joint_number(self, entry: Element, joint: Node) -> None:
+        context, path = self.context, _OF_JOINT[entry.name]
+        if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
+            path = (*path[:-1], "cfm_damping")
+        if path[0] == "axis" and joint.find("axis") is None:
+            text = f"<{entry.name}> means nothing on a fixed joint and is left out"
+            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+            return
+        text = value_of(entry)
+        if path[-1] in {"implicit_spring_damper", "cfm_damping", "provide_feedback"}:
+            text = "true" if text.lower() in _TRUE else "false"
+        joint.reach(*path).text = text
+
+
+class _LinkPart:
+    """Puts what a block says of one link into the link that survives, in which it has a 4×4 pose."""
+
+    def __init__(self, context: Context, reference: str, offset: Array) -> None:
+        self.context = context
+        self.reference = reference
+        self.offset = offset
+
+    def put(self, entry: Element, link: Node) -> None:
+        context, name = self.context, entry.name
+        if name in _SURFACE:
+            for collision in self._parts(link, "collision"):
+                collision.reach(*_SURFACE[name]).text = value_of(entry).removesuffix(".0")
+        elif name in {"visual", "collision"}:
+            for part in self._parts(link, name):
+                merge(copied(entry), part)
+        elif name == "material":
+            self._script(entry, link)
+        elif name in _FLAGS:
+            path, negated = _FLAGS[name]
+            link.reach(path).text = "true" if (value_of(entry).lower() in _TRUE) is not negated else "false"
+        elif name == "dampingFactor":
+            for kind in ("linear", "angular"):
+                link.reach("velocity_decay", kind).text = value_of(entry)
+        elif entry.is_custom or context.allows(f"link/{name}"):
+            self._native(entry, link)
+        else:
+            context.keep(entry, link)
+
+    def _parts(self, link: Node, role: str) -> Iterator[Node]:
+        """The shapes that came from the link that the block names."""
+        for child in link.children:
+            if not isinstance(child, Node) or child.name != role:
+                continue
+            if self.context.came_from.get(id(child)) == self.reference:
+                yield child
+
+    def _script(self, entry: Element, link: Node) -> None:
+        for visual in self._parts(link, "visual"):
+            material = visual.reach("material")
+            if (script := material.find("script")) is not None:
+                material.children.remove(script)
+            made = Node("script")
+            made.add("name", value_of(entry))
+            made.add("uri", _SCRIPTS)
+            material.children.insert(0, made)
+        if self.context.once("script"):
+            text = f"material script `{value_of(entry)}` is for classic Gazebo; its successor shows the URDF's colour"
+            self.context.lose(entry, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
+
+    def _native(self, entry: Element, link: Node) -> None:
+        made = copied(entry)
+        single = entry.name in {"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"}
+        there = link.find(entry.name) if single else None
+        if there is not None:
+            merge(made, there)
+            return
+        if entry.name in _PLACED and not np.array_equal(self.offset, np.eye(4)):
+            self._move(entry, made)
+        link.append(made)
+
+    def _move(self, entry: Element, made: Node) -> None:
+        """Place something in the link that its own link was merged into."""
+        written = entry.find("pose")
+        if written is not None and written.attributes.get("relative_to"):
+            return
+        here = np.eye(4)
+        if written is not None and written.content:
+            values = [float(part) for part in written.content.split()]
+            if written.attributes.get("degrees", "").lower() in _TRUE:
+                values[3:] = [float(np.deg2rad(value)) for value in values[3:]]
+            if len(values) == 6:
+                here = transform(from_rpy(*values[3:]), values[:3])
+        pose = made.find("pose")
+        if pose is None:
+            pose = Node("pose")
+            made.children.insert(0, pose)
+        pose.attributes.clear()
+        pose.text = pose_of(self.offset @ here) or "0 0 0 0 0 0"
+
+
+def merge(extra: Node, into: Node) -> None:
+    """Write what is in one element into another: values replace, structures are joined."""
+    into.attributes.update({k: v for k, v in extra.attributes.items() if k != "name"})
+    if extra.text:
+        into.text = extra.text
+    for child in extra.children:
+        if isinstance(child, Comment):
+            into.children.append(child)
+        elif (there := into.find(child.name)) is not None and child.name not in {"plugin", "sensor"}:
+            merge(child, there)
+        else:
+            into.children.append(child)
+
+
+def value_of(entry: Element) -> str:
+    """The text of a setting, or its ``value`` attribute."""
+    return " ".join((entry.content or entry.attributes.get("value", "")).split())

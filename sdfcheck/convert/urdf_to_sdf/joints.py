@@ -1,0 +1,160 @@
+"""Joints: frame, ends, axis, limits."""
+
+from __future__ import annotations
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.urdf_to_sdf.context import Context, comments_in, is_quaternion, pose_of, pose_text
+from sdfcheck.convert.urdf_to_sdf.naming import WORLD
+from sdfcheck.convert.writer import Node, number, spaced
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.robot import Joint
+from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.model.urdf_robot import origin_of
+from sdfcheck.source.element import Element
+
+_KINDS = {"fixed": "fixed", "revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
+_READ = frozenset({"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"})
+_AXIS_PARTS = ("axis", "limit", "dynamics", "mimic")
+
+
+class Joints:
+    """Writes joints, and places the links that they carry."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    def write(self, joint: Joint, model: Node) -> Node | None:
+        """The joint; None where SDFormat expresses it by having none."""
+        element = joint.element
+        if joint.kind not in _KINDS:
+            self._free(joint)
+            return None
+        context = self.context
+        names = context.plan.names
+        node = model.add("joint", None, name=names.joints[joint.name], type=_KINDS[joint.kind])
+        node.children += comments_in(element)
+        if context.options.has_frames and (pose := self._pose(joint)) is not None:
+            node.append(pose)
+        world = joint.parent == WORLD or context.plan.is_world(joint.parent)
+        parent = WORLD if world else names.links[context.plan.home[joint.parent][0]]
+        node.add("parent", parent)
+        node.add("child", names.links[joint.child])
+        if joint.kind == "fixed":
+            self._idle(element)
+        else:
+            self._axis(joint, node.add("axis"))
+        for child in element.children():
+            if child.name not in _READ:
+                context.keep(child, node)
+        context.joints[joint.name] = node
+        return node
+
+    def place(self, joint: Joint | None, link: str, node: Node) -> None:
+        """Give a link its pose: in its joint's frame, else in its parent's, else in the model."""
+        context = self.context
+        if not context.options.has_frames:
+            if (text := pose_of(context.plan.robot.links[link].pose)) is not None:
+                node.add("pose", text)
+        elif joint is not None:
+            if joint.kind in _KINDS:
+                node.add("pose", None, relative_to=context.plan.names.joints[joint.name])
+            elif (pose := self._pose(joint)) is not None:
+                node.append(pose)
+
+    def _pose(self, joint: Joint) -> Node | None:
+        """Where the joint is, in what carries it, with the author's numbers where that has not changed."""
+        plan = self.context.plan
+        if plan.is_world(joint.parent) or joint.parent not in plan.home:
+            return Node("pose", self._text(joint, None) or "0 0 0 0 0 0", relative_to="__model__")
+        survivor, offset = plan.home[joint.parent]
+        text = self._text(joint, offset if survivor != joint.parent else None)
+        return Node("pose", text or "0 0 0 0 0 0", relative_to=plan.names.links[survivor])
+
+    def _text(self, joint: Joint, offset: Array | None) -> str | None:
+        if offset is not None:
+            return pose_of(offset @ origin_of(joint.element))
+        if is_quaternion(joint.element):
+            return pose_of(origin_of(joint.element))
+        return pose_text(joint.element)
+
+    def _axis(self, joint: Joint, node: Node) -> None:
+        element = joint.element
+        axis, limit, dynamics = (element.find(name) for name in _AXIS_PARTS[:3])
+        node.add("xyz", spaced(axis.attributes.get("xyz", "1 0 0")) if axis is not None else "1 0 0")
+        self._mimic(joint, node)
+        bounds: dict[str, str] = {}
+        for name in ("lower", "upper", "effort", "velocity"):
+            text = limit.attributes.get(name) if limit is not None else None
+            if name in {"lower", "upper"}:
+                if joint.kind == "continuous":
+                    continue
+                text = self._bound(joint, name) if text is None else text
+            elif text is not None and joint.axes and getattr(joint.axes[0], name) < 0:
+                told = f"joint `{joint.name}` has a negative {name}, which means no limit in SDFormat; it is left out"
+                self.context.lose(element, LossKind.CHANGED_LIMIT, told)
+                continue
+            if text is not None:
+                bounds[name] = spaced(text)
+        if bounds:
+            written = node.add("limit")
+            for name, text in bounds.items():
+                written.add(name, text)
+        for name in ("damping", "friction"):
+            text = dynamics.attributes.get(name) if dynamics is not None else None
+            if text is not None:
+                node.reach("dynamics").add(name, spaced(text))
+
+    def _bound(self, joint: Joint, name: str) -> str:
+        value = getattr(joint.axes[0], name) if joint.axes else 0.0
+        text = f"joint `{joint.name}` has no {name} limit; what URDF means by that, {number(value)}, is written out"
+        self.context.lose(joint.element, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
+        return number(value)
+
+    def _mimic(self, joint: Joint, node: Node) -> None:
+        mimic = joint.element.find("mimic")
+        if mimic is None:
+            return
+        plan, name = self.context.plan, mimic.attributes.get("joint", "")
+        leader = plan.robot.joints.get(name)
+        if not self.context.options.has_mimic:
+            reason = f"SDFormat {self.context.options.version} has no mimic joints"
+        elif leader is None or leader.kind not in _KINDS or leader.kind == "fixed":
+            reason = f"`{name}` is no joint that moves"
+        else:
+            made = node.add("mimic", None, joint=plan.names.joints[name])
+            made.add("multiplier", spaced(mimic.attributes.get("multiplier", "1")))
+            made.add("offset", spaced(mimic.attributes.get("offset", "0")))
+            made.add("reference", "0")
+            return
+        text = f"joint `{joint.name}` does not follow `{name}` any more: {reason}"
+        self.context.lose(mimic, LossKind.DROPPED_MIMIC, text)
+
+    def _idle(self, element: Element) -> None:
+        """What has no meaning on a fixed joint."""
+        for name in _AXIS_PARTS:
+            part = element.find(name)
+            if part is not None:
+                text = f"<{name}> means nothing on fixed {element.title} and is left out"
+                self.context.lose(part, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
+
+    def _free(self, joint: Joint) -> None:
+        if joint.kind == "floating":
+            text = f"joint `{joint.name}` has no counterpart: in SDFormat a link without joint floats"
+            self.context.lose(joint.element, LossKind.APPROXIMATED_JOINT, text, Severity.INFO)
+        else:
+            text = f"SDFormat has no {joint.kind} joints; the child of joint `{joint.name}` floats freely"
+            self.context.lose(joint.element, LossKind.APPROXIMATED_JOINT, text)
+
+
+def frame_of(joint: Joint, context: Context) -> tuple[Node, Node]:
+    """The frames that a merged joint and its child leave behind, attached to the link that survives."""
+    plan = context.plan
+    survivor, outer = plan.home[joint.parent]
+    pose = outer @ inverse(plan.robot.links[joint.parent].pose) @ joint.pose
+    nodes = []
+    for name in (plan.names.joints[joint.name], plan.names.links[joint.child]):
+        node = Node("frame", None, name=name, attached_to=plan.names.links[survivor])
+        if (text := pose_of(pose)) is not None:
+            node.add("pose", text)
+        nodes.append(node)
+    return nodes[0], nodes[1]

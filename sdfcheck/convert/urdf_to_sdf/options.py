@@ -1,0 +1,53 @@
+"""What a caller may choose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from sdfcheck.formats.version import NEWEST, Version
+
+
+class FixedJoints(Enum):
+    """What becomes of fixed joints: they stay, or their links become one."""
+
+    KEEP = "keep"
+    MERGE = "merge"
+
+
+class Massless(Enum):
+    """What becomes of a link without mass, which SDFormat does not have.
+
+    MERGE: it becomes part of what it is fixed to, else SMALL. SMALL: it gets a negligible
+    mass. AUTO: its collisions' inertia is left to the simulator (1.11), else SMALL.
+    REFUSE: nothing is converted.
+    """
+
+    MERGE = "merge"
+    SMALL = "small"
+    AUTO = "auto"
+    REFUSE = "refuse"
+
+
+class PackageUris(Enum):
+    """How ``package://`` is written: as it is, or the way Gazebo looks for models."""
+
+    KEEP = "keep"
+    MODEL = "model"
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    version: Version = NEWEST
+    fixed_joints: FixedJoints = FixedJoints.KEEP
+    massless: Massless = Massless.MERGE
+    package_uris: PackageUris = PackageUris.MODEL
+
+    @property
+    def has_frames(self) -> bool:
+        """Whether poses can be relative to others, and frames be named (1.7)."""
+        return self.version >= Version(1, 7)
+
+    @property
+    def has_mimic(self) -> bool:
+        return self.version >= Version(1, 11)

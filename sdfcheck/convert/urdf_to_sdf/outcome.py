@@ -1,0 +1,62 @@
+"""The result, read by SDFormat's own reader, and what it is to be compared with."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from sdfcheck.convert.urdf_to_sdf.context import Context
+from sdfcheck.convert.urdf_to_sdf.plan import Plan, free_joints
+from sdfcheck.convert.verify import Correspondence, Counterpart
+from sdfcheck.model.robot import Axis, Link, Robot
+from sdfcheck.model.scopes import scopes
+from sdfcheck.model.sdf_robot import read_sdf_robot
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+
+
+def read_back(text: str, path: Path, context: Context) -> Robot:
+    """The robot of the text that was written, without links that the source has for Gazebo only."""
+    document = read(text.encode("utf-8", "surrogateescape"), path.with_suffix(".sdf"), Kind.SDF)
+    robot = read_sdf_robot(scopes(document).roots[0])
+    for name in context.own_links:
+        robot.links.pop(name, None)
+    return robot
+
+
+def expected(robot: Robot, plan: Plan) -> Robot:
+    """The source with what was reported: masses that were supplied, limits that mean none."""
+    links = dict(robot.links)
+    for name in plan.supplied - plan.automatic:
+        for part in plan.parts(name):
+            link = links[part]
+            body = plan.bodies[name] if part == name else None
+            links[part] = Link(link.name, link.pose, link.element, body, link.geometries)
+    joints = {}
+    for name, joint in robot.joints.items():
+        joints[name] = replace(joint, axes=tuple(_unbounded(axis) for axis in joint.axes))
+    return Robot(robot.name, links, joints, robot.frames)
+
+
+def _unbounded(axis: Axis) -> Axis:
+    """Negative effort and velocity mean no limit."""
+    effort = axis.effort if axis.effort >= 0 else float("inf")
+    velocity = axis.velocity if axis.velocity >= 0 else float("inf")
+    return replace(axis, effort=effort, velocity=velocity)
+
+
+def correspondence(plan: Plan, context: Context) -> Correspondence:
+    """What became of the source's links and joints."""
+    names = plan.names
+    links = {
+        name: Counterpart(names.links[survivor], offset) for name, (survivor, offset) in plan.home.items()
+    }
+    dropped = {name for name, (survivor, _) in plan.home.items() if survivor not in context.links}
+    return Correspondence(
+        links,
+        names.joints,
+        dropped_links=frozenset(dropped),
+        dropped_joints=frozenset(free_joints(plan.robot)),
+        dropped_geometries=frozenset(context.dropped_shapes),
+        changed_bodies=bool(plan.automatic),
+    )

@@ -1,0 +1,179 @@
+"""What becomes of each link and joint, before anything is written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
+from sdfcheck.convert.urdf_to_sdf.naming import WORLD, Names
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.robot import Body, Joint, Link, Robot
+from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+
+SMALL = Body(1e-3, np.zeros(3), np.eye(3) * 1e-6)
+"""What a link without mass is given where it cannot be merged: too little to be felt."""
+_TIED = frozenset({"fixed", "revolute", "continuous", "prismatic"})
+_TRUE = frozenset({"true", "yes", "1"})
+_KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
+
+
+@dataclass(slots=True)
+class Plan:
+    """``home`` is where a link's frame ends up: the link that survives, and the 4×4 pose in it."""
+
+    robot: Robot
+    names: Names
+    home: dict[str, tuple[str, Array]]
+    bodies: dict[str, Body | None]
+    """The mass properties of the links that survive; None: those as written."""
+    automatic: set[str] = field(default_factory=set)
+    supplied: set[str] = field(default_factory=set)
+    merged_joints: set[str] = field(default_factory=set)
+    losses: list[Loss] = field(default_factory=list)
+    has_world: bool = False
+    """Whether the root link `world` is the world."""
+
+    def carrier(self, link: str) -> Joint | None:
+        """The joint whose child a link is."""
+        return next((joint for joint in self.robot.joints.values() if joint.child == link), None)
+
+    def is_merged(self, link: str) -> bool:
+        return self.home[link][0] != link
+
+    def is_world(self, link: str) -> bool:
+        return self.has_world and link == WORLD
+
+    def parts(self, link: str) -> list[str]:
+        """The links that a surviving link is made of, itself first."""
+        return [link, *(name for name, (home, _) in self.home.items() if home == link and name != link)]
+
+
+def plan(document: Document, robot: Robot, options: Options) -> Plan:
+    """Decide.
+
+    Raises NotConvertible where the options forbid a link without mass.
+    """
+    carried = {joint.child for joint in robot.joints.values()}
+    has_world = WORLD in robot.links and WORLD not in carried and len(robot.links) > 1
+    names = Names(robot, world_is_root=has_world)
+    home = {name: (name, np.eye(4)) for name in robot.links}
+    made = Plan(robot, names, home, {}, has_world=has_world, losses=names.losses)
+    _Merger(made, document, options).run()
+    for name, link in robot.links.items():
+        if not made.is_merged(name):
+            _weigh(made, link, options)
+    return made
+
+
+class _Merger:
+    """Joins links along fixed joints, from the leaves up."""
+
+    def __init__(self, made: Plan, document: Document, options: Options) -> None:
+        self.plan = made
+        self.options = options
+        self.kept = _kept_joints(document)
+        self.mass = {name: _mass(link) for name, link in made.robot.links.items()}
+
+    def run(self) -> None:
+        fixed = [
+            joint
+            for joint in reversed(self.plan.robot.tree())
+            if joint.kind == "fixed"
+            and joint.name not in self.kept
+            and joint.parent in self.plan.robot.links
+            and not self.plan.is_world(joint.parent)
+        ]
+        everything = self.options.fixed_joints is FixedJoints.MERGE
+        # Without frames a merged link's name would be gone.
+        massless = self.options.massless is Massless.MERGE and self.options.has_frames
+        for joint in fixed:
+            if everything or (massless and self.mass[joint.child] <= 0):
+                self.merge(joint)
+        if massless:
+            for joint in fixed:
+                survivor = self.plan.home[joint.parent][0]
+                if joint.name not in self.plan.merged_joints and self.mass[survivor] <= 0:
+                    self.merge(joint)
+
+    def merge(self, joint: Joint) -> None:
+        made, child = self.plan, joint.child
+        survivor, outer = made.home[joint.parent]
+        links = made.robot.links
+        offset = outer @ inverse(links[joint.parent].pose) @ links[child].pose
+        for name, (home, inner) in list(made.home.items()):
+            if home == child:
+                made.home[name] = (survivor, offset @ inner)
+        self.mass[survivor] += self.mass[child]
+        made.merged_joints.add(joint.name)
+        text = f"link `{child}` becomes part of link `{survivor}`"
+        if self.options.has_frames:
+            text += ", and its name that of a frame"
+        severity = Severity.INFO if self.options.has_frames else Severity.WARNING
+        made.losses.append(loss_at(links[child].element, LossKind.MERGED_LINK, text, severity))
+
+
+def _mass(link: Link) -> float:
+    return link.body.mass if link.body is not None else 0.0
+
+
+def _kept_joints(document: Document) -> set[str]:
+    """Joints with something of their own, such as a sensor, or that are to be kept by request."""
+    kept = set()
+    assert document.root is not None
+    for block in document.root.children("gazebo"):
+        name = block.attributes.get("reference", "")
+        for child in block.children():
+            if child.name not in _KEEPERS or _says_yes(child):
+                kept.add(name)
+    return kept
+
+
+def _says_yes(element: Element) -> bool:
+    text = element.content or element.attributes.get("value", "")
+    return text.strip().lower() in _TRUE
+
+
+def _weigh(made: Plan, link: Link, options: Options) -> None:
+    """Settle the mass properties of a surviving link."""
+    name = link.name
+    if made.is_world(name):
+        return
+    parts = made.parts(name)
+    if len(parts) == 1 and _mass(link) > 0:
+        made.bodies[name] = None
+        return
+    total: Body | None = None
+    for part in parts:
+        body = made.robot.links[part].body
+        if body is not None:
+            seen = body.seen_from(made.home[part][1])
+            total = seen if total is None else total.joined_with(seen)
+    if total is not None and total.mass > 0:
+        made.bodies[name] = total
+        return
+    _supply(made, link, options)
+
+
+def _supply(made: Plan, link: Link, options: Options) -> None:
+    name = link.name
+    if options.massless is Massless.REFUSE:
+        raise refusal(link.element, f"link `{name}` has no mass")
+    solid = any(g.role == "collision" and g.kind != "mesh" for g in link.geometries)
+    if options.massless is Massless.AUTO and options.has_mimic and solid:
+        made.automatic.add(name)
+        text = f"link `{name}` has no mass; the simulator is told to compute it from the collisions"
+    else:
+        made.bodies[name] = SMALL
+        text = f"link `{name}` has no mass; it gets {SMALL.mass:g} kg"
+    made.supplied.add(name)
+    made.losses.append(loss_at(link.element, LossKind.MASSLESS_LINK, text))
+
+
+def free_joints(robot: Robot) -> set[str]:
+    """Joints of kinds that SDFormat expresses by having none."""
+    return {joint.name for joint in robot.joints.values() if joint.kind not in _TIED}
