@@ -136,7 +136,7 @@ class Definition:
     single: bool
     """At most one below a parent."""
     sound: set[str | None]
-    """Texts that ``accepts`` has accepted: a memory for those who walk over large documents."""
+    """Texts that ``accepts`` has accepted, remembered by those who walk over documents."""
     attributes: dict[str, AttributeDefinition]
     children: dict[str, Definition]
     required_attributes: tuple[str, ...]
@@ -251,9 +251,7 @@ def _judge(definition: Definition | AttributeDefinition, name: str, row: Row, ne
         raise AttributeError(name)
 
 
-_UNFOLDED = frozenset(
-    ("attributes", "children", "needed_children", "required_attributes", "required_children")
-)
+_UNFOLDED = {"attributes", "children", "needed_children", "required_attributes", "required_children"}
 
 
 class Schema:
