@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from sdfcheck.model.drake_problems import *  # noqa: F403
     from sdfcheck.model.file_problems import *  # noqa: F403
     from sdfcheck.model.frames import *  # noqa: F403
+    from sdfcheck.model.gazebo_problems import *  # noqa: F403
     from sdfcheck.model.include_problems import *  # noqa: F403
     from sdfcheck.model.inertia import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
@@ -42,6 +43,7 @@ _HOMES = (
     "sdfcheck.source.xacro.problems",
     "sdfcheck.formats.vendor_problems",
     "sdfcheck.model.drake_problems",
+    "sdfcheck.model.gazebo_problems",
 )
 
 

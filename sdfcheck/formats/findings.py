@@ -43,6 +43,9 @@ _FOUND_ANYWHERE = frozenset(("include",))
 # What is unknown in these is refused, not ignored.
 _CLOSED = frozenset(("material/pbr",))
 
+# Not in any version, and yet what Gazebo reads: told of among the names of its generations.
+_NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
+
 # The table allows one, and the readers take all.
 REPEATABLE = frozenset(("geometry/polyline",))
 
@@ -102,7 +105,7 @@ class Findings:
             places = likely_parents(places, parent, place)
             ignored = name not in _FOUND_ANYWHERE
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))
-        else:
+        elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             self.found.append(problems.UnknownElement(child, parent, suggestion, refused))
         return None

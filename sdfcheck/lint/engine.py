@@ -49,6 +49,7 @@ _ANALYSES = {
         "sdfcheck.model.rotation_checks:problems",
         "sdfcheck.model.inertia:problems",
         "sdfcheck.model.resources:problems",
+        "sdfcheck.model.gazebo:problems",
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf_survey:problems",
@@ -59,6 +60,7 @@ _ANALYSES = {
         "sdfcheck.model.urdf_references:problems",
         "sdfcheck.model.inertia:problems",
         "sdfcheck.model.resources:urdf_problems",
+        "sdfcheck.model.gazebo:problems",
     ),
     Kind.MODEL_CONFIG: ("sdfcheck.model.model_config:problems",),
 }
@@ -68,7 +70,11 @@ _ANALYSES_FOR = {
     "drake": {
         Kind.SDF: ("sdfcheck.model.drake_sdf:problems",),
         Kind.URDF: ("sdfcheck.model.drake_urdf:problems",),
-    }
+    },
+    "gazebo": {
+        Kind.SDF: ("sdfcheck.model.gazebo:classic_problems",),
+        Kind.URDF: ("sdfcheck.model.gazebo:classic_problems",),
+    },
 }
 """Reader → analyses of what it does not support; they run for those who ask about the reader."""
 
