@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from sdfcheck import problems
+    from sdfcheck.convert.call import convert
+    from sdfcheck.convert.loss import Loss, NotConvertible
+    from sdfcheck.convert.result import Conversion
     from sdfcheck.lint.call import lint
     from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
     from sdfcheck.lint.example import (
@@ -40,6 +43,8 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "sdfcheck.convert.loss": "Loss NotConvertible",
+    "sdfcheck.convert.result": "Conversion",
     "sdfcheck.lint.diagnostic": "Diagnostic Label Origin Severity",
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
@@ -71,6 +76,7 @@ __all__ = [
     "Applicability",
     "Bad",
     "Consumer",
+    "Conversion",
     "Diagnostic",
     "Document",
     "Edit",
@@ -80,7 +86,9 @@ __all__ = [
     "Joint",
     "Label",
     "Link",
+    "Loss",
     "Model",
+    "NotConvertible",
     "NotFound",
     "Origin",
     "Position",
@@ -97,6 +105,7 @@ __all__ = [
     "World",
     "WrongUsage",
     "__version__",
+    "convert",
     "edit",
     "lint",
     "load",
@@ -109,7 +118,7 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     from importlib import import_module
 
-    if name in {"lint", "problems"}:
+    if name in {"convert", "lint", "problems"}:
         return import_module(f"sdfcheck.{name}")
     if name not in _HOME_OF:
         raise AttributeError(f"module 'sdfcheck' has no attribute {name!r}")

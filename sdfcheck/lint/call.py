@@ -10,6 +10,7 @@ from sdfcheck.lint.config import Configuration
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.select import Choice, check_targets
 from sdfcheck.lint.session import Options, run
+from sdfcheck.model.load import as_text
 from sdfcheck.source.library import SearchPaths
 
 
@@ -55,10 +56,9 @@ def _told_apart(
     what: str | bytes | os.PathLike[str] | Iterable[os.PathLike[str]],
 ) -> tuple[bytes | None, tuple[Path, ...]]:
     """The text or the paths."""
-    if isinstance(what, bytes):
-        return what, ()
-    if isinstance(what, str) and what.lstrip("\ufeff \t\r\n").startswith("<"):
-        return what.encode("utf-8", "surrogatepass"), ()
-    if isinstance(what, str | os.PathLike):
-        return None, (Path(what),)
+    text = as_text(what)
+    if text is not None:
+        return text, ()
+    if isinstance(what, str | bytes | os.PathLike):
+        return None, (Path(os.fsdecode(what)),)
     return None, tuple(Path(path) for path in what)

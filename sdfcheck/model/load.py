@@ -50,6 +50,13 @@ def parse(
     return _root(data, Path(path), arguments, SearchPaths())
 
 
+def as_text(what: object) -> bytes | None:
+    """The bytes of a text: what is bytes, or a str that begins with ``<``; None for anything else."""
+    if isinstance(what, str) and what.lstrip("\ufeff \t\r\n").startswith("<"):
+        return what.encode("utf-8", "surrogatepass")
+    return what if isinstance(what, bytes) else None
+
+
 def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: SearchPaths) -> Root:
     # Only the parser tells what broken XML was meant to be, and only the first bytes what is xacro.
     document = read(data, path, Kind.XACRO if sniff(data[:HEAD], path) is Kind.XACRO else None)

@@ -1,0 +1,73 @@
+"""Converting, called from programs."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from sdfcheck.convert.result import Conversion
+from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.model.load import as_text, load, parse
+from sdfcheck.model.objects import Root
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.source.document import Document
+
+
+def convert(
+    what: Root | str | bytes | os.PathLike[str],
+    to: str,
+    *,
+    version: str | None = None,
+    model: str = "",
+    verify: bool = True,
+) -> Conversion:
+    """Convert a description to ``"sdf"`` (from URDF, xacro or another version) or to ``"urdf"``.
+
+    ``what`` is a path, a text (bytes, or a str that begins with ``<``) or what ``load``
+    gave. ``version`` is that of the SDFormat to write; ``model`` the one to write as URDF
+    where there are several. The result has the ``text``, the ``losses`` and, with ``verify``,
+    the ``verification``: only one that ``is_equal`` is the same robot. Nothing is written.
+
+    Raises:
+        OSError, sdfcheck.Unreadable: as for ``load``.
+        sdfcheck.WrongUsage: there is no such conversion.
+        sdfcheck.NotConvertible: the target cannot say it in any way.
+    """
+    document = _read(what).document
+    if to == "urdf" and document.kind is Kind.SDF and version is None:
+        from sdfcheck.convert.sdf_to_urdf import Options
+        from sdfcheck.convert.sdf_to_urdf import convert as to_urdf
+
+        return to_urdf(document, Options(model=model), verified=verify)
+    if to == "sdf" and not model:
+        return _to_sdf(document, _version(version), verify=verify)
+    what_for = "".join([f", version {version}" if version else "", f", model {model}" if model else ""])
+    raise WrongUsage(f"{document.path}: {document.kind.description} is not converted to `{to}`{what_for}")
+
+
+def _to_sdf(document: Document, version: Version, *, verify: bool) -> Conversion:
+    if document.kind is Kind.SDF:
+        from sdfcheck.convert.migrate.migrate import sdf_to_sdf
+
+        return sdf_to_sdf(document, version, verified=verify)
+    from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+    from sdfcheck.convert.urdf_to_sdf.options import Options
+
+    return urdf_to_sdf(document, Options(version), verified=verify)
+
+
+def _version(text: str | None) -> Version:
+    version = NEWEST if text is None else Version.parse(text)
+    if version is None or not Version(1, 4) <= version <= NEWEST:
+        raise WrongUsage(f"`{text}` is no version of SDFormat from 1.4 to {NEWEST}")
+    return version
+
+
+def _read(what: Root | str | bytes | os.PathLike[str]) -> Root:
+    if isinstance(what, Root):
+        return what
+    text = as_text(what)
+    return load(what) if text is None else parse(text)  # type: ignore[arg-type]
