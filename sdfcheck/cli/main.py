@@ -22,6 +22,7 @@ COMMANDS = {
     "describe": LazyCommand("sdfcheck.cli.describe:describe_command", "Say what a format allows somewhere."),
     "diff": LazyCommand("sdfcheck.cli.diff:diff", "Show what changed in the robot."),
     "inertia": LazyCommand("sdfcheck.cli.inertia:inertia", "Show masses, centres of mass and inertias."),
+    "print": LazyCommand("sdfcheck.cli.print:print_command", "Write a file in canonical form."),
     "schema": LazyCommand("sdfcheck.cli.schema:schema_command", "Write SDFormat as XML Schema or RELAX NG."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
     "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),

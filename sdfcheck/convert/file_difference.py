@@ -58,13 +58,17 @@ def placed_models(document: Document) -> dict[str, Placed]:
     return found
 
 
-def compare_files(a: Document, b: Document, *, tolerance: float = TOLERANCE) -> FileDifference:
+def compare_files(
+    a: Document, b: Document, *, tolerance: float = TOLERANCE, across_formats: bool = False
+) -> FileDifference:
     """What changed from one document to another.
+
+    ``across_formats``: compare as if their formats differed, as :func:`compare` has it.
 
     Raises RobotError or PoseError where one of them cannot be read.
     """
     before, after = placed_models(a), placed_models(b)
-    across = a.kind is not b.kind
+    across = across_formats or a.kind is not b.kind
     names = _counterparts(before, after)
     changes: list[tuple[str, tuple[Change, ...]]] = []
     for name, placed in before.items():

@@ -1,0 +1,82 @@
+"""``sdfcheck print``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import click
+
+from sdfcheck.cli.graph import load
+from sdfcheck.cli.terminal import emit, say
+from sdfcheck.source.wrong_usage import WrongUsage
+
+
+class Request(NamedTuple):
+    """The command line, as click read it."""
+
+    file: Path
+    degrees: bool | None
+    snap: float | None
+    precision: int | None
+    expand_includes: bool
+    expand_auto_inertials: bool
+    config: Path | None
+    isolated: bool
+
+
+@click.command(name="print")
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "--degrees/--radians",
+    default=None,
+    help="Write the angles of poses in degrees, or radians.  [default: as they are]",
+)
+@click.option(
+    "--snap-to-degrees",
+    "snap",
+    type=click.FloatRange(min=0, max=0.5),
+    metavar="TOL",
+    help="Turn angles of poses within TOL degrees of a whole degree into that.",
+)
+@click.option(
+    "--precision",
+    type=click.IntRange(min=1, max=17),
+    metavar="N",
+    help="Round numbers to N significant digits.",
+)
+@click.option("--expand-includes", is_flag=True, help="Put what includes bring in their place.")
+@click.option(
+    "--expand-auto-inertials",
+    is_flag=True,
+    help="Compute automatic inertias (of meshes with the extra `mesh`).",
+)
+@click.option(
+    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
+)
+@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+def print_command(**given: Any) -> int:
+    """Write a description in canonical form to stdout.
+
+    Indentation is two blanks, numbers are as short as they can be without changing,
+    comments stay; xacro is expanded. The version stays as it is. Unless rounding or
+    snapping is asked for, the result is compared with the source, robot with robot.
+    """
+    from sdfcheck.convert.canonical import CanonicalStyle, canonical
+    from sdfcheck.convert.tidy_numbers import NumberStyle
+    from sdfcheck.lint.config import Configuration
+
+    request = Request(**given)
+    if not request.file.is_file():
+        raise WrongUsage(f"no such file: {request.file}")
+    settings = Configuration(request.config, isolated=request.isolated).settings_for(request.file)
+    style = CanonicalStyle(
+        NumberStyle(request.degrees, request.snap, request.precision),
+        request.expand_includes,
+        request.expand_auto_inertials,
+    )
+    result = canonical(load(request.file, settings), style)
+    emit(result.text)
+    for note in result.notes:
+        say(f"warning: {note}")
+    return 0

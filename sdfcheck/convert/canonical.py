@@ -1,0 +1,171 @@
+"""The canonical form of a description: the same robot, written one way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sdfcheck.convert.file_difference import compare_files
+from sdfcheck.convert.include_expansion import IncludeExpansion
+from sdfcheck.convert.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
+from sdfcheck.convert.tidy_tree import Branch, branch_of, render
+from sdfcheck.convert.writer import number
+from sdfcheck.formats.survey import survey
+from sdfcheck.formats.version import Version
+from sdfcheck.model.poses import PoseError, Poses
+from sdfcheck.model.robot import Body
+from sdfcheck.model.scopes import Frame, scopes
+from sdfcheck.model.sdf_robot import automatic_body
+from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Source
+from sdfcheck.source.wrong_usage import WrongUsage
+
+_DEGREES_SINCE = Version(1, 9)
+_DUST = 1e-15
+_COMPUTED = frozenset(("auto_inertia_params", "density", "inertia", "mass", "pose"))
+
+
+@dataclass(frozen=True, slots=True)
+class CanonicalStyle:
+    """What to write how."""
+
+    numbers: NumberStyle = field(default_factory=NumberStyle)
+    expand_includes: bool = False
+    expand_auto_inertials: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class CanonicalText:
+    """The canonical text; ``notes`` tell what was asked for and not done, and why."""
+
+    text: str
+    notes: tuple[str, ...] = ()
+
+
+def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
+    """Write an SDF or URDF document in canonical form, and make sure that it is the same robot.
+
+    Raises:
+        WrongUsage: the format cannot hold what is asked for, or the result is another robot.
+    """
+    is_sdf = document.kind is Kind.SDF
+    if style.numbers.degrees and (not is_sdf or survey(document).version < _DEGREES_SINCE):
+        what = f"SDFormat {survey(document).version}" if is_sdf else "URDF"
+        raise WrongUsage(f"{what} has no poses in degrees (SDFormat has from {_DEGREES_SINCE} on)")
+    notes: list[str] = []
+    current = document
+    if is_sdf and style.expand_includes:
+        current, expanded = _without_includes(current)
+        notes += expanded
+    if is_sdf and style.expand_auto_inertials:
+        current, computed = _without_automatic_inertias(current)
+        notes += computed
+    assert current.root is not None
+    root = branch_of(current.root)
+    if is_sdf:
+        tidy_sdf(root, survey(current).version, style.numbers)
+    else:
+        tidy_urdf(root, style.numbers)
+    result = _reread(document, render(root, current))
+    if style.numbers.snap is None and style.numbers.precision is None:
+        _verify(document, result)
+    return CanonicalText(result.source.text, tuple(notes))
+
+
+def _reread(document: Document, text: str) -> Document:
+    result = Document(Source(document.source.path, text), document.kind, [])
+    result.library = document.library
+    result.included_by = document.included_by
+    return result
+
+
+def _verify(document: Document, result: Document) -> None:
+    try:
+        # A file of an included model is found by another uri from the including one.
+        found = compare_files(document, result, across_formats=True)
+    except (RobotError, PoseError):
+        return  # no robot can be read from the source, so there is nothing to keep
+    for model, changes in found.changes:
+        first = changes[0]
+        what = " ".join(
+            filter(None, (first.part, f"`{first.name}`", first.what, first.before, "→", first.after))
+        )
+        raise WrongUsage(
+            f"{document.path}: the canonical form would be another robot (model `{model}`: {what})"
+        )
+
+
+def _without_includes(document: Document) -> tuple[Document, list[str]]:
+    assert document.root is not None
+    root = branch_of(document.root)
+    expansion = IncludeExpansion()
+    expansion.expand(root, document)
+    if not expansion.count:
+        return document, expansion.notes
+    return _reread(document, render(root, document)), expansion.notes
+
+
+def _without_automatic_inertias(document: Document) -> tuple[Document, list[str]]:
+    assert document.root is not None
+    frames = {
+        frame.element: frame
+        for scope in scopes(document).all()
+        for frame in scope.frames.values()
+        if frame.kind == "link"
+    }
+    notes: list[str] = []
+    root, poses, changed = branch_of(document.root), Poses(), False
+    for branch in root.walk():
+        frame = frames.get(branch.origin) if branch.origin is not None else None
+        inertial = branch.find("inertial") if frame is not None else None
+        if inertial is None or frame is None or not _is_automatic(inertial):
+            continue
+        body = _computed(frame, poses, notes)
+        if body is not None:
+            _write_inertial(inertial, body)
+            changed = True
+    return (_reread(document, render(root, document)) if changed else document), notes
+
+
+def _is_automatic(inertial: Branch) -> bool:
+    return inertial.attributes.get("auto", "").strip().lower() in {"true", "1"}
+
+
+def _computed(frame: Frame, poses: Poses, notes: list[str]) -> Body | None:
+    try:
+        return automatic_body(frame, poses)
+    except (RobotError, PoseError) as error:
+        notes.append(f"{_place(frame.element)}: link `{frame.name}` keeps its automatic inertia: {error}")
+        return None
+
+
+def _place(element: Element) -> str:
+    return f"{element.document.path}:{element.span.begin.line}"
+
+
+def _write_inertial(inertial: Branch, body: Body) -> None:
+    """Written out: pose, mass and moments; comments and other elements stay."""
+    del inertial.attributes["auto"]
+    inertial.parts = [
+        part for part in inertial.parts if not (isinstance(part, Branch) and part.name in _COMPUTED)
+    ]
+    largest = float(np.abs(body.moments).max())
+    inertia = Branch("inertia")
+    pairs = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2))
+    for name, row, column in pairs:
+        inertia.parts.append(Branch(name, _clean(float(body.moments[row, column]), largest)))
+    size = float(np.abs(body.centre).max())
+    centre = " ".join(_clean(float(value), max(size, 1.0)) for value in body.centre)
+    computed: list[Branch] = [Branch("mass", number(body.mass)), inertia]
+    if size > _DUST:
+        computed.insert(0, Branch("pose", f"{centre} 0 0 0"))
+    inertial.parts += computed
+
+
+def _clean(value: float, scale: float) -> str:
+    """A computed number without the dust of rounding."""
+    return number(0.0 if abs(value) < _DUST * scale else value)

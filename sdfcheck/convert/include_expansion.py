@@ -1,0 +1,232 @@
+"""Includes replaced by what they bring.
+
+What an include says itself (name, pose, static, placement frame, plugins) goes before
+what the included file says. A merged model leaves a frame in place of its own, by the
+name that libsdformat gives it.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
+from sdfcheck.convert.writer import numbers
+from sdfcheck.formats.survey import survey
+from sdfcheck.formats.version import Version
+from sdfcheck.model.includes import Included, included, included_element
+from sdfcheck.model.poses import Poses
+from sdfcheck.model.rotations import to_rpy
+from sdfcheck.model.scopes import MODEL_FRAME, scopes
+from sdfcheck.model.uris import locate, scheme_of
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.text import Source
+
+_MERGED = frozenset(("frame", "gripper", "joint", "link", "model", "plugin"))
+_FREE = frozenset(("plugin",))
+_FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))
+_BESIDES = ("pose", "static")
+
+
+class IncludeExpansion:
+    """Expands the includes of one document; ``notes`` say which are left, and why."""
+
+    def __init__(self) -> None:
+        self.notes: list[str] = []
+        self.count = 0
+
+    def expand(self, branch: Branch, document: Document, chain: tuple[Document, ...] = ()) -> None:
+        """Replace all includes below a branch that was copied from a document."""
+        parts: list[Branch | Remark | str] = []
+        for part in branch.parts:
+            if not isinstance(part, Branch) or part.name in _FREE or ":" in part.name:
+                parts.append(part)
+            elif part.name != "include":
+                self.expand(part, document, chain)
+                parts.append(part)
+            else:
+                parts += self._replaced(part, branch, document, (*chain, document))
+        branch.parts = parts
+
+    def _replaced(
+        self, include: Branch, parent: Branch, document: Document, chain: tuple[Document, ...]
+    ) -> list[Branch | Remark | str]:
+        assert include.origin is not None
+        found = included(document, include.origin)
+        obstacle = _obstacle(found, chain)
+        if found.model is None or found.document is None or obstacle:
+            self.notes.append(f"{_place(include.origin)}: the include stays: {obstacle}")
+            return [include]
+        model = self._in_version(found, survey(document).version)
+        if model is None:
+            return [include]
+        brought = branch_of(model)
+        self.expand(brought, model.document, chain)
+        self.count += 1
+        _relocate(brought, found, document)
+        _declare(brought, model, include.origin)
+        result: list[Branch | Remark | str] = [part for part in include.parts if isinstance(part, Remark)]
+        for remark in result:
+            assert isinstance(remark, Remark)
+            remark.beside = False
+        parts = _merged(brought, include, found, parent) if found.merge else [_whole(brought, include, found)]
+        parts[0].after_gap = include.after_gap and not result
+        return [*result, *parts]
+
+    def _in_version(self, found: Included, version: Version) -> Element | None:
+        """What an include brings, in the version of the file that includes it; None if it cannot be had."""
+        from sdfcheck.convert.migrate.migrate import NotConvertible, sdf_to_sdf
+
+        assert found.document is not None
+        if survey(found.document).version == version:
+            return found.model
+        try:
+            conversion = sdf_to_sdf(found.document, version, keep_unknown=True)
+        except NotConvertible as error:
+            self.notes.append(f"{_place(found.include)}: the include stays: {error}")
+            return None
+        verification = conversion.verification
+        if verification is not None and not verification.is_equal:
+            why = f"{found.document.path} would be another robot in SDFormat {version}"
+            self.notes.append(f"{_place(found.include)}: the include stays: {why}")
+            return None
+        for loss in conversion.losses:
+            begin = loss.span.begin
+            self.notes.append(f"{loss.span.source.path}:{begin.line}: in SDFormat {version}: {loss.message}")
+        converted = Document(Source(found.document.path, conversion.text), found.document.kind, [])
+        converted.library = found.document.library
+        return included_element(converted)
+
+
+def _place(element: Element) -> str:
+    return f"{element.document.path}:{element.span.begin.line}"
+
+
+def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
+    uri = f"`{found.uri.text.strip()}`" if found.uri is not None else "it"
+    if found.model is None or found.document is None:
+        return f"{uri} brings nothing ({found.obstacle.value if found.obstacle else 'unreadable'})"
+    if found.model.name == "robot":
+        return f"{uri} is URDF, convert it first"
+    if found.include.has("experimental:params"):
+        return "it has experimental:params"
+    if any(os.path.samefile(found.document.path, outer.path) for outer in chain):
+        return f"{uri} includes itself"
+    if found.name is None:
+        return f"{uri} brings a model without name"
+    return ""
+
+
+def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
+    """The model, light or actor with what the include says of it."""
+    brought.attributes["name"] = found.name or ""
+    for name in _BESIDES:
+        given = include.find(name)
+        if given is not None:
+            brought.put(given)
+    placement = include.find("placement_frame")
+    if placement is not None and placement.text:
+        brought.attributes["placement_frame"] = placement.text
+    brought.parts += [child for child in include.children if child.name == "plugin" or ":" in child.name]
+    return brought
+
+
+def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -> list[Branch]:
+    """The parts of a model that is merged, behind the frame that stands for it."""
+    name = f"_merged__{found.name}__model__"
+    frame = Branch("frame", name=name)
+    first = next(
+        (child for kind in ("link", "model") for child in brought.children if child.name == kind), None
+    )
+    link = brought.attributes.get("canonical_link", "").strip() or (first.attributes["name"] if first else "")
+    if link:
+        frame.attributes["attached_to"] = link
+    pose = include.find("pose") or brought.find("pose") or Branch("pose", "0 0 0 0 0 0")
+    pose.attributes.setdefault("relative_to", "world" if parent.name == "world" else MODEL_FRAME)
+    placement = include.find("placement_frame")
+    if (placement is not None and placement.text) or brought.attributes.get("placement_frame", "").strip():
+        pose = _placed(found, name)
+    frame.parts.append(pose)
+    parts = [child for child in brought.children if child.name in _MERGED or ":" in child.name]
+    for part in parts:
+        _settle(part, name)
+    given = [child for child in include.children if child.name == "plugin" or ":" in child.name]
+    return [frame, *parts, *given]
+
+
+def _placed(found: Included, name: str) -> Branch:
+    """The pose of a merged model's own frame where another frame of it is placed."""
+    document = found.include.document
+    scope = scopes(document).of(found.include)
+    assert scope is not None
+    own = Poses().in_scope(scope.frames[name])
+    relative_to = "world" if scope.kind == "world" else MODEL_FRAME
+    return Branch("pose", numbers((*own[:3, 3], *to_rpy(own[:3, :3]))), relative_to=relative_to)
+
+
+def _settle(part: Branch, name: str) -> None:
+    """What referred to the model's own frame, or was relative to it unsaid, refers to the frame in its place."""
+    _rename_frame(part, name)
+    if part.name == "frame" and not part.attributes.get("attached_to", "").strip():
+        part.attributes["attached_to"] = name
+    elif part.name in {"link", "model"}:
+        pose = part.find("pose")
+        if pose is None:
+            pose = Branch("pose", "0 0 0 0 0 0")
+            part.put(pose)
+        if not pose.attributes.get("relative_to", "").strip():
+            pose.attributes["relative_to"] = name
+
+
+def _rename_frame(part: Branch, name: str) -> None:
+    for attribute in ("attached_to", "expressed_in", "relative_to"):
+        if part.attributes.get(attribute, "").strip() == MODEL_FRAME:
+            part.attributes[attribute] = name
+    if part.name in {"child", "parent"} and part.text == MODEL_FRAME:
+        part.text = name
+    for child in part.children:
+        if child.name in _FREE or ":" in child.name:
+            continue
+        if part.name != "model" or child.name == "pose":  # a nested model has a frame of its own
+            _rename_frame(child, name)
+
+
+def _relocate(brought: Branch, found: Included, document: Document) -> None:
+    """Files that were found beside the included file are found from the including one."""
+    assert found.document is not None
+    assert found.uri is not None
+    folder = found.document.path.parent
+    for branch in brought.walk():
+        text = branch.text
+        if branch.name not in _FILES and not branch.name.endswith("_map"):
+            continue
+        if not text or scheme_of(text) or Path(text).is_absolute() or not (folder / text).exists():
+            continue
+        branch.text = _seen_from(document, found, folder / text)
+
+
+def _seen_from(document: Document, found: Included, file: Path) -> str:
+    assert found.uri is not None
+    uri = found.uri.text.strip()
+    place = locate(document, uri).path
+    if scheme_of(uri) in {"model", "package"} and place is not None:
+        if place.is_dir():
+            return f"{uri.rstrip('/')}/{Path(os.path.relpath(file, place)).as_posix()}"
+        if file.is_relative_to(place.parent):
+            return f"{uri.rpartition('/')[0]}/{file.relative_to(place.parent).as_posix()}"
+    return Path(os.path.relpath(file, document.path.parent)).as_posix()
+
+
+def _declare(brought: Branch, model: Element, include: Element) -> None:
+    """Declare the prefixes that the model uses and only its own file declares."""
+    used = {
+        name.partition(":")[0]
+        for branch in brought.walk()
+        for name in (branch.name, *branch.attributes)
+        if ":" in name and not name.startswith("xmlns:")
+    }
+    for prefix in sorted(used):
+        uri = model.nsmap.get(prefix)
+        if uri is not None and include.nsmap.get(prefix) != uri:
+            brought.attributes.setdefault(f"xmlns:{prefix}", uri)

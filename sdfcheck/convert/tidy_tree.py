@@ -1,0 +1,159 @@
+"""Elements, comments and texts, written with canonical indentation.
+
+Blank lines (one at most) and comments at the end of a line stay where their author put them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from xml.sax.saxutils import escape
+
+from sdfcheck.convert.writer import INDENT, declared_prefixes
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+
+_IN_QUOTES = {'"': "&quot;", "\n": "&#10;", "\t": "&#9;", "\r": "&#13;"}
+
+
+class Remark:
+    """A comment, or a processing instruction; ``beside`` something that stands before it on its line."""
+
+    __slots__ = ("after_gap", "beside", "target", "text")
+
+    def __init__(self, text: str, *, target: str = "", beside: bool = False) -> None:
+        self.text = text
+        self.target = target
+        self.beside = beside
+        self.after_gap = False
+
+    def __str__(self) -> str:
+        if self.target:
+            return f"<?{self.target} {self.text}?>" if self.text else f"<?{self.target}?>"
+        text = re.sub("-(?=-)", "- ", self.text)
+        return f"<!--{text} -->" if text.endswith("-") else f"<!--{text}-->"
+
+
+class Branch:
+    """An element that can be changed; ``origin`` is what it was read from.
+
+    ``parts`` are elements, remarks and texts, in order.
+    """
+
+    __slots__ = ("after_gap", "attributes", "name", "origin", "parts")
+
+    def __init__(self, name: str, /, *texts: str, **attributes: str) -> None:
+        self.name = name
+        self.attributes: dict[str, str] = attributes
+        self.parts: list[Branch | Remark | str] = list(texts)
+        self.origin: Element | None = None
+        self.after_gap = False
+
+    def __repr__(self) -> str:
+        return f"Branch({self.name})"
+
+    @property
+    def children(self) -> Iterator[Branch]:
+        return (part for part in self.parts if isinstance(part, Branch))
+
+    @property
+    def text(self) -> str:
+        """The first text before any element, as simulators read it."""
+        for part in self.parts:
+            if isinstance(part, Branch):
+                break
+            if isinstance(part, str):
+                return part
+        return ""
+
+    @text.setter
+    def text(self, text: str) -> None:
+        for at, part in enumerate(self.parts):
+            if isinstance(part, Branch):
+                break
+            if isinstance(part, str):
+                self.parts[at] = text
+                return
+        self.parts.insert(0, text)
+
+    def find(self, name: str) -> Branch | None:
+        return next((child for child in self.children if child.name == name), None)
+
+    def put(self, child: Branch) -> None:
+        """Replace the first child of that name, or become the first part."""
+        old = self.find(child.name)
+        if old is None:
+            self.parts.insert(0, child)
+        else:
+            child.after_gap = old.after_gap
+            self.parts[self.parts.index(old)] = child
+
+    def walk(self) -> Iterator[Branch]:
+        yield self
+        for child in self.children:
+            yield from child.walk()
+
+
+def branch_of(element: Element) -> Branch:
+    """A copy of an element and all in it."""
+    branch = Branch(element.name)
+    branch.origin = element
+    branch.attributes = {**element.attributes, **declared_prefixes(element)}
+    before = element.text or ""
+    for child in element:
+        if before.strip():
+            branch.parts.append(before.strip())
+        blanks = before[len(before.rstrip()) :]
+        part = _part(child, "\n" not in blanks)
+        if part is not None:
+            part.after_gap = blanks.count("\n") > 1
+            branch.parts.append(part)
+        before = child.tail or ""
+    if before.strip():
+        branch.parts.append(before.strip())
+    return branch
+
+
+def render(root: Branch, document: Document) -> str:
+    """The whole file: declaration, what stands before the root, the root, what stands behind it."""
+    assert document.root is not None
+    lines = ['<?xml version="1.0"?>']
+    before = [_part(node, False) for node in document.root.itersiblings(preceding=True)]
+    lines += [str(part) for part in reversed(before) if part is not None]
+    _write(root, "", lines)
+    after = (_part(node, False) for node in document.root.itersiblings())
+    lines += [str(part) for part in after if part is not None]
+    return "\n".join(lines) + "\n"
+
+
+def _part(node: object, beside: bool) -> Branch | Remark | None:
+    from lxml import etree
+
+    if isinstance(node, Element):
+        return branch_of(node)
+    if isinstance(node, etree._ProcessingInstruction):
+        return Remark(node.text or "", target=str(node.target), beside=beside)
+    return Remark(node.text or "", beside=beside) if isinstance(node, etree._Comment) else None
+
+
+def _write(branch: Branch, indent: str, lines: list[str]) -> None:
+    attributes = "".join(f' {key}="{escape(value, _IN_QUOTES)}"' for key, value in branch.attributes.items())
+    start = f"{indent}<{branch.name}{attributes}"
+    parts = branch.parts
+    if not parts:
+        lines.append(f"{start}/>")
+        return
+    if len(parts) == 1 and isinstance(parts[0], str):
+        lines.append(f"{start}>{escape(parts[0])}</{branch.name}>")
+        return
+    lines.append(f"{start}>")
+    for number, part in enumerate(parts):
+        if number and not isinstance(part, str) and part.after_gap:
+            lines.append("")
+        if isinstance(part, Branch):
+            _write(part, indent + INDENT, lines)
+        elif isinstance(part, Remark) and part.beside:
+            lines[-1] += f" {part}"
+        else:
+            lines.append(f"{indent}{INDENT}{escape(part) if isinstance(part, str) else part}")
+    lines.append(f"{indent}</{branch.name}>")
