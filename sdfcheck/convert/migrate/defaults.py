@@ -1,0 +1,70 @@
+"""Defaults that differ between two versions, and dead content that would come alive.
+
+What relies on a default that the target does not have gets the value of its own
+version in writing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.node import Node
+from sdfcheck.formats.schema import Definition, schema
+from sdfcheck.formats.version import NEWEST, Version
+
+_ALIKE = frozenset({"lower", "upper", "effort", "velocity", "topic", "dt"})
+"""Their defaults are spelled differently and mean the same: no limit, no topic."""
+_UNWRITABLE = {("mu", "-1"): "1e16", ("mu2", "-1"): "1e16"}
+"""Old defaults that newer readers refuse, and what means the same to them."""
+
+
+def write_defaults(migration: Migration) -> None:
+    """Give what relies on a default that changes its value in writing."""
+    for node, old in list(defined(migration.root, migration.source)):
+        new = schema(migration.target).at(old.place)
+        if new is None or old.type is not None:
+            continue
+        for name, child in old.children.items():
+            after = new.children.get(name)
+            if after is None or not child.default or name in _ALIKE or after.default == child.default:
+                continue
+            if node.find(name) is None:
+                value = _UNWRITABLE.get((name, child.default), child.default)
+                node.add(name, value)
+                text = f"`{name}` is written out: its default is {after.default} in {migration.target}"
+                migration.note(
+                    node, f"{text}, {child.default} in {migration.source}", LossKind.CHANGED_DEFAULT
+                )
+
+
+def drop_dead(migration: Migration) -> None:
+    """Take out what no reader of the source regards and a reader of the target would."""
+    for node, definition in list(defined(migration.root, migration.source)):
+        now = schema(NEWEST).at(definition.place)
+        then = schema(migration.target).at(definition.place)
+        if then is None or now is None or definition.type is not None:
+            continue
+        for child in node.children():
+            name = child.name
+            if name in then.children and name not in now.children and name not in definition.children:
+                migration.drop(child, f"{title(child)} has no meaning in {migration.source} and is left out")
+
+
+def defined(root: Node, version: Version) -> Iterator[tuple[Node, Definition]]:
+    """The nodes that a version's table places, each with what the table says of it."""
+
+    def walk(node: Node, definition: Definition) -> Iterator[tuple[Node, Definition]]:
+        yield node, definition
+        if definition.open:
+            return
+        for child in node.children():
+            inner = definition.children.get(child.name)
+            if inner is not None:
+                yield from walk(child, inner)
+
+    yield from walk(root, schema(version).root)
+
+
+__all__ = ["defined", "drop_dead", "write_defaults"]

@@ -1,0 +1,64 @@
+"""Automatic inertias as numbers, for versions that do not compute them."""
+
+from __future__ import annotations
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate import numbers
+from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.node import Node
+from sdfcheck.convert.migrate.placing import Places
+from sdfcheck.convert.writer import number
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.poses import PoseError
+from sdfcheck.model.robot import Body
+from sdfcheck.model.sdf_robot import automatic_body
+from sdfcheck.model.urdf_robot import RobotError
+
+_COMPONENTS = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2))
+
+
+def write_inertias(migration: Migration) -> None:
+    """Below 1.11: replace ``auto`` and densities by what comes out of them."""
+    places = Places(migration)
+    for link in migration.root.of("link"):
+        inertial, frame = link.find("inertial"), places.frame(link)
+        if inertial is None or (inertial.get("auto") or "").strip().lower() not in {"true", "1"}:
+            continue
+        if frame is not None:
+            try:
+                _write(inertial, automatic_body(frame, places.poses))
+            except (RobotError, PoseError) as error:
+                migration.changed_bodies = True
+                text = f"the automatic inertia of {title(link)} is lost: {error}"
+                migration.lose(inertial, text, LossKind.CHANGED_INERTIA, Severity.ERROR)
+    for inertial in migration.root.of("inertial"):
+        inertial.unset("auto")
+        _remove(inertial, "density", "auto_inertia_params")
+    for collision in migration.root.of("collision"):
+        _remove(collision, "density", "auto_inertia_params")
+
+
+def _remove(node: Node, *names: str) -> None:
+    for name in names:
+        for child in node.children(name):
+            child.remove()
+
+
+def _write(inertial: Node, body: Body) -> None:
+    pose = inertial.find("pose")
+    centre = numbers.vector((*body.centre, 0, 0, 0))
+    if pose is not None:
+        for name in list(pose.attributes()):
+            pose.unset(name)
+        pose.write(centre)
+    elif body.centre.any():
+        inertial.add("pose", centre)
+    (inertial.find("mass") or inertial.add("mass")).write(number(body.mass))
+    inertia = inertial.find("inertia") or inertial.add("inertia")
+    for name, row, column in _COMPONENTS:
+        component = inertia.find(name) or inertia.add(name)
+        value = float(body.moments[row, column])
+        component.write(number(0.0 if abs(value) < 1e-18 else value))
+
+
+__all__ = ["write_inertias"]

@@ -1,0 +1,61 @@
+"""What the target's table does not have: taken out and told, or kept on request."""
+
+from __future__ import annotations
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.node import Node
+from sdfcheck.formats.schema import Definition, schema
+from sdfcheck.lint.diagnostic import Severity
+
+_SHAPES = frozenset({"box", "capsule", "cone", "cylinder", "ellipsoid", "sphere", "mesh", "polyline"})
+_KINDS = {"mimic": LossKind.DROPPED_MIMIC, "frame": LossKind.DROPPED_FRAME, "plugin": LossKind.DROPPED_PLUGIN}
+
+
+def drop_leftovers(migration: Migration) -> None:
+    """Leave what the target allows; elements and attributes with a prefix are nobody's but the author's."""
+    if not migration.keep_unknown:
+        _drop_in(migration, migration.root, schema(migration.target).root)
+
+
+def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
+    for name in node.attributes():
+        if ":" not in name and name != "xmlns" and name not in definition.attributes:
+            text = f"attribute `{name}` of {title(node)} is left out: {migration.target} does not have it"
+            migration.lose(node, text, LossKind.DROPPED_ELEMENT)
+            node.unset(name)
+    if definition.open or definition.type is not None:
+        return
+    for child in node.children():
+        if child.is_custom or child.parent is not node:
+            continue
+        inner = definition.children.get(child.name)
+        if inner is not None:
+            _drop_in(migration, child, inner)
+        else:
+            _drop(migration, child)
+
+
+def _drop(migration: Migration, node: Node) -> None:
+    parent = node.parent
+    text = f"{title(node)} is left out: {migration.target} does not have it there"
+    if (
+        node.name in _SHAPES
+        and parent is not None
+        and parent.name == "geometry"
+        and parent.parent is not None
+    ):
+        migration.dropped_shapes.add(node.name)
+        text = f"{title(parent.parent)} is left out: {migration.target} does not have `{node.name}`"
+        if parent.parent.parent is not None:
+            migration.drop(parent.parent, text, LossKind.UNSUPPORTED_GEOMETRY)
+        return
+    severity = Severity.WARNING
+    if node.name == "mimic":
+        migration.lost_mimics = True
+        severity = Severity.ERROR
+    migration.lose(node, text, _KINDS.get(node.name, LossKind.DROPPED_ELEMENT), severity)
+    node.remove()
+
+
+__all__ = ["drop_leftovers"]

@@ -1,0 +1,102 @@
+"""SDFormat from one version to another, up or down."""
+
+from __future__ import annotations
+
+from sdfcheck.convert.loss import NotConvertible, refusal
+from sdfcheck.convert.migrate.axes import express_axes
+from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
+from sdfcheck.convert.migrate.flattening import flatten
+from sdfcheck.convert.migrate.inertias import write_inertias
+from sdfcheck.convert.migrate.leftovers import drop_leftovers
+from sdfcheck.convert.migrate.merging import refuse_includes, write_out_merges
+from sdfcheck.convert.migrate.migration import Migration
+from sdfcheck.convert.migrate.older_words import (
+    drop_frames,
+    name_plugins,
+    put_canonical_links_first,
+    put_gravity_into_physics,
+    rename_frame_ids,
+    rename_sensors,
+    rename_states,
+    write_limits,
+    write_thread_pitch,
+)
+from sdfcheck.convert.migrate.placing import attach_joints_to_links, resolve_poses
+from sdfcheck.convert.migrate.proof import comparisons
+from sdfcheck.convert.migrate.upward import go_up
+from sdfcheck.convert.result import Conversion, conversion
+from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.source.document import Document
+
+LOWEST = Version(1, 4)
+"""The oldest version that can be asked for."""
+TARGETS = tuple(Version(1, minor) for minor in range(NEWEST.minor, LOWEST.minor - 1, -1))
+
+
+def sdf_to_sdf(
+    document: Document, target: Version, *, keep_unknown: bool = False, verified: bool = True
+) -> Conversion:
+    """Write a document for the readers of another version.
+
+    What is not touched stays as it is, to the byte. Raises NotConvertible where no
+    result could be right.
+    """
+    migration = migrated(document, target, keep_unknown=keep_unknown)
+    compared = comparisons(migration) if verified else []
+    return conversion(migration.draft.text(), migration.losses, compared, verified=verified)
+
+
+def migrated(document: Document, target: Version, *, keep_unknown: bool = False) -> Migration:
+    """The migration of a document, done.
+
+    Raises NotConvertible: the document is no SDFormat of a known version, or needs what
+    the target cannot say in any way.
+    """
+    root = document.root
+    assert root is not None
+    if root.name != "sdf" or Version.parse(document.version or "") is None:
+        raise refusal(root, f"version {document.version!r} is none that can be converted")
+    if not target >= LOWEST:
+        raise refusal(root, f"{target} is older than anything that can be written")
+    migration = Migration(document, target, keep_unknown=keep_unknown)
+    if target > migration.source:
+        go_up(migration)
+    elif target < migration.source:
+        _go_down(migration)
+    if target != migration.source:
+        drop_leftovers(migration)
+    return migration
+
+
+def _go_down(migration: Migration) -> None:
+    drop_dead(migration)
+    write_defaults(migration)
+    write_out_merges(migration)
+    if migration.goes_below(12):
+        rename_states(migration)
+        rename_frame_ids(migration)
+    if migration.goes_below(11):
+        write_inertias(migration)
+    if migration.goes_below(10):
+        write_limits(migration)
+        write_thread_pitch(migration)
+        name_plugins(migration)
+    if migration.goes_below(8):
+        attach_joints_to_links(migration)
+    if migration.goes_below(7):
+        express_axes(migration)
+        put_canonical_links_first(migration)
+    if migration.goes_below(9):
+        resolve_poses(migration, everything=migration.goes_below(7))
+    if migration.goes_below(7) and migration.source >= Version(1, 7):
+        drop_frames(migration)
+    rename_sensors(migration)
+    if migration.goes_below(6):
+        put_gravity_into_physics(migration)
+    if migration.goes_below(5):
+        refuse_includes(migration)
+        flatten(migration)
+    migration.root.set("version", str(migration.target))
+
+
+__all__ = ["LOWEST", "TARGETS", "NotConvertible", "migrated", "sdf_to_sdf"]

@@ -1,0 +1,267 @@
+"""Elements that can be changed, with every character of the file that is not.
+
+What no step touches is written back as it stood: blanks, quotes, comments, entities.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from xml.sax.saxutils import escape, unescape
+
+from sdfcheck.source.element import Element
+
+_ATTRIBUTE = re.compile(r"""(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
+_PIECE = re.compile(r"<!--.*?-->|<\?.*?\?>|<!\[CDATA\[(?P<cdata>.*?)\]\]>|(?P<text>[^<]+)", re.DOTALL)
+_QUOTES = {"&quot;": '"', "&apos;": "'"}
+_DEFAULT_INDENT = "  "
+
+
+class Node:
+    """An element of a draft: its tags as written, and between them texts and nodes.
+
+    ``origin`` is the element of the source that it comes from, None for one that a step made.
+    """
+
+    __slots__ = ("closing", "name", "opening", "origin", "parent", "parts")
+
+    def __init__(
+        self, name: str, opening: str = "", closing: str | None = None, origin: Element | None = None
+    ) -> None:
+        self.name = name
+        self.opening = opening or f"<{name}>"
+        self.closing = f"</{name}>" if closing is None else closing
+        self.origin = origin
+        self.parent: Node | None = None
+        self.parts: list[str | Node] = []
+
+    def __repr__(self) -> str:
+        return f"Node({self.opening})"
+
+    @property
+    def place(self) -> Element | None:
+        """The nearest element of the source: where to point when speaking of this node."""
+        at: Node | None = self
+        while at is not None and at.origin is None:
+            at = at.parent
+        return at.origin if at is not None else None
+
+    @property
+    def is_custom(self) -> bool:
+        return ":" in self.name
+
+    def text(self) -> str:
+        """The node as it is to be written."""
+        return "".join(
+            (self.opening, *(p if isinstance(p, str) else p.text() for p in self.parts), self.closing)
+        )
+
+    # Looking
+
+    def children(self, name: str | None = None) -> list[Node]:
+        return [p for p in self.parts if isinstance(p, Node) and (name is None or p.name == name)]
+
+    def find(self, path: str) -> Node | None:
+        """The first child of a name, or what a path of such steps leads to."""
+        at: Node | None = self
+        for step in path.split("/"):
+            at = next((p for p in at.parts if isinstance(p, Node) and p.name == step), None) if at else None
+        return at
+
+    def walk(self) -> Iterator[Node]:
+        """The node and all below it, in document order."""
+        yield self
+        for child in self.children():
+            yield from child.walk()
+
+    def standard(self) -> Iterator[Node]:
+        """All nodes below this one that are the format's: nothing custom, nothing inside plugins."""
+        for child in self.children():
+            if not child.is_custom:
+                yield child
+                if child.name != "plugin":
+                    yield from child.standard()
+
+    def of(self, *names: str) -> list[Node]:
+        """The standard nodes below this one that have one of the names."""
+        return [node for node in self.standard() if node.name in names]
+
+    @property
+    def content(self) -> str:
+        """The text as simulators read it: the first that is not blank, before any child."""
+        for part in self.parts:
+            if isinstance(part, Node):
+                break
+            for piece in _PIECE.finditer(part):
+                raw = piece["cdata"] if piece["cdata"] is not None else unescape(piece["text"] or "", _QUOTES)
+                if raw.strip():
+                    return raw.strip()
+        return ""
+
+    def attributes(self) -> dict[str, str]:
+        found = _ATTRIBUTE.finditer(self.opening, len(self.name) + 1)
+        return {match[2]: unescape(match[3][1:-1], _QUOTES) for match in found}
+
+    def get(self, name: str) -> str | None:
+        return self.attributes().get(name)
+
+    # Changing
+
+    def set(self, name: str, value: str) -> None:
+        """Give an attribute a value; a new one comes last."""
+        quoted = '"' + escape(value, {'"': "&quot;"}) + '"'
+        for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
+            if match[2] == name:
+                self.opening = self.opening[: match.start(3)] + quoted + self.opening[match.end(3) :]
+                return
+        end = re.search(r"\s*/?>$", self.opening)
+        assert end is not None
+        self.opening = f"{self.opening[: end.start()]} {name}={quoted}{end[0]}"
+
+    def unset(self, name: str) -> None:
+        for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
+            if match[2] == name:
+                self.opening = self.opening[: match.start()] + self.opening[match.end() :]
+                return
+
+    def rename_attribute(self, name: str, to: str) -> None:
+        for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
+            if match[2] == name:
+                self.opening = self.opening[: match.start(2)] + to + self.opening[match.end(2) :]
+                return
+
+    def rename(self, name: str) -> None:
+        self.opening = f"<{name}{self.opening[len(self.name) + 1 :]}"
+        if self.closing:
+            self.closing = f"</{name}>"
+        self.name = name
+
+    def write(self, text: str) -> None:
+        """Replace the content; blanks and comments around it stay."""
+        self._open()
+        written = escape(text)
+        for number, part in enumerate(self.parts):
+            if isinstance(part, Node):
+                break
+            for piece in _PIECE.finditer(part):
+                raw = piece["cdata"] if piece["cdata"] is not None else piece["text"]
+                if raw and raw.strip():
+                    start = piece.start() + len(piece[0]) - len(piece[0].lstrip())
+                    end = piece.start() + len(piece[0].rstrip())
+                    self.parts[number] = part[:start] + written + part[end:]
+                    return
+        self.parts.insert(0, written)
+
+    def remove(self) -> None:
+        """Take the node out, with the line that it leaves empty."""
+        parent = self.parent
+        assert parent is not None
+        at = parent.parts.index(self)
+        del parent.parts[at]
+        self.parent = None
+        before = parent.parts[at - 1] if at else None
+        if isinstance(before, str):
+            parent.parts[at - 1] = re.sub(r"\r?\n?[ \t]*$", "", before) if _ends_line(parent, at) else before
+
+    def replace(self, others: list[Node]) -> None:
+        """Put others in the place of this node, each on a line of its own."""
+        parent, indent = self.parent, self.indent
+        assert parent is not None
+        at = parent.parts.index(self)
+        row: list[str | Node] = []
+        for other in others:
+            other.parent = parent
+            other.shift(indent)
+            row += [other] if not row else ["\n" + indent, other]
+        parent.parts[at : at + 1] = row
+        self.parent = None
+
+    def append(self, child: Node, *, before: Node | None = None, after: Node | None = None) -> Node:
+        """Put a child last, or beside a sibling, on a line of its own."""
+        self._open()
+        siblings = self.children()
+        beside = before or after or (siblings[-1] if siblings else None)
+        child.parent = self
+        if beside is None:
+            self._first(child)
+            return child
+        indent = beside.indent
+        child.shift(indent)
+        at = self.parts.index(beside)
+        if before is not None:
+            self.parts[at:at] = [child, "\n" + indent]
+        else:
+            self.parts[at + 1 : at + 1] = ["\n" + indent, child]
+        return child
+
+    def add(self, name: str, text: str = "") -> Node:
+        """A new last child."""
+        child = Node(name)
+        if text:
+            child.parts.append(escape(text))
+        return self.append(child)
+
+    def path(self, path: str) -> Node:
+        """What a path leads to; steps that are missing are made."""
+        at = self
+        for step in path.split("/"):
+            at = at.find(step) or at.add(step)
+        return at
+
+    @property
+    def indent(self) -> str:
+        """The blanks before the node on its line; empty if something else stands there."""
+        if self.parent is None:
+            return ""
+        at = self.parent.parts.index(self)
+        before = self.parent.parts[at - 1] if at else ""
+        if isinstance(before, Node) or "\n" not in before:
+            return self.parent.indent
+        blanks = before[before.rindex("\n") + 1 :]
+        return blanks if not blanks.strip() else self.parent.indent
+
+    def shift(self, indent: str) -> None:
+        """Indent the lines below the first as for a node that stands at ``indent``."""
+        last = self.parts[-1] if self.parts else ""
+        if not isinstance(last, str) or "\n" not in last or last[last.rindex("\n") :].strip():
+            return
+        old = last[last.rindex("\n") + 1 :]
+        if old != indent:
+            self._reindent("\n" + old, "\n" + indent)
+
+    def _reindent(self, old: str, new: str) -> None:
+        for number, part in enumerate(self.parts):
+            if isinstance(part, str):
+                self.parts[number] = part.replace(old, new)
+            else:
+                part._reindent(old, new)
+
+    def _first(self, child: Node) -> None:
+        own = self.indent
+        if self.parts and "".join(p for p in self.parts if isinstance(p, str)).strip():
+            self.parts += [child]
+            return
+        inner = own + self._step()
+        child.shift(inner)
+        self.parts = ["\n" + inner, child, "\n" + own]
+
+    def _step(self) -> str:
+        own, outer = self.indent, self.parent.indent if self.parent is not None else ""
+        return own[len(outer) :] or _DEFAULT_INDENT
+
+    def _open(self) -> None:
+        """Give an element without end tag one."""
+        if not self.closing:
+            self.opening = re.sub(r"\s*/>$", ">", self.opening)
+            self.closing = f"</{self.name}>"
+
+
+def _ends_line(parent: Node, at: int) -> bool:
+    """Does nothing else stand on the line before or behind what was here?"""
+    before = parent.parts[at - 1]
+    after = parent.parts[at] if at < len(parent.parts) else ""
+    blank = isinstance(before, str) and not before.rpartition("\n")[2].strip()
+    return blank and isinstance(after, str) and (not after or after.lstrip(" \t")[:1] in {"\n", "\r", ""})
+
+
+__all__ = ["Node"]

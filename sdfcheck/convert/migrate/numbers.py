@@ -1,0 +1,23 @@
+"""Computed poses and vectors as text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sdfcheck.convert.writer import number
+from sdfcheck.model.rotations import Array, to_rpy
+
+_DUST = 1e-13
+"""Smaller components of what was computed are what is left of rounding."""
+
+
+def vector(values: Iterable[float]) -> str:
+    return " ".join(number(0.0 if abs(value) < _DUST else round(float(value), 15)) for value in values)
+
+
+def pose(transform: Array) -> str:
+    """``x y z roll pitch yaw`` of a 4×4 transform."""
+    return vector((*transform[:3, 3], *to_rpy(transform[:3, :3])))
+
+
+__all__ = ["pose", "vector"]

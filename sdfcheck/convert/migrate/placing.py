@@ -1,0 +1,220 @@
+"""Poses as older versions write them: plain numbers, relative to what the format prescribes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate import numbers
+from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.node import Node
+from sdfcheck.model.carriers import look_up, own_model
+from sdfcheck.model.poses import PoseError, Poses, placement_of, reference_of, written_pose
+from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.model.scopes import Frame, Scope, Scopes, scopes
+from sdfcheck.source.element import Element
+
+_FORMAT = ("rotation_format", "degrees")
+_HOLDERS = frozenset({"link", "joint"})
+
+
+class Places:
+    """The frames of a draft as it was read last, and the poses of its elements."""
+
+    def __init__(self, migration: Migration) -> None:
+        self.migration = migration
+        self.scopes: Scopes = scopes(migration.draft.read())
+        self.poses = Poses()
+        self.frames: dict[Element, Frame] = {
+            frame.element: frame for scope in self.scopes.all() for frame in scope.frames.values()
+        }
+
+    def frame(self, node: Node) -> Frame | None:
+        """The frame that a node makes."""
+        return self.frames.get(self.migration.draft.element(node))
+
+    def scope(self, node: Node) -> Scope | None:
+        """The scope that a node stands in."""
+        return self.scopes.of(self.migration.draft.element(node))
+
+    def plain(self, owner: Node) -> Array:
+        """The pose of a node in what the oldest versions mean by it.
+
+        A model, link or light in what holds it, a joint in its child, a part in its link
+        or joint, a camera in its sensor.
+        """
+        frame = self.frame(owner)
+        if frame is not None:
+            return self.of_frame(frame)
+        if owner.name == "inertial" or owner.parent is None:
+            return written_pose(self.migration.draft.element(owner).find("pose"))
+        holder = self.holder(owner)
+        outer = self.in_holder(owner.parent, holder) if owner.parent is not holder else np.eye(4)
+        return inverse(outer) @ self.in_holder(owner, holder)
+
+    def of_frame(self, frame: Frame) -> Array:
+        pose = self.poses.in_scope(frame)
+        if frame.kind == "joint":
+            child = frame.element.find("child")
+            below = frame.scope.find(child.content) if child is not None else None
+            if below is not None:
+                return inverse(self.poses.reached(frame.scope, below)) @ pose
+        model = own_model(frame)
+        return (
+            pose if model is None or model is frame.scope.own else inverse(self.poses.in_scope(model)) @ pose
+        )
+
+    def holder(self, node: Node) -> Node | None:
+        """The link or joint around a part."""
+        at = node.parent
+        while at is not None and at.name not in _HOLDERS:
+            at = at.parent
+        return at
+
+    def in_holder(self, node: Node, holder: Node | None) -> Array:
+        """The pose of a part in its link or joint, or of something in a world or model in that."""
+        pose = self.migration.draft.element(node).find("pose")
+        reference = reference_of(pose)
+        frame = self.frame(holder) if holder is not None else None
+        if not reference:
+            parent = node.parent
+            within = parent is not None and parent is not holder and holder is not None
+            outer = self.in_holder(parent, holder) if within and parent is not None else np.eye(4)
+            return outer @ written_pose(pose)
+        if frame is not None:
+            return self.poses.of_part(self.migration.draft.element(node), frame)
+        scope = self.scope(node)
+        if scope is None:
+            raise PoseError(f"there is no frame {reference!r} around {title(node)}")
+        return self.poses.named(scope, reference) @ written_pose(pose)
+
+    def is_placed(self, node: Node) -> bool:
+        """Is it a model that is placed by one of its frames?"""
+        frame = self.frame(node)
+        return frame is not None and bool(placement_of(frame)[0])
+
+    def carrier(self, frame: Frame) -> tuple[Frame, str] | None:
+        """The link or world that a frame moves with, and its name as seen from the frame's scope."""
+        from sdfcheck.model.carriers import carrier
+
+        found = carrier(frame)
+        if found is None:
+            return None
+        names, scope = [found.name], found.scope
+        while scope is not frame.scope:
+            if scope.parent is None:
+                return None
+            names.insert(0, scope.name)
+            scope = scope.parent
+        return found, "::".join(names)
+
+    def named(self, frame: Frame, reference: str) -> Frame | None:
+        return look_up(frame, reference)
+
+
+def resolve_poses(migration: Migration, *, everything: bool) -> None:
+    """Write poses without what the target lacks: references, other spellings of rotations, placement frames."""
+    places = Places(migration)
+    changes: list[tuple[Node, Node | None, Array]] = []
+    for owner in migration.root.standard():
+        pose = owner.find("pose")
+        placed = migration.goes_below(8) and owner.name in {"model", "include"} and places.is_placed(owner)
+        if not placed and (pose is None or not _needs_change(pose, everything)):
+            continue
+        try:
+            refers = everything and pose is not None and bool((pose.get("relative_to") or "").strip())
+            plain = refers or placed
+            element = migration.draft.element(owner).find("pose")
+            changes.append((owner, pose, places.plain(owner) if plain else written_pose(element)))
+        except (PoseError, KeyError) as error:
+            migration.lose(pose or owner, f"the pose cannot be resolved: {error}", LossKind.UNKNOWN_REFERENCE)
+    for owner, pose, value in changes:
+        _write(migration, owner, pose, value, everything=everything)
+
+
+def _needs_change(pose: Node, everything: bool) -> bool:
+    given = pose.attributes()
+    if everything and "relative_to" in given:
+        return True
+    return any(name in given for name in _FORMAT)
+
+
+def _write(migration: Migration, owner: Node, pose: Node | None, value: Array, *, everything: bool) -> None:
+    if migration.goes_below(8):
+        owner.unset("placement_frame")
+        if owner.name == "include" and (given := owner.find("placement_frame")) is not None:
+            given.remove()
+    if pose is None:
+        pose = owner.add("pose")
+    elif not everything and not pose.attributes().keys() & {"relative_to", *_FORMAT}:
+        return
+    text = numbers.pose(value)
+    if _differs(pose, value):
+        pose.write(text)
+    for name in _FORMAT if migration.goes_below(9) else ():
+        pose.unset(name)
+    if everything or owner.name in {"model", "include"}:
+        pose.unset("relative_to")
+
+
+def _differs(pose: Node, value: Array) -> bool:
+    """Does the text, read as plain radians, say something else?"""
+    try:
+        written = [float(part) for part in pose.content.split()]
+    except ValueError:
+        return True
+    if not written and not pose.attributes().keys() & set(_FORMAT):
+        return bool(np.abs(value - np.eye(4)).max() > 0)
+    from sdfcheck.model.rotations import from_rpy, transform
+
+    if len(written) != 6:
+        return True
+    return bool(np.abs(transform(from_rpy(*written[3:]), written[:3]) - value).max() > 1e-15)
+
+
+def attach_joints_to_links(migration: Migration) -> None:
+    """Below 1.8: a joint's parent and child are links; its pose stays where it was."""
+    places = Places(migration)
+    changes: list[tuple[Node, str, Array | None]] = []
+    for joint in migration.root.of("joint"):
+        frame = places.frame(joint)
+        if frame is None:
+            continue
+        for role in ("parent", "child"):
+            end = joint.find(role)
+            named = places.named(frame, end.content) if end is not None else None
+            if end is None or named is None or named.kind in {"link", "world"}:
+                continue
+            found = places.carrier(named)
+            if found is None:
+                text = f"{role} {end.content!r} of joint `{frame.name}` leads to no link"
+                migration.lose(end, text, LossKind.UNKNOWN_REFERENCE)
+                continue
+            link, name = _as_seen(frame.scope, *found, named)
+            moved = role == "child" and not reference_of(frame.element.find("pose"))
+            pose = None
+            if moved:
+                pose = inverse(places.poses.reached(frame.scope, link)) @ places.poses.in_scope(frame)
+            changes.append((end, name, pose))
+    for end, name, pose in changes:
+        migration.note(
+            end, f"{end.name} `{end.content}` is written as its link `{name}`", LossKind.DROPPED_FRAME
+        )
+        end.write(name)
+        if pose is not None and end.parent is not None:
+            own = end.parent.find("pose") or end.parent.add("pose")
+            own.write(numbers.pose(pose))
+            for attribute in _FORMAT:
+                own.unset(attribute)
+
+
+def _as_seen(scope: Scope, link: Frame, name: str, named: Frame) -> tuple[Frame, str]:
+    """A link and its name from a scope above that of the frame that leads to it."""
+    at = named.scope
+    while at is not scope and at.parent is not None:
+        name = f"{at.name}::{name}"
+        at = at.parent
+    return link, name
+
+
+__all__ = ["Places", "attach_joints_to_links", "resolve_poses"]
