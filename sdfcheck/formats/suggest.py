@@ -19,10 +19,12 @@ def suggest(name: str, candidates: Iterable[str]) -> str | None:
         if _fold(candidate) == folded:
             return candidate
     allowed = 0 if len(folded) < 3 else 1 if len(folded) < 6 else 2 if len(folded) < 12 else 3
+    letters = set(folded)
     near: list[tuple[int, bool, str]] = []
     for candidate in pool:
         other = _fold(candidate)
-        if abs(len(other) - len(folded)) > allowed:
+        # Each slip brings in one letter and takes out one at most.
+        if abs(len(other) - len(folded)) > allowed or len(letters ^ set(other)) > 2 * allowed:
             continue
         slips = distance(folded, other)
         # A short name is another one after half of its letters have changed.

@@ -88,11 +88,39 @@ def _locate(document: Document, text: str) -> Location:
         return _first(scheme, [folder / file_path(text)])
     name, _, inside = rest.partition("/")
     if scheme:
-        owners = list(_models(document, name) if scheme == "model" else _packages(document, name))
-        found = _first(scheme, [owner / inside if inside else owner for owner in owners])
-        owner = next((owner for owner in owners if os.path.isdir(owner)), None)
-        return found._replace(name=name, owner=owner)
+        owners = _owners(document, scheme, name)
+        found = _first(scheme, [owner / inside if inside else owner for owner in owners.there or owners.near])
+        if not owners.there:
+            # Only the case of letters can be wrong then.
+            near = found.path or found.near
+            return Location(scheme, None, tuple(owner / inside for owner in owners.tried), near, name)
+        return found._replace(name=name, owner=owners.there[0])
     return _first("", [folder / rest, *(models / inside for models in _models(document, name))])
+
+
+class _Owners(NamedTuple):
+    """Where the folder of a model or package was looked for, where it is, and where it is but for case."""
+
+    tried: tuple[Path, ...]
+    there: tuple[Path, ...]
+    near: tuple[Path, ...]
+
+
+class _KnownOwners(dict[tuple[str, str], _Owners]):
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+
+
+def _owners(document: Document, scheme: str, name: str) -> _Owners:
+    """The folders of a model or package, looked up once for each document."""
+    known = document.view(_KnownOwners)
+    if (scheme, name) not in known:
+        candidates = _models(document, name) if scheme == "model" else _packages(document, name)
+        tried = tuple(dict.fromkeys(Path(os.path.normpath(path)) for path in candidates))
+        there = tuple(path for path in tried if os.path.isdir(path))
+        near = () if there else tuple(filter(None, map(_ignoring_case, tried)))
+        known[scheme, name] = _Owners(tried, there, near)
+    return known[scheme, name]
 
 
 def file_path(uri: str) -> str:

@@ -46,7 +46,7 @@ class SearchPaths(NamedTuple):
 class Library:
     """Reads the files that documents refer to, each once, and remembers them for the run."""
 
-    __slots__ = ("_documents", "_hashes", "_packages", "_unseen", "model_folders", "search")
+    __slots__ = ("_documents", "_hashes", "_packages", "_roots", "_unseen", "model_folders", "search")
 
     def __init__(self, search: SearchPaths | None = None) -> None:
         self.search = search or SearchPaths()
@@ -54,6 +54,7 @@ class Library:
         self._documents: dict[str, Document | None] = {}
         self._hashes: dict[str, int] = {}
         self._unseen: list[Document] = []
+        self._roots: dict[Path, Path] = {}
         self._packages: dict[Path, Packages] = {}
 
     def document(self, path: Path, kind: Kind | None = None) -> Document | None:
@@ -85,7 +86,9 @@ class Library:
         """The packages around a file."""
         from sdfcheck.source.packages import Packages, project_root
 
-        root = project_root(path)
+        root = self._roots.get(path.parent)
+        if root is None:
+            root = self._roots[path.parent] = project_root(path)
         if root not in self._packages:
             self._packages[root] = Packages(root, dict(self.search.packages), self.search.packages_in)
         return self._packages[root]
