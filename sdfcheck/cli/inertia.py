@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,12 +15,16 @@ from sdfcheck.report.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
     from sdfcheck.model.mass_report import LinkMass, MassReport, ModelMass
     from sdfcheck.model.robot import Body
     from sdfcheck.source.document import Document
 
 _HEADER = ("", "mass", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "")
 _UNITS = "kg, m, kg·m²; centres of mass and axes in the model's frame, moments about the centre of mass"
+_ENDLESS = 10_000
 _ORIGINS = {
     "written": "",
     "automatic": "automatic",
@@ -70,7 +74,9 @@ def inertia(file: Path, form: str, name: str | None, config: Path | None, isolat
     if form == "json":
         emit(_json(report))
     elif sys.stdout.isatty():
-        _draw(report)
+        from rich.console import Console
+
+        draw(report, Console(highlight=False))
     else:
         emit(_text(report))
     for note in _warnings(report):
@@ -168,23 +174,38 @@ def _aligned(row: Iterable[str], widths: list[int]) -> str:
     return "  ".join(("  " + name.ljust(widths[0]), *cells, note)).rstrip()
 
 
-def _draw(report: MassReport) -> None:
-    """Tables for a terminal."""
-    from rich.console import Console
+def draw(report: MassReport, console: Console) -> None:
+    """Tables for a terminal; on a narrow one the moments have tables of their own, and no number is cut."""
+    from rich.text import Text
+
+    last = len(_HEADER) - 1
+    endless = console.options.update(max_width=_ENDLESS)
+    for block in _blocks(report):
+        tables = [_table(block, range(last + 1))]
+        if console.measure(tables[0], options=endless).maximum > console.width:
+            tables = [_table(block, (*range(5), last)), _table(block, (0, *range(5, last)), titled=False)]
+        for table in tables:
+            table.width = console.measure(table, options=endless).maximum
+            console.print(table, soft_wrap=True)
+        console.print()
+    console.print(Text(_UNITS, style="bright_black"))
+
+
+def _table(block: _Block, columns: Sequence[int], *, titled: bool = True) -> Table:
     from rich.table import Table
     from rich.text import Text
 
-    console = Console(highlight=False)
-    for block in _blocks(report):
-        table = Table(title=Text(block.title), title_justify="left", box=None, pad_edge=False)
-        for at, column in enumerate(_HEADER):
-            number = 0 < at < len(_HEADER) - 1
-            table.add_column(column, justify="right" if number else "left", overflow="fold", no_wrap=number)
-        for row in block.rows:
-            table.add_row(*map(Text, row), style="bold" if row[0].startswith("total") else None)
-        console.print(table)
-        console.print()
-    console.print(Text(_UNITS, style="bright_black"))
+    title = Text(block.title, style="bold cyan") if titled else None
+    table = Table(title=title, title_justify="left", box=None, pad_edge=False)
+    for at in columns:
+        is_number = 0 < at < len(_HEADER) - 1
+        table.add_column(
+            _HEADER[at], justify="right" if is_number else "left", overflow="fold", no_wrap=is_number
+        )
+    for row in block.rows:
+        style = "bold" if row[0].startswith("total") else None
+        table.add_row(*(Text(row[at]) for at in columns), style=style)
+    return table
 
 
 def _json(report: MassReport) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import io
 import json
 from pathlib import Path
 
 import pytest
 
+from sdfcheck.cli.inertia import draw, measure
 from sdfcheck.cli.main import main
+from sdfcheck.source.library import Library
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 WORKCELL = str(ROBOTS / "workcell" / "workcell.world")
@@ -64,3 +67,16 @@ def test_a_faulty_number_has_a_place(tmp_path: Path, capsys: pytest.CaptureFixtu
     )
     assert main(["inertia", str(file), "--isolated"]) == 2
     assert "r.urdf:2:" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("width", [200, 80, 20])
+def test_a_terminal_cuts_no_number(width: int) -> None:
+    from rich.console import Console
+
+    file = ROBOTS / "desk_arm" / "desk_arm.urdf"
+    document = Library().document(file)
+    assert document is not None
+    out = io.StringIO()
+    draw(measure(document), Console(width=width, file=out))
+    words = set(out.getvalue().split())
+    assert {"desk_arm", "0.00019645", "5.6131e-06", "0.087079", "-0.026073"} <= words
