@@ -114,12 +114,25 @@ class _Outcome(NamedTuple):
     conversion: Conversion | None = None
     failed: bool = False
 
+    @property
+    def has_losses(self) -> bool:
+        """Whether anything is worse than worth knowing."""
+        return any(one.severity.value != "info" for one in self.diagnostics)
 
-def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, convert: Convert) -> int:
+
+def convert_files(
+    request: Request,
+    kinds: Mapping[Kind, str],
+    suffix: str,
+    convert: Convert,
+    *,
+    tolerated: frozenset[str] = frozenset(),
+) -> int:
     """Convert each input, write what was verified, report; returns the exit code.
 
     ``kinds`` are those that can be converted, with what to call them; ``suffix`` ends the
-    names of files in --output-dir.
+    names of files in --output-dir. Errors of the ``tolerated`` families do not stop: the
+    converter deals with them itself.
 
     Raises:
         WrongUsage: the options contradict each other, or a file cannot be read or written.
@@ -129,7 +142,9 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
     targets = _targets(request, suffix)
     wanted = outputs(request.output_format or ("full",), None)
     outcomes = []
-    with Reader(request.config, request.isolated, request.arguments, lint=request.lint) as reader:
+    with Reader(
+        request.config, request.isolated, request.arguments, lint=request.lint, tolerated=tolerated
+    ) as reader:
         for file, target in zip(request.files, targets, strict=True):
             outcome = _convert(reader.read(file, kinds), convert, request)
             outcomes.append(outcome)
@@ -137,7 +152,7 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
                 _write(outcome.conversion, target)
     to_stdout = request.output is None and request.output_dir is None
     _report(outcomes, wanted, request, sys.stderr if to_stdout else sys.stdout)
-    return int(any(one.failed or (request.strict and one.diagnostics) for one in outcomes))
+    return int(any(one.failed or (request.strict and one.has_losses) for one in outcomes))
 
 
 def _targets(request: Request, suffix: str) -> list[Path | None]:
@@ -232,7 +247,8 @@ def _sum_up(outcome: _Outcome, *, named: bool) -> None:
     prefix = f"{outcome.file}: " if named else ""
     verification = outcome.conversion.verification if outcome.conversion is not None else None
     if outcome.failed:
-        say(f"{prefix}not converted, nothing written")
+        advice = "" if outcome.conversion is not None else "; --no-lint tries all the same"
+        say(f"{prefix}not converted, nothing written{advice}")
     elif verification is not None:
         say(f"{prefix}verified: {verification}")
     else:

@@ -37,8 +37,15 @@ class Reader:
     """Reads the inputs of one run. Use it as a context manager: it may start a process to expand xacro."""
 
     def __init__(
-        self, config: Path | None, isolated: bool, arguments: Sequence[str], *, lint: bool = True
+        self,
+        config: Path | None,
+        isolated: bool,
+        arguments: Sequence[str],
+        *,
+        lint: bool = True,
+        tolerated: frozenset[str] = frozenset(),
     ) -> None:
+        self._tolerated = _OF_OTHERS | tolerated
         self._configuration = Configuration(config, isolated=isolated)
         self._arguments = dict(pair(text, ":=", "name:=value") for text in arguments)
         self._lint = lint
@@ -100,5 +107,5 @@ class Reader:
         return [
             one
             for one in found
-            if one.severity is Severity.ERROR and one.code.rstrip("0123456789") not in _OF_OTHERS
+            if one.severity is Severity.ERROR and one.code.rstrip("0123456789") not in self._tolerated
         ]

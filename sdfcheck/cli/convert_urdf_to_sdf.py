@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from sdfcheck.convert.result import Conversion
     from sdfcheck.source.document import Document
 
+_REPAIRED = frozenset({"NAM", "GAZ"})
+"""Families of errors that the conversion mends or reports: names that clash, references to nothing."""
 _KINDS = {Kind.URDF: "URDF", Kind.XACRO: "xacro"}
 
 
@@ -65,4 +67,4 @@ def urdf_to_sdf(**given: Any) -> int:
 
         return run(document, options, verified=verified)
 
-    return convert_files(request, _KINDS, ".sdf", convert)
+    return convert_files(request, _KINDS, ".sdf", convert, tolerated=_REPAIRED)

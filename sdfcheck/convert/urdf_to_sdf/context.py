@@ -58,6 +58,12 @@ class Context:
             made.name = f"{KEPT}:{made.name}"
             text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
             self.lose(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
+            own = made.attributes.get("name")
+            if own is not None and node.name == "model" and not self.plan.names.claim(own):
+                # libsdformat wants different names of everything in a model, known to it or not.
+                made.attributes = {
+                    f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
+                }
         node.append(made)
 
 

@@ -38,10 +38,7 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
         raise refusal(error.element, str(error)) from None
     if not robot.links:
         raise refusal(root, "the robot has no links")
-    for joint in robot.joints.values():
-        for end in (joint.parent, joint.child):
-            if end not in robot.links and end != WORLD:
-                raise refusal(joint.element, f"joint `{joint.name}` names link `{end}`, which does not exist")
+    _refuse_broken(root, robot)
     made = plan(document, robot, options)
     context = Context(options, made, list(made.losses))
     writer = _Writer(document, robot, context)
@@ -49,6 +46,24 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     source = expected(robot, made)
     comparison = Comparison(source, read_back(text, document.path, context), correspondence(made, context))
     return conversion(text, context.losses, [comparison], verified=verified)
+
+
+def _refuse_broken(root: Element, robot: Robot) -> None:
+    """Raise NotConvertible where names do not tell which link or joint is meant."""
+    for kind in ("link", "joint"):
+        seen: set[str] = set()
+        for element in root.children(kind):
+            name = element.attributes.get("name", "")
+            if name in seen or not name:
+                reason = f"there is another {element.title}" if name else f"a {kind} has no name"
+                raise refusal(element, reason)
+            seen.add(name)
+    for joint in robot.joints.values():
+        for end in (joint.parent, joint.child):
+            if end not in robot.links and end != WORLD:
+                raise refusal(joint.element, f"joint `{joint.name}` names link `{end}`, which does not exist")
+    if loops := robot.loops():
+        raise refusal(loops[0].element, f"joint `{loops[0].name}` closes a loop or is a second parent")
 
 
 class _Writer:
@@ -112,6 +127,9 @@ class _Writer:
             self._joint(name)
         elif entry.name == "material":
             return
+        elif entry.name == "drake:joint":
+            text = f"{entry.title} is spelled otherwise in SDFormat; what it carries floats freely"
+            self.context.lose(entry, LossKind.APPROXIMATED_JOINT, text)
         elif entry.name != "origin":
             self.context.keep(entry, self.model)
 

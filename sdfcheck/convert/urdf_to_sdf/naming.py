@@ -39,6 +39,13 @@ class Names:
         """A name that nothing else has; it is taken from now on."""
         return self._settle(wished)
 
+    def claim(self, name: str) -> bool:
+        """Take a name; False if something else has it."""
+        if name in self._taken:
+            return False
+        self._taken.add(name)
+        return True
+
     def _settle(self, wished: str) -> str:
         name, number = wished, 1
         while name in self._taken:

@@ -33,7 +33,10 @@ def expected(robot: Robot, plan: Plan) -> Robot:
             body = plan.bodies[name] if part == name else None
             links[part] = Link(link.name, link.pose, link.element, body, link.geometries)
     joints = {}
+    free = free_joints(robot)
     for name, joint in robot.joints.items():
+        if name in free:
+            continue  # what floats stays where it is, whatever moves
         joints[name] = replace(joint, axes=tuple(_unbounded(axis) for axis in joint.axes))
     return Robot(robot.name, links, joints, robot.frames)
 

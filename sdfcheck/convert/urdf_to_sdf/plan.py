@@ -141,10 +141,11 @@ def _says_yes(element: Element) -> bool:
 def _weigh(made: Plan, link: Link, options: Options) -> None:
     """Settle the mass properties of a surviving link."""
     name = link.name
-    if made.is_world(name):
+    if made.is_world(name) and not link.geometries:
         return
     parts = made.parts(name)
-    if len(parts) == 1 and _mass(link) > 0:
+    alone = all(made.robot.links[part].body is None for part in parts[1:])
+    if alone and _mass(link) > 0:
         made.bodies[name] = None
         return
     total: Body | None = None
