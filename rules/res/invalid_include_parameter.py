@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Element, Good, Rule, Severity, Span, Value, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, Span, Value, problems
 from sdfcheck.problems import ParameterFault
 
 ARM = {
@@ -23,6 +23,7 @@ class InvalidIncludeParameter(Rule):
     code = "RES010"
     name = "invalid-include-parameter"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
     explains = (problems.InvalidParameter,)
     scaffold = (
         '<sdf version="1.12" xmlns:experimental="http://sdformat.org/schemas/experimental"><world name="w">'

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 LAMP = '<sdf version="1.12"><light name="lamp" type="point"/></sdf>'
@@ -18,6 +18,7 @@ class InvalidMergeInclude(Rule):
     code = "RES009"
     name = "invalid-merge-include"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
     explains = (problems.InvalidMerge,)
     scaffold = IN_WORLD
 

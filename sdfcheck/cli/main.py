@@ -19,6 +19,7 @@ COMMANDS = {
     "convert": LazyCommand("sdfcheck.cli.convert:convert", "Convert between formats."),
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
+    "targets": LazyCommand("sdfcheck.cli.targets:targets_command", "Say which readers accept a file."),
     "describe": LazyCommand("sdfcheck.cli.describe:describe_command", "Say what a format allows somewhere."),
     "diff": LazyCommand("sdfcheck.cli.diff:diff", "Show what changed in the robot."),
     "inertia": LazyCommand("sdfcheck.cli.inertia:inertia", "Show masses, centres of mass and inertias."),

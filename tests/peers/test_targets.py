@@ -1,0 +1,40 @@
+"""The verdicts told for readers against those that the readers gave."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+
+import pytest
+
+from sdfcheck.cli.targets import verdicts
+from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.rule import Consumer
+from sdfcheck.lint.targets import Verdict
+from tests.peers.findings import SHARED
+
+pytestmark = [
+    pytest.mark.peers,
+    pytest.mark.skipif(not SHARED.is_dir(), reason="the files to compare on are not here"),
+]
+
+READERS = {Consumer.GAZEBO: "libsdformat", Consumer.DRAKE: "drake"}
+ALLOWED = {Consumer.GAZEBO: 2, Consumer.DRAKE: 25}
+"""How many accepted files may be called rejected: Drake was asked without looking at geometry."""
+
+
+def test_real_files() -> None:
+    counts: Counter[tuple[Consumer, bool, bool]] = Counter()
+    corpus = SHARED / "corpus"
+    for known in json.loads((corpus / "verdicts.json").read_text("utf-8")):
+        rows = verdicts(corpus / known["file"], tuple(READERS), Configuration(isolated=True))
+        for row in rows:
+            opinion = known.get(READERS[row.reader])
+            # Remote includes are fetched by nobody.
+            if isinstance(opinion, dict) and opinion.get("first") not in {"URI_LOOKUP", "PARSING_ERROR"}:
+                counts[row.reader, opinion["ok"], row.verdict is Verdict.REJECT] += 1
+    for reader, allowed in ALLOWED.items():
+        assert counts[reader, True, False] > 150
+        assert counts[reader, True, True] <= allowed
+        assert counts[reader, False, True] > 15
+        assert counts[reader, False, False] <= 1

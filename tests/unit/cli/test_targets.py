@@ -1,0 +1,54 @@
+"""``sdfcheck targets``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+
+ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
+SOUND = str(ROBOTS / "two_link_arm" / "model.sdf")
+BROKEN = str(ROBOTS / "with_mistakes" / "crane.urdf")
+
+
+def test_a_sound_file(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["targets", SOUND, "--isolated"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "drake    accept",
+        "gazebo   accept",
+        "mujoco   not read",
+        "urdfdom  not read",
+    ]
+
+
+def test_reasons(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["targets", BROKEN, "--isolated"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "drake    reject" in lines
+    assert any("mass -20 is negative [INR001] (refuses the model" in line for line in lines)
+    assert any(line.strip().startswith("and ") for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("file", "reader", "code"),
+    [(SOUND, "gazebo", 0), (SOUND, "urdfdom", 1), (BROKEN, "urdfdom", 1)],
+)
+def test_one_reader_decides(file: str, reader: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["targets", file, "--isolated", "--target", reader]) == code
+    assert capsys.readouterr().out.startswith(reader)
+
+
+def test_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["targets", BROKEN, "--isolated", "--format", "json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert [row["reader"] for row in told["readers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
+    reason = told["readers"][1]["reasons"][0]
+    assert (reason["code"], reason["verdict"], reason["line"]) == ("INR001", "reject", 5)
+
+
+def test_what_cannot_be_done(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["targets", str(tmp_path / "none.sdf")]) == 2
+    assert "no such file" in capsys.readouterr().err
