@@ -44,6 +44,8 @@ class Request:
     fix: bool
     unsafe_fixes: bool
     diff: bool
+    baseline: Path | None
+    write_baseline: bool
     output_format: tuple[str, ...]
     output_file: Path | None
     statistics: bool
@@ -98,6 +100,8 @@ def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
     "--unsafe-fixes", is_flag=True, help="With --fix or --diff: also those that a person should check."
 )
 @click.option("--diff", is_flag=True, help="Show what --fix would change; exit with 1 if that is anything.")
+@_path("--baseline", "Report only what this file does not know yet.")
+@click.option("--write-baseline", is_flag=True, help="Write what is found to the file of --baseline.")
 @click.option(
     "--fail-on",
     type=click.Choice([severity.value for severity in Severity]),
@@ -150,12 +154,7 @@ def lint(**given: Any) -> int:
         return _show_files(request, paths, options)
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
     teller = _Teller(quiet=request.quiet)
-    progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
-    try:
-        done = run(paths, options, progress=progress, notify=teller)
-    finally:
-        if progress:
-            progress.clear()
+    done = _run(request, paths, options, teller)
     if request.fix or request.diff:
         from sdfcheck.cli.fix import Fixer
 
@@ -165,11 +164,29 @@ def lint(**given: Any) -> int:
             teller.flush()
             return 2 if teller.failed else 0 if request.exit_zero else changes
         done = fixer.fix(done)
+    if request.baseline is not None:
+        from sdfcheck.cli import baseline
+
+        if request.write_baseline:
+            teller.flush()
+            return baseline.write(done, request.baseline, quiet=request.quiet)
+        done = baseline.without_known(done, request.baseline, teller)
     teller.flush()
     _report(request, wanted, done, aside=request.fix and options.stdin is not None)
-    if teller.failed:
-        return 2
-    fail_on = Severity(request.fail_on) if request.fail_on else settings.fail_on
+    return 2 if teller.failed else _exit_code(request, done, settings.fail_on)
+
+
+def _run(request: Request, paths: Sequence[Path], options: Options, teller: _Teller) -> Run:
+    progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
+    try:
+        return run(paths, options, progress=progress, notify=teller)
+    finally:
+        if progress:
+            progress.clear()
+
+
+def _exit_code(request: Request, done: Run, usual: Severity) -> int:
+    fail_on = Severity(request.fail_on) if request.fail_on else usual
     return 0 if request.exit_zero else verdict(done, fail_on, request.max_warnings)
 
 
@@ -223,6 +240,8 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
     """What the session needs to know, and the paths without ``-``."""
     if request.config is not None and request.isolated:
         raise WrongUsage("--config and --isolated exclude each other")
+    if request.write_baseline and request.baseline is None:
+        raise WrongUsage("--write-baseline needs --baseline FILE")
     if request.target:
         from sdfcheck.lint.select import check_targets
 

@@ -1,0 +1,80 @@
+"""Findings that are known and wait: how many of each rule in each file."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.run import Run
+from sdfcheck.source.wrong_usage import WrongUsage
+
+VERSION = 1
+
+Key = tuple[str, str]
+"""File (relative to the folder of the baseline) and code of the rule."""
+
+
+class Held(NamedTuple):
+    """A run without what the baseline knows; ``gone`` known findings are no more."""
+
+    run: Run
+    gone: int
+
+
+def read(path: Path) -> Mapping[Key, int]:
+    """The numbers of a baseline.
+
+    Raises:
+        WrongUsage: there is none, or it is none.
+    """
+    import json
+
+    try:
+        record = json.loads(path.read_bytes())
+        if record["version"] != VERSION:
+            raise WrongUsage(f"{path}: a baseline of version {record['version']}, not {VERSION}")
+        return {
+            (file, code): int(number)
+            for file, rules in record["findings"].items()
+            for code, number in rules.items()
+        }
+    except OSError as error:
+        raise WrongUsage(f"cannot read {path}: {error.strerror}; --write-baseline makes one") from None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise WrongUsage(f"{path} is no baseline") from None
+
+
+def render(run: Run, path: Path) -> str:
+    """The baseline that holds all findings of a run."""
+    import json
+
+    findings: dict[str, dict[str, int]] = {}
+    for (file, code), number in sorted(_counts(run, path).items()):
+        findings.setdefault(file, {})[code] = number
+    return json.dumps({"version": VERSION, "findings": findings}, indent=1, ensure_ascii=False) + "\n"
+
+
+def hold(run: Run, known: Mapping[Key, int], path: Path) -> Held:
+    """Leave out what is known; where a file has more findings of a rule than that, nobody knows which are new."""
+    counts = _counts(run, path)
+    left = tuple(d for d in run.diagnostics if counts[_key(d, path)] > known.get(_key(d, path), 0))
+    linted = {_name(file, path) for file in run.files}
+    gone = sum(max(0, number - counts[key]) for key, number in known.items() if key[0] in linted)
+    silenced = run.suppressed + len(run.diagnostics) - len(left)
+    return Held(run._replace(diagnostics=left, suppressed=silenced), gone)
+
+
+def _counts(run: Run, path: Path) -> Counter[Key]:
+    return Counter(_key(diagnostic, path) for diagnostic in run.diagnostics)
+
+
+def _key(diagnostic: Diagnostic, path: Path) -> Key:
+    return _name(diagnostic.span.source.path, path), diagnostic.code
+
+
+def _name(file: Path, path: Path) -> str:
+    return Path(os.path.relpath(file, path.parent)).as_posix()
