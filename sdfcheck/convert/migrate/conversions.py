@@ -83,7 +83,7 @@ def _carry(migration: Migration, node: Node, operation: Operation) -> None:
     found = node.find(source)
     if found is None:
         return
-    path, _, attribute = target.rpartition("/@")
+    path, _, attribute = target.partition("/@")
     if attribute:
         node.path(path).set(attribute, found.content)
     elif node.find(target) is not None:

@@ -43,11 +43,7 @@ def _above(node: Node) -> list[Node]:
 def _into_parent(migration: Migration, nested: Node) -> None:
     name = nested.get("name") or ""
     outer = _pose(nested)
-    assert nested.parent is not None
-    for user in (*nested.parent.children("joint"), *nested.parent.children("gripper")):
-        for end in user.of(*_ENDS):
-            if end.content.startswith(f"{name}::"):
-                end.write(f"{name}__{end.content[len(name) + 2 :]}")
+    _rename_ends(nested, name)
     parts: list[Node] = []
     own = {child.get("name") for child in nested.children() if child.name in _NAMED}
     turn = outer[:3, :3]
@@ -71,6 +67,15 @@ def _into_parent(migration: Migration, nested: Node) -> None:
         nested.replace(parts)
     else:
         nested.remove()
+
+
+def _rename_ends(nested: Node, name: str) -> None:
+    """In the model around it, what refers into the nested one."""
+    assert nested.parent is not None
+    for user in (*nested.parent.children("joint"), *nested.parent.children("gripper")):
+        for end in user.of(*_ENDS):
+            if end.content.startswith(f"{name}::"):
+                end.write(f"{name}__{end.content[len(name) + 2 :]}")
 
 
 def _pose(node: Node) -> Array:

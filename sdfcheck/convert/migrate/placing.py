@@ -146,8 +146,6 @@ def _write(migration: Migration, owner: Node, pose: Node | None, value: Array, *
             given.remove()
     if pose is None:
         pose = owner.add("pose")
-    elif not everything and not pose.attributes().keys() & {"relative_to", *_FORMAT}:
-        return
     text = numbers.pose(value)
     if _differs(pose, value):
         pose.write(text)
@@ -201,8 +199,9 @@ def attach_joints_to_links(migration: Migration) -> None:
             end, f"{end.name} `{end.content}` is written as its link `{name}`", LossKind.DROPPED_FRAME
         )
         end.write(name)
-        if pose is not None and end.parent is not None:
-            own = end.parent.find("pose") or end.parent.add("pose")
+        own = end.parent.find("pose") if end.parent is not None else None
+        if pose is not None and end.parent is not None and (own or np.abs(pose - np.eye(4)).max() > 0):
+            own = own or end.parent.add("pose")
             own.write(numbers.pose(pose))
             for attribute in _FORMAT:
                 own.unset(attribute)

@@ -1,0 +1,112 @@
+"""Golden pairs of migrations, and what must hold for all of them; ``--golden`` writes them again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.loss import NotConvertible
+from sdfcheck.convert.migrate.draft import Draft
+from sdfcheck.convert.migrate.migrate import LOWEST, TARGETS, sdf_to_sdf
+from sdfcheck.convert.result import Conversion
+from sdfcheck.formats.structure import structure_problems
+from sdfcheck.formats.survey import problems
+from sdfcheck.formats.version import Version
+from sdfcheck.source.document import Document, read
+from sdfcheck.source.library import Library
+
+CASES = sorted((Path(__file__).parents[3] / "fixtures" / "convert" / "sdf-to-sdf").iterdir())
+ROBOTS = sorted((Path(__file__).parents[3] / "fixtures" / "robots").rglob("*.sdf"))
+
+
+def opened(path: Path) -> Document:
+    document = Library().document(path)
+    assert document is not None
+    return document
+
+
+def target(case: Path) -> Version:
+    version = Version.parse((case / "to").read_text().strip())
+    assert version is not None
+    return version
+
+
+def losses(conversion: Conversion) -> str:
+    lines = (
+        f"{loss.span.begin.line}:{loss.span.begin.column} {loss.severity.name.lower()} "
+        f"{loss.kind.title}: {loss.message}\n"
+        for loss in conversion.losses
+    )
+    return "".join(lines)
+
+
+def migrate(text: str, version: Version, **options: bool) -> Conversion:
+    return sdf_to_sdf(read(text.encode(), Path("m.sdf")), version, **options)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_the_result_is_as_expected(case: Path, request: pytest.FixtureRequest) -> None:
+    conversion = sdf_to_sdf(opened(case / "input.sdf"), target(case))
+    if request.config.getoption("--golden"):
+        (case / "expected.sdf").write_text(conversion.text, encoding="utf-8")
+        (case / "losses.txt").write_text(losses(conversion), encoding="utf-8")
+    assert conversion.text == (case / "expected.sdf").read_text(encoding="utf-8")
+    assert losses(conversion) == (case / "losses.txt").read_text(encoding="utf-8")
+    verification = conversion.verification
+    assert verification is None or verification.differences == ()
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_the_result_is_sound_in_its_version(case: Path) -> None:
+    result = opened(case / "expected.sdf")
+    assert result.version == str(target(case))
+    assert [*problems(result), *structure_problems(result)] == []
+
+
+@pytest.mark.parametrize("version", TARGETS, ids=str)
+@pytest.mark.parametrize("path", ROBOTS, ids=lambda path: path.stem)
+def test_robots_stay_the_same_in_every_version(path: Path, version: Version) -> None:
+    document = opened(path)
+    if document.root is None or document.root.name != "sdf" or "with_mistakes" in path.as_posix():
+        pytest.skip("no sound SDFormat")
+    try:
+        conversion = sdf_to_sdf(document, version)
+    except NotConvertible as error:
+        assert "include" in error.loss.message
+        return
+    verification = conversion.verification
+    assert verification is None or verification.differences == ()
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_what_is_not_changed_stays_to_the_byte(case: Path) -> None:
+    document = opened(case / "input.sdf")
+    assert Draft(document).text() == document.source.text
+    version = Version.parse(document.version or "")
+    assert version is not None
+    assert version < LOWEST or sdf_to_sdf(document, version).text == document.source.text
+
+
+def test_what_the_target_lacks_can_be_kept() -> None:
+    text = (
+        '<sdf version="1.9"><model name="m"><link name="a"><enable_wind>1</enable_wind></link></model></sdf>'
+    )
+    assert "enable_wind" not in migrate(text, Version(1, 5)).text
+    kept = migrate(text, Version(1, 5), keep_unknown=True)
+    assert kept.text == text.replace("1.9", "1.5")
+    assert kept.losses == ()
+
+
+def test_an_unknown_version_is_refused() -> None:
+    with pytest.raises(NotConvertible, match="'2.0'"):
+        migrate('<sdf version="2.0"><model name="m"><link name="a"/></model></sdf>', Version(1, 12))
+
+
+def test_axes_survive_the_way_down_and_up() -> None:
+    case = next(case for case in CASES if case.name == "frames-resolved")
+    down = sdf_to_sdf(opened(case / "input.sdf"), Version(1, 5))
+    up = migrate(down.text, Version(1, 12))
+    assert up.verification is not None
+    assert up.verification.is_equal
+    assert 'expressed_in="__model__">0 0 1<' in up.text
