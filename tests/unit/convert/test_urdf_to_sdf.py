@@ -1,0 +1,124 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.loss import LossKind, NotConvertible
+from sdfcheck.convert.result import Comparison, Conversion
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.naming import legal
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
+from sdfcheck.formats.version import Version
+from sdfcheck.model.scopes import scopes
+from sdfcheck.model.sdf_robot import read_sdf_robot
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+
+MASS = '<inertial><mass value="2"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".1" iyz="0" izz=".1"/></inertial>'
+ARM = f"""<robot name="arm">
+  <link name="base">{MASS}</link>
+  <link name="rod">{MASS}<visual><origin xyz="0 0 0.25"/><geometry><sphere radius="0.125"/></geometry></visual></link>
+  <link name="tip">{MASS}</link>
+  <joint name="swing" type="revolute"><parent link="base"/><child link="rod"/><origin xyz="0 0 0.75"/>
+    <axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="5" velocity="3"/></joint>
+  <joint name="weld" type="fixed"><parent link="rod"/><child link="tip"/><origin xyz="0 0 0.5"/></joint>
+</robot>"""
+
+TIE = '<joint name="{}" type="fixed"><parent link="a"/><child link="b"/></joint>'
+
+
+def convert(text: str, options: Options | None = None) -> Conversion:
+    return urdf_to_sdf(read(text.encode(), Path("arm.urdf"), Kind.URDF), options or Options())
+
+
+def kinds(done: Conversion) -> list[LossKind]:
+    return [loss.kind for loss in done.losses]
+
+
+@pytest.mark.parametrize("version", [Version(1, minor) for minor in range(4, 13)], ids=str)
+@pytest.mark.parametrize("fixed", list(FixedJoints))
+def test_every_version_holds_the_same_robot(version: Version, fixed: FixedJoints) -> None:
+    done = convert(ARM, Options(version, fixed))
+    assert done.verification is not None
+    assert done.verification.is_equal, done.verification.differences
+    assert done.verification.links == 3
+
+
+@pytest.mark.parametrize(
+    ("written", "other"),
+    [
+        ("0 0 0.75 0 0 0", "0 0 0.76 0 0 0"),
+        ("<xyz>0 1 0</xyz>", "<xyz>0 -1 0</xyz>"),
+        ("<mass>2</mass>", "<mass>2.1</mass>"),
+        ("<ixx>.1</ixx>", "<ixx>.2</ixx>"),
+        ("<upper>1</upper>", "<upper>1.5</upper>"),
+        ("<radius>0.125</radius>", "<radius>0.126</radius>"),
+        ("0 0 0.25 0 0 0", "0 0 0.26 0 0 0"),
+    ],
+)
+def test_one_changed_number_is_noticed(written: str, other: str) -> None:
+    done = convert(ARM)
+    assert written in done.text
+    changed = read(done.text.replace(written, other, 1).encode(), Path("arm.sdf"), Kind.SDF)
+    before = done.comparisons[0]
+    result = read_sdf_robot(scopes(changed).roots[0])
+    assert not Comparison(before.source, result, before.correspondence).verify().is_equal
+
+
+def test_a_clean_robot_loses_nothing() -> None:
+    assert convert(ARM).losses == ()
+
+
+def test_merging_reports_the_link_and_keeps_its_name() -> None:
+    done = convert(ARM, Options(fixed_joints=FixedJoints.MERGE))
+    assert kinds(done) == [LossKind.MERGED_LINK]
+    assert '<frame name="tip" attached_to="rod">' in done.text
+
+
+def test_a_link_without_mass_stays() -> None:
+    done = convert('<robot name="r"><link name="only"/></robot>')
+    assert kinds(done) == [LossKind.MASSLESS_LINK]
+    assert '<link name="only">' in done.text
+    with pytest.raises(NotConvertible, match="link `only` has no mass"):
+        convert('<robot name="r"><link name="only"/></robot>', Options(massless=Massless.REFUSE))
+
+
+@pytest.mark.parametrize(
+    ("body", "reason"),
+    [
+        ("", "no links"),
+        ('<link name="a"/><link name="a"/>', "another link `a`"),
+        ("<link/>", "a link has no name"),
+        (
+            '<link name="a"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>',
+            "names link `b`, which does not exist",
+        ),
+        (
+            '<link name="a"/><link name="b"/>' + TIE.format("j") + TIE.format("k"),
+            "joint `k` closes a loop",
+        ),
+        ('<link name="a"><inertial><mass value="heavy"/></inertial></link>', "'heavy' is not a number"),
+    ],
+)
+def test_what_cannot_be_converted_is_refused_with_its_place(body: str, reason: str) -> None:
+    with pytest.raises(NotConvertible, match=reason) as caught:
+        convert(f'<robot name="r">{body}</robot>')
+    assert caught.value.loss.kind is LossKind.NOT_CONVERTIBLE
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("a", "a"), ("a::b", "a__b"), ("__x__", "x_"), ("world", "world_"), ("ns/a", "ns/a")],
+)
+def test_legal_names(name: str, expected: str) -> None:
+    assert legal(name) == expected
+
+
+def test_a_pose_in_degrees_moves_with_its_sensor() -> None:
+    block = (
+        '<gazebo reference="tip"><sensor name="s" type="imu">'
+        '<pose degrees="true">0 0 0 0 0 90</pose></sensor></gazebo></robot>'
+    )
+    done = convert(ARM.replace("</robot>", block), Options(fixed_joints=FixedJoints.MERGE))
+    assert "<pose>0 0 0.5 0 0 1.5707963267948966</pose>" in done.text

@@ -1,0 +1,51 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.writer import Comment, Node, copied, number, numbers, render, write_atomically
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+
+def test_text_and_attributes_are_escaped() -> None:
+    root = Node("a", "1 < 2 & 3", name='say "hi"')
+    assert render(root) == '<?xml version="1.0"?>\n<a name="say &quot;hi&quot;">1 &lt; 2 &amp; 3</a>\n'
+
+
+def test_comments_stay_comments() -> None:
+    root = Node("a")
+    root.comment(" one -- two -")
+    text = render(root, before=[Comment(" first ")])
+    assert "<!-- first -->" in text
+    assert "<!-- one - - two - -->" in text
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0, "0"), (-0.0, "0"), (1.0, "1"), (0.1, "0.1"), (1e-7, "1e-07"), (1 / 3, repr(1 / 3))],
+)
+def test_numbers_are_short_and_exact(value: float, text: str) -> None:
+    assert number(value) == text
+    assert float(number(value)) == value
+
+
+def test_dust_is_swept() -> None:
+    assert numbers((1, -6e-17, 2.5)) == "1 0 2.5"
+
+
+def test_copies_keep_prefixes_and_comments() -> None:
+    text = '<robot name="r" xmlns:a="urn:a"><a:b c="1"><!-- why --><d>2</d></a:b></robot>'
+    root = read(text.encode(), Path("r.urdf"), Kind.URDF).root
+    assert root is not None
+    node = copied(next(root.children()))
+    assert (node.name, node.attributes) == ("a:b", {"c": "1"})
+    assert isinstance(node.children[0], Comment)
+    assert node.reach("d").text == "2"
+
+
+def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
+    with pytest.raises(WrongUsage, match="cannot write"):
+        write_atomically(tmp_path / "none" / "a.sdf", "text")
