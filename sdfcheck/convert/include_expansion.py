@@ -21,6 +21,7 @@ from sdfcheck.model.scopes import MODEL_FRAME, scopes
 from sdfcheck.model.uris import locate, scheme_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.text import Source
 
 _MERGED = frozenset(("frame", "gripper", "joint", "link", "model", "plugin"))
@@ -109,6 +110,8 @@ def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
         return f"{uri} brings nothing ({found.obstacle.value if found.obstacle else 'unreadable'})"
     if found.model.name == "robot":
         return f"{uri} is URDF, convert it first"
+    if any(isinstance(problem, SyntaxDefect) for problem in found.document.problems):
+        return f"{uri} is broken; `sdfcheck lint` says how"
     if found.include.has("experimental:params"):
         return "it has experimental:params"
     if any(os.path.samefile(found.document.path, outer.path) for outer in chain):

@@ -127,6 +127,19 @@ def test_what_is_not_well_formed_is_mended(tmp_path: Path) -> None:
     assert '<drake:thing a="1 &amp; 2"/>' in text
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        SDF.format("1.9", "<pose>0 0 0 0 0 0"),
+        SDF.format("1.9", "<visual name='v' name='w'/>"),
+        SDF.format("1.9", "") + "<sdf version='1.9'/>",
+    ],
+)
+def test_what_is_broken_is_refused(tmp_path: Path, text: str) -> None:
+    with pytest.raises(WrongUsage, match=r"main\.sdf:1:\d+: the text is broken here"):
+        printed(tmp_path, text)
+
+
 def test_automatic_inertias(tmp_path: Path) -> None:
     content = f"<inertial auto='true'><density>2</density><!-- kept --></inertial>{BOX}"
     result = printed(tmp_path, SDF.format("1.11", content), CanonicalStyle(expand_auto_inertials=True))
