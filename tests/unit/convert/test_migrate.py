@@ -70,12 +70,11 @@ def test_robots_stay_the_same_in_every_version(path: Path, version: Version) -> 
     document = opened(path)
     if document.root is None or document.root.name != "sdf" or "with_mistakes" in path.as_posix():
         pytest.skip("no sound SDFormat")
-    try:
-        conversion = sdf_to_sdf(document, version)
-    except NotConvertible as error:
-        assert "include" in error.loss.message
+    if version < Version(1, 5) and "<include>" in document.source.text:
+        with pytest.raises(NotConvertible, match="an include"):
+            sdf_to_sdf(document, version)
         return
-    verification = conversion.verification
+    verification = sdf_to_sdf(document, version).verification
     assert verification is None or verification.differences == ()
 
 
@@ -99,7 +98,7 @@ def test_what_the_target_lacks_can_be_kept() -> None:
 
 
 def test_an_unknown_version_is_refused() -> None:
-    with pytest.raises(NotConvertible, match="'2.0'"):
+    with pytest.raises(NotConvertible, match=r"'2\.0'"):
         migrate('<sdf version="2.0"><model name="m"><link name="a"/></model></sdf>', Version(1, 12))
 
 
