@@ -17,7 +17,7 @@ def problems(document: Document) -> Iterator[object]:
         from sdfcheck.model.gazebo_names import ignition_names
 
         yield from ignition_names(document)
-    if "frame_id" in text:
+    if "_frame_id" in text:
         from sdfcheck.model.gazebo_names import frame_ids
 
         yield from frame_ids(document)
