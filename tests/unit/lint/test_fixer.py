@@ -6,7 +6,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
@@ -133,6 +133,7 @@ def test_fixes_that_cannot_be_written_are_refused() -> None:
     assert mended(data, swap("ä", "ö")).after == data.replace("ä".encode("latin-1"), "ö".encode("latin-1"))
 
 
+@settings(deadline=None)
 @given(st.lists(st.tuples(st.integers(0, 12), st.integers(0, 4), st.text("xy", max_size=2)), max_size=8))
 def test_edits_never_overlap(wanted: list[tuple[int, int, str]]) -> None:
     source = Source(PATH, "." * 16)

@@ -2,7 +2,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sdfcheck.source.decode import decode
@@ -47,6 +47,7 @@ def test_bytes_that_decode_to_nothing_are_refused() -> None:
         edited(data, "sdf", "x")
 
 
+@settings(deadline=None)
 @given(st.binary(max_size=60), st.integers(0, 60), st.integers(0, 8))
 def test_any_bytes_keep_what_is_not_edited(data: bytes, at: int, length: int) -> None:
     text = decode(data, Path("a.sdf"))[0].text
