@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from lxml import etree
@@ -12,6 +13,10 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Source
 
+_ENCODING = re.compile(
+    r"""(<\?xml[^>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
+)
+
 
 class Draft:
     """The nodes of a document, and the document that they make when written."""
@@ -21,7 +26,8 @@ class Draft:
         self.source = document
         self.root = _nodes(document)
         place = document.spans.place(document.root)
-        self._before = document.source.text[: place.start]
+        # Results are written as UTF-8, whatever the source was.
+        self._before = _ENCODING.sub(r"\1UTF-8", document.source.text[: place.start])
         self._after = document.source.text[place.close_end :]
         self.document = document
         self._elements: dict[Node, Element] = {}
