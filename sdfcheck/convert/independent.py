@@ -48,24 +48,38 @@ def differences(done: Conversion, source: Document) -> list[Difference]:
 
 
 def _compare(model: Any, comparison: Comparison, *, from_urdf: bool) -> list[Difference]:
-    to = comparison.correspondence
     random = np.random.default_rng(4_711)
     found: dict[str, Difference] = {}
-    names = {to.joint(name): name for name in comparison.source.joints}
-    if from_urdf:
-        names = {name: to.joint(name) for name in comparison.source.joints}
+    axes = _axes(comparison, from_urdf=from_urdf)
     for _ in range(CONFIGURATIONS):
         drawn = dict(
             zip(model.actuated_joint_names, random.uniform(-1, 1, model.num_actuated_joints), strict=True)
         )
         model.update_cfg(drawn)
         other = comparison.result if from_urdf else comparison.source
-        poses = link_poses(other, {names.get(name, name): (float(v),) for name, v in drawn.items()})
+        positions: dict[str, dict[int, float]] = {}
+        for name, value in drawn.items():
+            joint, axis = axes.get(name, (name, 0))
+            if joint in comparison.correspondence.dropped_joints:
+                continue
+            positions.setdefault(joint, {})[axis] = float(value)
+        poses = link_poses(
+            other, {name: tuple(v for _, v in sorted(by.items())) for name, by in positions.items()}
+        )
         for name, apart in _apart(model, comparison, poses, from_urdf=from_urdf):
             if max(apart) > TOLERANCE:
                 text = f"is {apart[0]:.3g} m and {apart[1]:.3g} rad from where yourdfpy has it"
                 found.setdefault(name, Difference("link", name, text))
     return list(found.values())
+
+
+def _axes(comparison: Comparison, *, from_urdf: bool) -> dict[str, tuple[str, int]]:
+    """For each joint of the URDF the joint, and its axis, whose position is the same on the SDF side."""
+    to, joints = comparison.correspondence, comparison.source.joints
+    if from_urdf:
+        return {name: to.joint_of_axis(name, 0) for name in joints}
+    numbered = ((name, number) for name, joint in joints.items() for number in range(max(1, len(joint.axes))))
+    return {to.joint_of_axis(name, number)[0]: (name, number) for name, number in numbered}
 
 
 def _apart(

@@ -13,12 +13,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.model.kinematics import Positions, degrees_of_freedom, link_poses, total_body
+from sdfcheck.model.kinematics import Positions, degrees_of_freedom, link_poses, total_body, with_followers
 from sdfcheck.model.robot import Axis, Geometry, Joint, Robot
 from sdfcheck.model.rotations import Array, angle_between, inverse
 
 TOLERANCE = 1e-9
 CONFIGURATIONS = 64
+_ENDLESS = 1e15
+"""Bounds from here on mean none, for formats that want a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,10 @@ class Correspondence:
 
     links: Mapping[str, Counterpart] = field(default_factory=dict)
     joints: Mapping[str, str] = field(default_factory=dict)
+    parts: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Source joints that became several: the joint for each axis."""
+    unlimited: float = _ENDLESS
+    """Bounds from here on mean none."""
     reversed_joints: frozenset[str] = frozenset()
     """Source joints whose parent and child have changed places in the result."""
     dropped_links: frozenset[str] = frozenset()
@@ -49,6 +55,11 @@ class Correspondence:
 
     def joint(self, name: str) -> str:
         return self.joints.get(name, name)
+
+    def joint_of_axis(self, name: str, number: int) -> tuple[str, int]:
+        """The joint of the result that an axis of the source is, and the number of the axis there."""
+        parts = self.parts.get(name)
+        return (parts[number], 0) if parts else (self.joint(name), number)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +105,9 @@ def verify(
 
 
 class _Comparison:
-    def __init__(self, source: Robot, result: Robot, correspondence: Correspondence, tolerance: float) -> None:
+    def __init__(
+        self, source: Robot, result: Robot, correspondence: Correspondence, tolerance: float
+    ) -> None:
         self.source = source
         self.result = result
         self.to = correspondence
@@ -116,7 +129,12 @@ class _Comparison:
         self.compare_joints()
         self.compare_geometries()
         return Verification(
-            len(self.compared), configurations, self.position, self.angle, self.inertia, tuple(self.found.values())
+            len(self.compared),
+            configurations,
+            self.position,
+            self.angle,
+            self.inertia,
+            tuple(self.found.values()),
         )
 
     def draw(self, random: np.random.Generator) -> Positions:
@@ -128,11 +146,18 @@ class _Comparison:
 
     def translate(self, positions: Positions) -> Positions:
         """The same configuration in the result's joints."""
-        return {self.to.joint(name): values for name, values in positions.items()}
+        there: dict[str, tuple[float, ...]] = {}
+        for name, values in positions.items():
+            parts = self.to.parts.get(name)
+            if parts:
+                there.update((part, (value,)) for part, value in zip(parts, values, strict=False))
+            else:
+                there[self.to.joint(name)] = values
+        return there
 
     def compare_at(self, positions: Positions) -> None:
         ours = link_poses(self.source, positions)
-        theirs = link_poses(self.result, self.translate(positions))
+        theirs = link_poses(self.result, self.translate(with_followers(self.source, positions)))
         root = self.compared[0]
         our_root, their_root = ours.get(root), self.seen(theirs, root)
         if our_root is None or their_root is None:
@@ -183,30 +208,36 @@ class _Comparison:
         for name, joint in self.source.joints.items():
             if name in self.to.dropped_joints or not joint.moves:
                 continue
-            other = self.result.joints.get(self.to.joint(name))
-            if other is None:
-                self.differ("joint", name, "is missing")
-                continue
-            for mine, theirs in zip(joint.axes, other.axes, strict=False):
-                self.compare_axes(joint, mine, theirs)
+            for number, mine in enumerate(joint.axes or (None,)):
+                there, which = self.to.joint_of_axis(name, number)
+                other = self.result.joints.get(there)
+                if other is None:
+                    self.differ("joint", name, "is missing")
+                elif mine is not None and which < len(other.axes):
+                    self.compare_axes(joint, mine, other.axes[which])
 
     def compare_axes(self, joint: Joint, mine: Axis, theirs: Axis) -> None:
         for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):
-            a, b = getattr(mine, what), getattr(theirs, what)
+            a, b = self.bounded(getattr(mine, what)), self.bounded(getattr(theirs, what))
             if a != b and not math.isclose(a, b, rel_tol=1e-12, abs_tol=1e-12):
                 self.differ(what, joint.name, f"was {a:g} and is {b:g}")
+
+    def bounded(self, value: float) -> float:
+        return math.copysign(math.inf, value) if abs(value) >= self.to.unlimited else value
 
     def compare_geometries(self) -> None:
         for name in self.compared:
             counterpart = self.to.link(name)
-            wanted = [g for g in self.source.links[name].geometries if g.kind not in self.to.dropped_geometries]
+            wanted = [
+                g for g in self.source.links[name].geometries if g.kind not in self.to.dropped_geometries
+            ]
             there = list(self.result.links[counterpart.link].geometries)
             for geometry in wanted:
                 match = next((g for g in there if self.same(geometry, g, counterpart.offset)), None)
                 if match is None:
                     self.differ(geometry.role, name, f"{geometry.kind} has no equal in the result")
                 else:
-                    there.remove(match)
+                    there = [g for g in there if g is not match]
 
     def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
         if (mine.role, mine.kind, len(mine.size)) != (theirs.role, theirs.kind, len(theirs.size)):

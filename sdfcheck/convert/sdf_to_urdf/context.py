@@ -1,0 +1,57 @@
+"""What the writers of links, joints and extensions share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sdfcheck.convert.sdf_to_urdf.arrange import Arrangement
+from sdfcheck.convert.sdf_to_urdf.layout import Layout
+from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
+from sdfcheck.convert.sdf_to_urdf.naming import Naming
+from sdfcheck.convert.sdf_to_urdf.options import Options
+from sdfcheck.convert.writer import Node
+from sdfcheck.model.poses import Poses
+from sdfcheck.model.robot import Robot
+from sdfcheck.model.scopes import Frame, Scope
+
+
+@dataclass(slots=True)
+class Context:
+    """One conversion under way."""
+
+    scope: Scope
+    poses: Poses
+    read: Robot
+    """The model as it was read."""
+    robot: Robot
+    """The model as it is understood."""
+    frames: Mapping[str, Frame]
+    """Links, joints, frames and nested models of the model, by name."""
+    made: Arrangement
+    layout: Layout
+    naming: Naming
+    links: Mapping[str, str]
+    """Source name → name in the URDF."""
+    joints: Mapping[str, str]
+    options: Options
+    folder: Path
+    """Where the result is going to be."""
+    ledger: Ledger
+    root: Node
+    root_link: str = ""
+    """The URDF's root, where it is no link of the source."""
+    blobs: list[Node] = field(default_factory=list)
+    """The ``gazebo`` elements, written last."""
+    parts: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """Source joint → the joints for each of its axes."""
+    floating: set[str] = field(default_factory=set)
+    """Source joints whose positions have no equal in the result."""
+    unmimicked: set[str] = field(default_factory=set)
+    """Source joints that follow another, which URDF cannot say."""
+    colors: dict[str, str] = field(default_factory=dict)
+    """Colour → the material that has it."""
+
+    def link_name(self, name: str) -> str:
+        return self.links.get(name, name)

@@ -1,0 +1,244 @@
+"""From an SDF model to a URDF robot."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from sdfcheck.convert.loss import LossKind, refusal
+from sdfcheck.convert.result import Comparison, Conversion, conversion
+from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, arrange
+from sdfcheck.convert.sdf_to_urdf.choose import choose, others
+from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.extensions import keep_loop
+from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
+from sdfcheck.convert.sdf_to_urdf.layout import is_same, lay_out
+from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
+from sdfcheck.convert.sdf_to_urdf.links import add_link
+from sdfcheck.convert.sdf_to_urdf.materials import define_colors
+from sdfcheck.convert.sdf_to_urdf.meaning import coupling, understood
+from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames_below
+from sdfcheck.convert.sdf_to_urdf.naming import named
+from sdfcheck.convert.sdf_to_urdf.options import Options, Unsupported
+from sdfcheck.convert.verify import Correspondence, Counterpart
+from sdfcheck.convert.writer import Node, render
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.poses import PoseError, Poses, model_around, written_pose
+from sdfcheck.model.robot import Robot
+from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.model.scopes import Scope
+from sdfcheck.model.sdf_robot import RobotError, canonical_link, read_sdf_robot
+from sdfcheck.model.urdf_robot import read_urdf_robot
+from sdfcheck.source.document import Document, read
+from sdfcheck.source.sniff import Kind
+
+
+def convert(
+    document: Document, options: Options | None = None, *, folder: Path | None = None, verified: bool = True
+) -> Conversion:
+    """Convert the model of a document; ``folder`` is where the result is going to be.
+
+    Raises:
+        WrongUsage: the document has no model, or several and none is chosen.
+        NotConvertible: URDF cannot say it, or it cannot be worked out.
+    """
+    options = options or Options()
+    scope = choose(document, options.model)
+    try:
+        context = _prepare(scope, options, folder or document.path.parent)
+    except (RobotError, PoseError) as error:
+        raise refusal(getattr(error, "element", scope.element), str(error)) from None
+    _write(context)
+    text = render(context.root)
+    result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
+    comparison = Comparison(_expected(context), result, _correspondence(context))
+    for other in others(document, scope):
+        context.ledger.lose(
+            LossKind.DROPPED_ELEMENT, other, f"{other.title} is no part of model `{scope.name}`"
+        )
+    return conversion(text, context.ledger.losses, [comparison], verified=verified)
+
+
+def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
+    robot = read_sdf_robot(scope)
+    if not robot.links:
+        raise refusal(scope.element, f"{scope.element.title} has no link")
+    poses = Poses()
+    meant = understood(robot, is_static=scope.is_static)
+    frames = dict(frames_below(scope))
+    canonical = canonical_link(scope)
+    canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
+    made = arrange(meant, canonical_name)
+    naming, links, joints = named(meant)
+    world = inverse(_model_pose(scope, poses))
+    layout = lay_out(meant, made, world, keep=options.keep_link_frames, naming=naming)
+    root = Node("robot", name=scope.name)
+    return Context(
+        scope,
+        poses,
+        robot,
+        meant,
+        frames,
+        made,
+        layout,
+        naming,
+        links,
+        joints,
+        options,
+        folder,
+        Ledger(),
+        root,
+    )
+
+
+def _model_pose(scope: Scope, poses: Poses) -> Array:
+    """The pose of the model in the world."""
+    if scope.parent is not None:
+        return poses.in_scope(model_around(scope))
+    pose = written_pose(scope.element.find("pose"))
+    placement = scope.element.attributes.get("placement_frame", "").strip()
+    return pose @ inverse(poses.named(scope, placement)) if placement else pose
+
+
+def _write(context: Context) -> None:
+    """Write the robot: colours, links, joints, frames, extensions."""
+    define_colors(context)
+    _add_root(context)
+    for name in context.robot.links:
+        add_link(context, name)
+        _tell_name(context, "link", name, context.links[name])
+        _tell_shift(context, name)
+    for edge in context.made.edges:
+        _tell_name(context, "joint", edge.joint.name, context.joints[edge.joint.name])
+        add_edge(context, edge)
+    _tie_tops(context)
+    _leave_out(context)
+    add_frames(context)
+    for element in enter_models(context):
+        context.ledger.close(element)
+    context.root.children.extend(context.blobs)
+
+
+def _add_root(context: Context) -> None:
+    """The root of the URDF, where it is no link of the model: the world, or a base for several trees."""
+    made, scope = context.made, context.scope
+    element = scope.element
+    pose = element.find("pose")
+    context.ledger.take(element, pose)
+    static = element.find("static")
+    context.ledger.take(static)
+    if made.has_world or scope.is_static:
+        context.root_link = WORLD
+    elif len(made.tops) > 1:
+        context.root_link = context.naming.unique(f"base_of_{scope.name}")
+        _tell_forest(context)
+    if context.root_link:
+        context.root.add("link", name=context.root_link)
+    if scope.is_static:
+        message = f"static {element.title} is tied to the link `{WORLD}` by a fixed joint"
+        context.ledger.note(LossKind.APPROXIMATED_JOINT, static if static is not None else element, message)
+    elif made.has_world and made.tops:
+        _tell_forest(context)
+    if (
+        context.root_link != WORLD
+        and pose is not None
+        and not is_same(context.layout.frames[WORLD], np.eye(4))
+    ):
+        message = (
+            f"the pose of {element.title} ({pose.content}) is left out: a URDF is placed by who loads it"
+        )
+        context.ledger.note(LossKind.DROPPED_ELEMENT, pose, message)
+
+
+def _tell_forest(context: Context) -> None:
+    tops, policy = context.made.tops, context.options.forest
+    some = ", ".join(f"`{name}`" for name in tops[:5]) + (" …" if len(tops) > 5 else "")
+    message = f"no joint ties {some} to one robot"
+    at = context.robot.links[tops[-1]].element
+    if policy is Unsupported.ERROR:
+        raise refusal(at, message)
+    message = f"{message}: {policy.value} joints are written, from `{context.root_link}`"
+    context.ledger.note(LossKind.APPROXIMATED_JOINT, at, message, Severity.ERROR)
+
+
+def _tie_tops(context: Context) -> None:
+    if not context.root_link:
+        return
+    is_static = context.scope.is_static
+    kind = "fixed" if is_static else context.options.forest.value
+    start = context.layout.frames[WORLD] if context.root_link == WORLD else np.eye(4)
+    for name in context.made.tops:
+        own = context.links[name]
+        pose = inverse(start) @ context.layout.frames[name]
+        add_fixed(context, f"{own}_base", context.root_link, own, pose, kind)
+
+
+def _leave_out(context: Context) -> None:
+    """Joints that are not in the tree: those that close loops, and gearboxes."""
+    for joint in context.made.loops:
+        keep_loop(context, joint)
+        message = (
+            f"{joint.element.title} closes a loop, which URDF cannot have: it is kept for libsdformat alone"
+        )
+        context.ledger.lose(LossKind.CLOSED_LOOP, joint.element, message, Severity.ERROR)
+    apart = {name: joint for name, joint in context.read.joints.items() if joint.kind != "gearbox"}
+    before = list(understood(Robot("", {}, apart), is_static=True).joints.values())
+    for joint in context.read.joints.values():
+        if joint.kind != "gearbox":
+            continue
+        found = coupling(before, joint)
+        if found is None:
+            message, severity = f"URDF has no gearbox: {joint.element.title} is left out", Severity.ERROR
+        else:
+            message = f"{joint.element.title} is written as a mimic of joint `{found[0].name}`"
+            severity = Severity.WARNING
+        context.ledger.lose(LossKind.APPROXIMATED_JOINT, joint.element, message, severity)
+
+
+def _tell_name(context: Context, kind: str, name: str, new: str) -> None:
+    if new != name.replace("::", "__"):
+        element = (context.robot.links if kind == "link" else context.robot.joints)[name].element
+        message = f"{kind} `{name}` is called `{new}`: in a URDF names are unique"
+        context.ledger.note(LossKind.RENAMED, element, message)
+
+
+def _tell_shift(context: Context, name: str) -> None:
+    link, frame = context.robot.links[name], context.layout.frames[name]
+    edge = context.made.carriers.get(name)
+    if edge is None or is_same(frame, link.pose):
+        return
+    distance = float(np.linalg.norm(frame[:3, 3] - link.pose[:3, 3]))
+    how = f"by {distance:.3g} m" if distance > 1e-9 else "in place"
+    message = (
+        f"the frame of {link.element.title} moves {how} to its joint `{edge.joint.name}`; "
+        "--keep-link-frames keeps it"
+    )
+    context.ledger.note(LossKind.SHIFTED_LINK_FRAME, link.element, message)
+
+
+def _expected(context: Context) -> Robot:
+    """The robot that the result must be equal to: couplings that were told to be lost are not in it."""
+    joints = dict(context.robot.joints)
+    for name in context.unmimicked:
+        joint = joints[name]
+        joints[name] = replace(joint, axes=tuple(replace(axis, mimic=None) for axis in joint.axes))
+    return Robot(context.robot.name, context.robot.links, joints, context.robot.frames)
+
+
+def _correspondence(context: Context) -> Correspondence:
+    links = {
+        name: Counterpart(context.links[name], context.layout.within(name, link.pose))
+        for name, link in context.robot.links.items()
+    }
+    kinds = {geometry.kind for link in context.robot.links.values() for geometry in link.geometries}
+    return Correspondence(
+        links=links,
+        joints=dict(context.joints),
+        parts=context.parts,
+        unlimited=min(context.options.unlimited, 1e15),
+        reversed_joints=frozenset(edge.joint.name for edge in context.made.edges if edge.is_reversed),
+        dropped_joints=frozenset({joint.name for joint in context.made.loops} | context.floating),
+        dropped_geometries=frozenset(kinds - {"box", "cylinder", "sphere", "mesh"}),
+    )

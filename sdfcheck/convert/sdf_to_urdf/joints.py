@@ -1,0 +1,192 @@
+"""Joints: where they are, how they move, what stops them."""
+
+from __future__ import annotations
+
+import math
+
+from sdfcheck.convert.loss import LossKind, refusal
+from sdfcheck.convert.sdf_to_urdf.arrange import Edge
+from sdfcheck.convert.sdf_to_urdf.comments import carry_comments
+from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
+from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions
+from sdfcheck.convert.sdf_to_urdf.limits import add_dynamics, add_limit, add_mimic, enter_axis
+from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
+from sdfcheck.convert.sdf_to_urdf.options import Unsupported
+from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
+from sdfcheck.convert.writer import Node, number
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.robot import Axis, Joint
+from sdfcheck.model.rotations import Array, inverse
+
+_SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
+
+
+def add_edge(context: Context, edge: Edge) -> None:
+    """Write a joint of the tree."""
+    joint = context.robot.joints[edge.joint.name]
+    element = joint.element
+    context.ledger.take_parts(element, "parent", "child", "pose", "screw_thread_pitch", "thread_pitch")
+    carry_comments(context.root, element)
+    if edge.is_reversed:
+        _tell_reversed(context, edge)
+    parent, child = context.link_name(edge.parent), context.link_name(edge.child)
+    below = context.layout.stands.get(edge.child)
+    carried = below[0] if below is not None else child
+    if joint.kind in TWO_AXES:
+        written = _add_two_axes(context, edge, joint, parent, carried)
+    elif joint.kind == "screw":
+        written = _add_screw(context, edge, joint, parent, carried)
+    elif joint.kind in _SAME_IN_URDF:
+        written = _add_plain(context, edge, joint, parent, carried)
+    else:
+        written = _add_unsupported(context, edge, joint, parent, carried)
+    carry_comments(written, element, inside=True)
+    carry_custom(context, written, element)
+    if below is not None:
+        context.root.add("link", name=below[0])
+        add_fixed(
+            context,
+            f"{below[0]}_fixed",
+            below[0],
+            child,
+            inverse(below[1]) @ context.layout.frames[edge.child],
+        )
+    joint_extensions(context, joint.name, context.joints[joint.name])
+
+
+def add_fixed(context: Context, name: str, parent: str, child: str, pose: Array, kind: str = "fixed") -> None:
+    """A joint that the source does not have."""
+    node = context.root.add("joint", name=context.naming.unique(name), type=kind)
+    _connect(node, parent, child, pose)
+
+
+def _connect(node: Node, parent: str, child: str, pose: Array | None) -> None:
+    if pose is not None:
+        add_origin(node, pose)
+    node.add("parent", link=parent)
+    node.add("child", link=child)
+
+
+def _start(context: Context, edge: Edge) -> Array:
+    """The pose of the joint in its parent."""
+    return context.layout.within(edge.parent, edge.joint.pose)
+
+
+def _add_plain(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+    name = context.joints[joint.name]
+    node = context.root.add("joint", name=name, type=joint.kind)
+    _connect(node, parent, child, _start(context, edge))
+    if joint.kind == "fixed":
+        _enter_fixed(context, joint, name)
+        return node
+    enter_axis(context, joint, 0)
+    _add_axis(context, node, joint, joint.axes[0], edge)
+    return node
+
+
+def _add_axis(context: Context, node: Node, joint: Joint, axis: Axis, edge: Edge) -> None:
+    direction = -axis.direction if edge.is_reversed else axis.direction
+    node.add("axis", xyz=shortened(direction))
+    add_limit(context, node, joint, axis)
+    add_dynamics(node, axis)
+    add_mimic(context, node, joint, axis)
+
+
+def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
+    """A fixed joint's axis says nothing, but a coupling there would; libsdformat is asked to keep the joint."""
+    for axis in joint.element.children():
+        if axis.name in {"axis", "axis2"}:
+            if (mimic := axis.find("mimic")) is not None:
+                message = f"the mimic of {joint.element.title} is left out: the joint is fixed"
+                context.ledger.lose(LossKind.DROPPED_MIMIC, mimic, message)
+            context.ledger.take_whole(axis)
+    holder = Node("gazebo", reference=name)
+    holder.add("preserveFixedJoint", "true")
+    context.blobs.append(holder)
+
+
+def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+    """Two revolute joints with a massless link between them; exact, also in reverse."""
+    name = context.joints[joint.name]
+    names = (name, context.naming.unique(f"{name}_axis2"))
+    between = context.naming.unique(f"{name}_between")
+    context.root.add("link", name=between)
+    order = (1, 0) if edge.is_reversed else (0, 1)
+    ends = ((parent, between), (between, child))
+    made = []
+    for (above, below), which in zip(ends, order, strict=True):
+        axis = joint.axes[which]
+        node = context.root.add("joint", name=names[which], type=_turning(axis))
+        _connect(node, above, below, _start(context, edge) if above == parent else None)
+        _add_axis(context, node, joint, axis, edge)
+        made.append(node)
+        enter_axis(context, joint, which)
+    context.parts[joint.name] = names
+    _tell_split(context, joint, f"joints `{names[0]}` and `{names[1]}`", between)
+    return made[0]
+
+
+def _turning(axis: Axis) -> str:
+    return "continuous" if math.isinf(axis.lower) and math.isinf(axis.upper) else "revolute"
+
+
+def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+    """A turning joint, and a sliding one that follows it."""
+    name = context.joints[joint.name]
+    travel, between = context.naming.unique(f"{name}_travel"), context.naming.unique(f"{name}_between")
+    axis = joint.axes[0]
+    context.root.add("link", name=between)
+    node = context.root.add("joint", name=name, type=_turning(axis))
+    _connect(node, parent, between, _start(context, edge))
+    _add_axis(context, node, joint, axis, edge)
+    enter_axis(context, joint, 0)
+    slide = context.root.add("joint", name=travel, type="prismatic")
+    _connect(slide, between, child, None)
+    direction = -axis.direction if edge.is_reversed else axis.direction
+    slide.add("axis", xyz=shortened(direction))
+    unlimited = number(context.options.unlimited)
+    reach = sorted(
+        _finite(limit * joint.pitch, context.options.unlimited) for limit in (axis.lower, axis.upper)
+    )
+    slide.add("limit", lower=number(reach[0]), upper=number(reach[1]), effort=unlimited, velocity=unlimited)
+    slide.add("mimic", joint=name, multiplier=number(joint.pitch), offset="0")
+    _tell_split(context, joint, f"joint `{name}` and `{travel}`, which follows it", between)
+    return node
+
+
+def _finite(value: float, unlimited: float) -> float:
+    return value if math.isfinite(value) else math.copysign(unlimited, value)
+
+
+def _tell_split(context: Context, joint: Joint, by: str, between: str) -> None:
+    message = (
+        f"URDF has no {joint.kind} joint: {joint.element.title} is written as {by}, "
+        f"with the massless link `{between}`"
+    )
+    context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message)
+
+
+def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+    """A joint that URDF cannot say, as the user wants it."""
+    policy = context.options.ball
+    what = f"URDF has no {joint.kind} joint"
+    if policy is Unsupported.ERROR:
+        raise refusal(joint.element, f"{what}, as {joint.element.title} is")
+    context.floating.add(joint.name)
+    node = context.root.add("joint", name=context.joints[joint.name], type=policy.value)
+    _connect(node, parent, child, _start(context, edge))
+    for axis in joint.element.children():
+        if axis.name in {"axis", "axis2"}:
+            context.ledger.take_whole(axis)
+    message = f"{what}: {joint.element.title} is written as {policy.value}"
+    context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message, Severity.ERROR)
+    return node
+
+
+def _tell_reversed(context: Context, edge: Edge) -> None:
+    message = (
+        f"{edge.joint.element.title} goes the other way round, from `{edge.parent}` to `{edge.child}`: "
+        "in a tree a link has one parent"
+    )
+    context.ledger.note(LossKind.REVERSED_JOINT, edge.joint.element, message)

@@ -1,0 +1,125 @@
+"""Links with their inertials, visuals and collisions."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.comments import carry_comments
+from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
+from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
+from sdfcheck.convert.sdf_to_urdf.materials import add_color
+from sdfcheck.convert.sdf_to_urdf.poses import add_origin
+from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape
+from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
+from sdfcheck.convert.writer import Node, number
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.inertials import Inertial, read_inertial
+from sdfcheck.model.poses import written_pose
+from sdfcheck.model.robot import Body, Geometry, Link
+from sdfcheck.model.rotations import Array, transform
+from sdfcheck.source.element import Element
+
+_COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+
+
+def add_link(context: Context, name: str) -> None:
+    """Write a link of the source, and what it has that only ``gazebo`` elements can hold."""
+    link = context.robot.links[name]
+    carry_comments(context.root, link.element)
+    node = context.root.add("link", name=context.links[name])
+    context.ledger.take(link.element, link.element.find("pose"))
+    _add_inertial(context, node, link)
+    for role in ("visual", "collision"):
+        _add_parts(context, node, link, role)
+    carry_custom(context, node, link.element)
+    link_extensions(context, name)
+
+
+def _add_inertial(context: Context, node: Node, link: Link) -> None:
+    inertial = read_inertial(link.element)
+    if inertial is None:
+        if link.body is not None:
+            message = (
+                f"{link.element.title} has no inertial: 1 kg and unit moments are written, as simulators take"
+            )
+            context.ledger.note(LossKind.CHANGED_DEFAULT, link.element, message, Severity.INFO)
+            _write_body(context, node, link, link.body)
+        return
+    context.ledger.take_parts(inertial.element, "pose", "mass", "inertia")
+    if inertial.is_automatic and link.body is not None:
+        context.ledger.take_parts(inertial.element, "density", "auto_inertia_params")
+        message = f"the inertia of {link.element.title} is computed from its collisions and written"
+        context.ledger.note(LossKind.CHANGED_INERTIA, inertial.element, message, Severity.INFO)
+        _write_body(context, node, link, link.body)
+    else:
+        _write_inertial(context, node, link, inertial)
+
+
+def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial) -> None:
+    """As its author wrote it, in the frame in which it was written."""
+    tensor = inertial.tensor()._asdict()
+    mass = 1.0 if inertial.mass is None else inertial.mass.number
+    pose = link.pose @ written_pose(inertial.element.find("pose"))
+    _write(context.layout.within(link.name, pose), node, mass, tensor)
+    if inertial.mass is None or not inertial.is_complete:
+        message = f"what the inertial of {link.element.title} leaves out is written: mass 1, moments 1"
+        context.ledger.note(LossKind.CHANGED_DEFAULT, inertial.element, message, Severity.INFO)
+
+
+def _write_body(context: Context, node: Node, link: Link, body: Body) -> None:
+    places = {"x": 0, "y": 1, "z": 2}
+    tensor = {name: float(body.moments[places[name[1]], places[name[2]]]) for name in _COMPONENTS}
+    pose = link.pose @ transform(np.eye(3), body.centre)
+    _write(context.layout.within(link.name, pose), node, body.mass, tensor)
+
+
+def _write(pose: Array, node: Node, mass: float, tensor: dict[str, float]) -> None:
+    inertial = node.add("inertial")
+    add_origin(inertial, pose)
+    inertial.add("mass", value=number(mass))
+    inertial.add("inertia", **{name: number(tensor[name]) for name in _COMPONENTS})
+
+
+def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
+    shapes: dict[Element, list[Geometry]] = {}
+    for geometry in link.geometries:
+        if geometry.role == role:
+            shapes.setdefault(geometry.element, []).append(geometry)
+    parts = [part for part in link.element.children(role) if _is_held(context, part, shapes.get(part, []))]
+    nameless = keep_extras(context, link, role, parts)
+    for part in parts:
+        context.ledger.take(part, part.find("pose"), part.find("geometry"))
+        for geometry in shapes[part]:
+            written = node.add(role)
+            if geometry.name and not nameless:
+                written.attributes["name"] = geometry.name
+            carry_comments(written, part, inside=True)
+            add_origin(written, context.layout.within(link.name, link.pose @ geometry.pose))
+            add_shape(context, written, geometry)
+            if role == "visual":
+                add_color(context, written, part)
+            carry_custom(context, written, part)
+
+
+def _is_held(context: Context, part: Element, shapes: list[Geometry]) -> bool:
+    """Can URDF hold it? If not, it is entered as lost."""
+    kinds = sorted({geometry.kind for geometry in shapes if geometry.kind not in HELD})
+    if shapes and not kinds:
+        return True
+    holder = part.parent
+    whose = f" of {holder.title}" if holder is not None else ""
+    what = f"URDF has no {kinds[0]}" if kinds else "it has no shape"
+    message = f"{part.title}{whose} is left out: {what}"
+    kind = LossKind.UNSUPPORTED_GEOMETRY if kinds else LossKind.DROPPED_ELEMENT
+    context.ledger.lose(kind, part, message, Severity.ERROR if kinds else Severity.WARNING)
+    return False
+
+
+def add_massless(context: Context, name: str) -> None:
+    """A link that is nothing but a frame."""
+    context.root.add("link", name=name)
+
+
+__all__ = ["add_link", "add_massless"]

@@ -1,0 +1,81 @@
+"""What models hold besides links and joints: nested models, includes, frames, flags."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.extensions import model_extensions, of_frame
+from sdfcheck.convert.sdf_to_urdf.joints import add_fixed
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.carriers import is_merged_model, merged_model
+from sdfcheck.model.scopes import Frame, Scope
+from sdfcheck.source.element import Element
+
+
+def frames_below(scope: Scope, prefix: str = "") -> Iterator[tuple[str, Frame]]:
+    """All frames of a model and of the models in it, by the names that the robot has for them."""
+    for name, frame in scope.frames.items():
+        yield prefix + name, frame
+        if frame.inner is not None:
+            yield from frames_below(frame.inner, f"{prefix}{name}::")
+
+
+def enter_models(context: Context) -> list[Element]:
+    """Enter the models themselves and keep what extensions can hold of them; returns their elements."""
+    elements = [context.scope.element]
+    _enter(context, context.scope.element)
+    for name, frame in context.frames.items():
+        if frame.kind == "model" and frame.inner is not None:
+            message = f"model `{name}` is made a part of the robot; its names begin with `{name.replace('::', '__')}__`"
+            context.ledger.note(LossKind.MERGED_MODEL, frame.element, message, Severity.INFO)
+            brought = frame.inner.element
+        elif is_merged_model(frame) and (merged := merged_model(frame)) is not None:
+            brought = merged
+        else:
+            continue
+        if frame.element.tag == "include":
+            _enter_include(context, frame.element)
+        elements.append(brought)
+        _enter(context, brought)
+    return elements
+
+
+def _enter(context: Context, model: Element) -> None:
+    pose = model.find("pose")
+    context.ledger.take(model)
+    if model is not context.scope.element:
+        context.ledger.take(pose, model.find("static"))
+    model_extensions(context, model)
+
+
+def _enter_include(context: Context, include: Element) -> None:
+    model_extensions(context, include)
+    context.ledger.take_parts(
+        include, "uri", "name", "pose", "static", "placement_frame", "experimental:params"
+    )
+    message = f"what {_uri(include)} brings is written out"
+    context.ledger.note(LossKind.EXPANDED_INCLUDE, include, message, Severity.INFO)
+
+
+def _uri(include: Element) -> str:
+    uri = include.find("uri")
+    return f"`{uri.content}`" if uri is not None else "the include"
+
+
+def add_frames(context: Context) -> None:
+    """Write frames as massless links if that is wanted; enter them as lost if not."""
+    for name, frame in context.frames.items():
+        if frame.kind != "frame" or is_merged_model(frame):
+            continue
+        place = context.read.frames.get(name)
+        if place is None or not context.options.frames:
+            message = f"frame `{name}` is left out; --frames makes it a link"
+            context.ledger.lose(LossKind.DROPPED_FRAME, frame.element, message, Severity.INFO)
+            continue
+        link, pose = place
+        own = context.naming.unique(name)
+        context.root.add("link", name=own)
+        add_fixed(context, f"{own}_joint", context.links[link], own, of_frame(context, link, pose))
+        context.ledger.take(frame.element, frame.element.find("pose"))

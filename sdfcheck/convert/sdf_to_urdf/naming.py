@@ -1,0 +1,41 @@
+"""Names in the URDF: one scope, in which links and joints share no name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from sdfcheck.model.robot import Robot
+
+
+class Naming:
+    """Hands out names that nobody has."""
+
+    def __init__(self, taken: Iterable[str] = ()) -> None:
+        self._taken = set(taken)
+
+    def unique(self, wanted: str, otherwise: str = "") -> str:
+        """The wanted name, or else the other one, or else a numbered one."""
+        name = plain = wanted.replace("::", "__")
+        if name in self._taken and otherwise:
+            name = plain = otherwise.replace("::", "__")
+        number = 2
+        while name in self._taken:
+            name = f"{plain}_{number}"
+            number += 1
+        self._taken.add(name)
+        return name
+
+
+def named(robot: Robot) -> tuple[Naming, Mapping[str, str], Mapping[str, str]]:
+    """The names of links and of joints, by those of the source.
+
+    Names without a scope are given out first: they stay what they are.
+    """
+    naming = Naming({"world"})
+    links = {name: naming.unique(name) for name in sorted(robot.links, key=_depth)}
+    joints = {name: naming.unique(name, f"{name}_joint") for name in sorted(robot.joints, key=_depth)}
+    return naming, links, joints
+
+
+def _depth(name: str) -> int:
+    return name.count("::")

@@ -1,0 +1,34 @@
+"""Uris of meshes and textures, as they lead from the URDF."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.element import Element
+
+
+def mesh_uri(context: Context, uri: str, element: Element) -> str:
+    """The uri to write for a file that an element of the source names.
+
+    A relative path is meant from the file that it stands in, and must lead from the result.
+    """
+    if context.options.package_uris and uri.startswith("model://"):
+        written = f"package://{uri.removeprefix('model://')}"
+        context.ledger.note(
+            LossKind.CHANGED_URI, element, f"`{uri}` is written as `{written}`", Severity.INFO
+        )
+        return written
+    if "://" in uri or uri.startswith(("/", "file:")) or not uri:
+        return uri
+    here = element.document.path.parent
+    if _same_folder(here, context.folder):
+        return uri
+    return Path(os.path.relpath(here / uri, context.folder)).as_posix()
+
+
+def _same_folder(a: Path, b: Path) -> bool:
+    return os.path.realpath(a) == os.path.realpath(b)

@@ -1,0 +1,136 @@
+"""SDF models become equal URDF robots, and verification sees when they do not."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.loss import LossKind, NotConvertible
+from sdfcheck.convert.result import Conversion
+from sdfcheck.convert.sdf_to_urdf import Options, Unsupported, convert
+from sdfcheck.convert.verify import verify
+from sdfcheck.model.urdf_robot import read_urdf_robot
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+_BODY = (
+    "<inertial><pose>0.1 0.2 0.3 1 2 3</pose><mass>2</mass>"
+    "<inertia><ixx>0.1</ixx><iyy>0.2</iyy><izz>0.25</izz></inertia></inertial>"
+)
+_SENSOR = '<sensor name="s" type="imu"><pose>0 0 0.1 0 0 0</pose></sensor>'
+_LINKS = f'<link name="a">{_BODY}</link><link name="b"><pose>0 0 1 0.3 0.4 0.5</pose>{_BODY}{_SENSOR}</link>'
+
+
+def _joint(kind: str, inside: str = "", ends: tuple[str, str] = ("a", "b"), name: str = "j") -> str:
+    parent, child = (f"<{r}>{e}</{r}>" for r, e in zip(("parent", "child"), ends, strict=True))
+    return f'<joint name="{name}" type="{kind}"><pose>0 0 -0.5 0.1 0 0</pose>{parent}{child}{inside}</joint>'
+
+
+def _axis(name: str = "axis", xyz: str = "0 1 1", limit: str = "") -> str:
+    return f'<{name}><xyz expressed_in="__model__">{xyz}</xyz><limit>{limit}</limit></{name}>'
+
+
+def _convert(model: str, options: Options | None = None, version: str = "1.9") -> Conversion:
+    text = f'<sdf version="{version}"><model name="m">{model}</model></sdf>'
+    return convert(read(text.encode(), Path("m.sdf"), Kind.SDF), options)
+
+
+def _kinds(done: Conversion) -> set[LossKind]:
+    return {loss.kind for loss in done.losses}
+
+
+def _is_equal(done: Conversion) -> bool:
+    assert done.verification is not None
+    return done.verification.is_equal
+
+
+@pytest.mark.parametrize("keep", [False, True])
+@pytest.mark.parametrize(
+    "joint",
+    [
+        _joint("revolute", _axis(limit="<lower>-1</lower><upper>2</upper>")),
+        _joint("prismatic", _axis()),
+        _joint("fixed"),
+        _joint("universal", _axis() + _axis("axis2", "1 0 0")),
+        _joint("screw", _axis() + "<screw_thread_pitch>0.2</screw_thread_pitch>"),
+        _joint("revolute", _axis(), ends=("b", "a")),
+        _joint("revolute", _axis(), ends=("world", "b")),
+    ],
+    ids=["revolute", "prismatic", "fixed", "universal", "screw", "backwards", "world"],
+)
+def test_the_robot_stays_equal(joint: str, keep: bool) -> None:
+    assert _is_equal(_convert(_LINKS + joint, Options(keep_link_frames=keep)))
+
+
+def test_a_link_moves_to_its_joint_and_its_sensor_stays() -> None:
+    done = _convert(_LINKS + _joint("revolute", _axis()))
+    assert LossKind.SHIFTED_LINK_FRAME in _kinds(done)
+    assert '<sensor name="s" type="imu">' in done.text
+    assert "<pose>0 0 0.1 0 0 0</pose>" not in done.text
+
+
+def test_kept_link_frames_need_no_shift() -> None:
+    done = _convert(_LINKS + _joint("revolute", _axis()), Options(keep_link_frames=True))
+    assert LossKind.SHIFTED_LINK_FRAME not in _kinds(done)
+    assert '<link name="b__joint"/>' in done.text
+    assert "<pose>0 0 0.1 0 0 0</pose>" in done.text
+
+
+def test_a_second_parent_is_reversed() -> None:
+    links = _LINKS + f'<link name="c"><pose>1 0 0 0 0 0</pose>{_BODY}</link>'
+    joints = _joint("revolute", _axis()) + _joint("revolute", _axis(), ("c", "b"), "k")
+    done = _convert(links + joints)
+    assert _is_equal(done)
+    assert LossKind.REVERSED_JOINT in _kinds(done)
+
+
+def test_a_loop_is_cut_and_told() -> None:
+    links = _LINKS + f'<link name="c"><pose>1 0 0 0 0 0</pose>{_BODY}</link>'
+    joints = _joint("revolute", _axis()) + _joint("revolute", _axis(), ("b", "c"), "k")
+    done = _convert(links + joints + _joint("revolute", _axis(), ("a", "c"), "l"))
+    assert _is_equal(done)
+    assert LossKind.CLOSED_LOOP in _kinds(done)
+
+
+def test_ball_joints_and_forests_follow_the_policy() -> None:
+    assert _is_equal(_convert(_LINKS))
+    assert 'type="floating"' in _convert(_LINKS + _joint("ball")).text
+    for model in (_LINKS, _LINKS + _joint("ball")):
+        with pytest.raises(NotConvertible):
+            _convert(model, Options(ball=Unsupported.ERROR, forest=Unsupported.ERROR))
+
+
+def test_what_urdf_cannot_hold_is_told() -> None:
+    shape = "<geometry><ellipsoid><radii>1 2 3</radii></ellipsoid></geometry>"
+    done = _convert(f'<link name="a"><visual name="v">{shape}</visual></link>')
+    assert {LossKind.UNSUPPORTED_GEOMETRY, LossKind.CHANGED_DEFAULT} <= _kinds(done)
+
+
+def test_several_models_are_listed() -> None:
+    one, two = (f'<model name="{name}"><link name="l"/></model>' for name in ("one", "two"))
+    document = read(
+        f'<sdf version="1.9"><world name="w">{one}{two}</world></sdf>'.encode(), Path("w.sdf"), Kind.SDF
+    )
+    with pytest.raises(WrongUsage, match="one, two"):
+        convert(document)
+    assert '<robot name="two">' in convert(document, Options(model="two")).text
+
+
+def test_verification_sees_every_changed_number() -> None:
+    done = _convert(_LINKS + _joint("revolute", _axis(limit="<lower>-1</lower><upper>2</upper>")))
+    assert _is_equal(done)
+    body = done.text[: done.text.index("<gazebo")]
+    given = re.compile(r'(?:xyz|rpy|mass value|ixx|iyy|izz|lower|upper)="([^"]*)"')
+    changed = 0
+    for found in given.finditer(body):
+        words = found[1].split()
+        words[0] = repr(float(words[0]) + 0.01)
+        text = body[: found.start(1)] + " ".join(words) + body[found.end(1) :] + "</robot>"
+        robot = read_urdf_robot(read(text.encode(), Path("m.urdf"), Kind.URDF))
+        comparison = done.comparisons[0]
+        assert not verify(comparison.source, robot, comparison.correspondence).is_equal, found[0]
+        changed += 1
+    assert changed > 10
