@@ -64,6 +64,10 @@ class Context:
                 made.attributes = {
                     f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
                 }
+        elif node.name == "model" and (own := made.attributes.get("name")) is not None:
+            name = made.attributes["name"] = self.plan.names.free(own)
+            if name != own:
+                self.lose(element, LossKind.RENAMED, f"{element.title} is named `{name}`")
         node.append(made)
 
 
