@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -51,6 +52,10 @@ def convert(
     except (RobotError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
     _write(context)
+    text = render(context.root)
+    for prefix, uri in scope.element.nsmap.items():
+        if prefix and re.search(rf"[\s<]{re.escape(prefix)}:", text):
+            context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
     text = render(context.root)
     result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
     comparison = Comparison(_expected(context), result, _correspondence(context))

@@ -1,0 +1,28 @@
+"""Each folder of fixtures/convert/sdf-to-urdf holds a model, the robot that it becomes, and what is lost."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.source.document import read
+
+CASES = sorted((Path(__file__).parents[1] / "fixtures" / "convert" / "sdf-to-urdf").iterdir())
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_case(case: Path, request: pytest.FixtureRequest) -> None:
+    done = convert(read((case / "input.sdf").read_bytes(), case / "input.sdf"))
+    assert done.verification is not None
+    assert done.verification.is_equal
+    lines = [
+        f"{loss.span.begin.line}: {loss.severity.value}[{loss.kind.code}]: {loss.message}"
+        for loss in done.losses
+    ]
+    produced = {"expected.urdf": done.text, "losses.txt": "".join(f"{line}\n" for line in lines)}
+    for name, text in produced.items():
+        if request.config.getoption("--golden"):
+            (case / name).write_text(text)
+        assert (case / name).read_text() == text
