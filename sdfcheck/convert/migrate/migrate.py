@@ -61,6 +61,8 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
     migration = Migration(document, target, keep_unknown=keep_unknown)
     if target > migration.source:
         go_up(migration)
+        # A file may use what is newer than the version that it declares: readers let it.
+        _say_in_older_words(migration)
     elif target < migration.source:
         _go_down(migration)
     if target != migration.source:
@@ -71,6 +73,11 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
 def _go_down(migration: Migration) -> None:
     drop_dead(migration)
     write_defaults(migration)
+    _say_in_older_words(migration)
+    migration.root.set("version", str(migration.target))
+
+
+def _say_in_older_words(migration: Migration) -> None:
     write_out_merges(migration)
     if migration.goes_below(12):
         rename_states(migration)
@@ -96,7 +103,6 @@ def _go_down(migration: Migration) -> None:
     if migration.goes_below(5):
         refuse_includes(migration)
         flatten(migration)
-    migration.root.set("version", str(migration.target))
 
 
 __all__ = ["LOWEST", "TARGETS", "NotConvertible", "migrated", "sdf_to_sdf"]

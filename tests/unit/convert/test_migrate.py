@@ -112,7 +112,7 @@ def test_axes_survive_the_way_down_and_up() -> None:
 
 
 def test_the_declared_encoding_is_that_of_the_result() -> None:
-    text = '<?xml version="1.0" encoding="ISO-8859-1"?>\n<sdf version="1.9"><model name="\xe4"><link name="a"/></model></sdf>'
+    text = '<?xml version="1.0" encoding="ISO-8859-1"?>\n<sdf version="1.9"><model name="\xe4"/></sdf>'
     document = read(text.encode("latin-1"), Path("m.sdf"))
     changed = text.replace("ISO-8859-1", "UTF-8").replace("1.9", "1.10")
     assert sdf_to_sdf(document, Version(1, 10)).text == changed
