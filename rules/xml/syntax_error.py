@@ -17,7 +17,7 @@ MESSAGES = {
     Kind.CROWDED_END_TAG: "an end tag holds only its name, not `{text}`",
     Kind.UNCLOSED_COMMENT: "the comment is not closed by `-->`",
     Kind.NESTED_COMMENT: "a comment begins inside a comment",
-    Kind.MALFORMED_COMMENT: "a comment begins with `<!--`, not with `{text}`",
+    Kind.MISSPELT_OPENING: "`{text}` where `{name}` is meant",
     Kind.COMMENT_IN_TAG: "a comment inside the tag `<{name}`",
     Kind.UNCLOSED_SECTION: "`{text}` is not closed by `{name}`",
     Kind.UNCLOSED_VALUE: "the value of `{name}` has no closing quote",

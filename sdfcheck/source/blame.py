@@ -11,11 +11,20 @@ from sdfcheck.source.start_tag import BARE_START, tag_of
 from sdfcheck.source.tokens import Token, TokenKind, name_range
 
 LOOK_AHEAD = 5_000
-"""How many tokens one question may read; and all questions together:"""
-PATIENCE = 2_000_000
+"""How many tokens one look ahead may read."""
 REMEDIES = 50
+"""How many remedies one text is worth."""
 
 _UNKNOWN = "?"
+# What is most of a robot description, and so rather the right spelling than a wrong one.
+_COMMON = frozenset(
+    (
+        *("sdf", "robot", "world", "model", "link", "joint", "frame", "include", "plugin", "sensor", "light"),
+        *("visual", "collision", "geometry", "inertial", "inertia", "material", "pose", "origin", "surface"),
+        *("parent", "child", "axis", "limit", "dynamics", "box", "cylinder", "sphere", "mesh", "mass", "uri"),
+        *("physics", "gazebo", "transmission", "xacro:macro", "xacro:property", "xacro:if", "xacro:unless"),
+    )
+)
 
 
 class Remedy(NamedTuple):
@@ -37,7 +46,8 @@ class Blame:
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self.text = text
         self.tokens = tokens
-        self.patience = PATIENCE
+        self.patience = 100_000 + 8 * len(tokens)
+        """How many tokens all questions together may still read."""
         self.remedies = REMEDIES
 
     def note_remedy(self) -> None:
@@ -137,10 +147,21 @@ class Blame:
         index, match = found
         return self._split(index, Token(TokenKind.START, *match.span(), match[1], tag_of(match)))
 
+    def bare_root(self, number: int) -> Remedy | None:
+        """``sdf version="1.12">`` before everything else: the root's start tag lacks the ``<``."""
+        token = self.tokens[number]
+        match = BARE_START.search(self.text, token.start, token.end)
+        last = next((t for t in reversed(self.tokens) if t.kind is TokenKind.END), None)
+        if match is None or match[3] or last is None or last.name != match[1]:
+            return None
+        return self._split(number, Token(TokenKind.START, *match.span(), match[1], tag_of(match)))
+
     def is_misspelt_start(self, start: str, end: str) -> bool:
-        """Of two names that differ by a slip: is only the end tag's used elsewhere?"""
+        """Of two names that differ by a slip: is only the end tag's common, or used elsewhere?"""
         if self.is_exhausted or not alike(start, end):
             return False
+        if (start in _COMMON) != (end in _COMMON):
+            return end in _COMMON
         return self.uses(start) == 1 and self.uses(end) > 0
 
     def uses(self, name: str) -> int:

@@ -81,7 +81,7 @@ class _Pairing:
         if kind is TokenKind.START or kind is TokenKind.EMPTY:
             self.take_start(token)
         elif not self.open:
-            self.take_before_root(token)
+            return self.take_before_root(token)
         elif kind is TokenKind.DECLARATION and not self.too_deep:
             self.defect(SyntaxKind.SECOND_DECLARATION, (token.start, token.end))
             self.step(Act.DROP, token)
@@ -89,8 +89,10 @@ class _Pairing:
             self.step(Act.DROP if self.too_deep else Act.KEEP, token)
         return True
 
-    def take_before_root(self, token: Token) -> None:
+    def take_before_root(self, token: Token) -> bool:
         if token.kind is TokenKind.TEXT or token.kind is TokenKind.SECTION:
+            if remedy := self.blame.bare_root(self.number):
+                return self.apply(remedy)
             self.defect(SyntaxKind.TEXT_OUTSIDE_ROOT, first_line(token, self.text))
         elif token.kind is TokenKind.DECLARATION and token.start > 0:
             first = self.tokens[0]
@@ -100,6 +102,7 @@ class _Pairing:
             elif not self.problems:
                 here = self.source.span(token.start, token.end)
                 self.note(LateDeclaration(self.source.span(0, token.start), here))
+        return True
 
     def take_start(self, token: Token) -> None:
         if len(self.open) >= DEPTH_LIMIT:
@@ -115,8 +118,8 @@ class _Pairing:
             self.open.append(self.number)
 
     def take_end(self, token: Token) -> bool:
-        if self.too_deep:
-            self.too_deep -= 1
+        if self.too_deep or (self.cut and self.number == len(self.tokens) - 1):
+            self.too_deep -= self.too_deep > 0
             self.step(Act.DROP, token)
         elif not self.open:
             self.defect(SyntaxKind.EXTRA_END_TAG, (token.start, token.end), detail=token.name)
@@ -277,3 +280,5 @@ class _Pairing:
     ) -> None:
         if len(self.problems) < DEFECT_LIMIT:
             self.note(SyntaxDefect(self.source.span(*place), kind, other, detail))
+        else:
+            self.blame.patience = 0

@@ -26,7 +26,7 @@ class SyntaxKind(Enum):
     CROWDED_END_TAG = "crowded end tag"
     UNCLOSED_COMMENT = "unclosed comment"
     NESTED_COMMENT = "nested comment"
-    MALFORMED_COMMENT = "malformed comment"
+    MISSPELT_OPENING = "misspelt opening"
     COMMENT_IN_TAG = "comment in tag"
     UNCLOSED_SECTION = "unclosed section"
     UNCLOSED_VALUE = "unclosed value"

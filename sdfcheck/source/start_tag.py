@@ -45,12 +45,22 @@ class StartTag(NamedTuple):
 def parse_start_tag(source: Source, at: int) -> tuple[StartTag, list[Problem]]:
     """Parse the start tag whose ``<`` is at ``at``; always returns one, and what is wrong with it."""
     match = START.match(source.text, at)
-    if match is None:
+    if match is None or not has_names(match):
         from sdfcheck.source.broken_tag import parse_broken_tag
 
         return parse_broken_tag(source, source.text, at)
     tag = tag_of(match)
     return tag, repeated_attributes(source, tag)
+
+
+def has_names(match: re.Match[str]) -> bool:
+    """Are the names in a start tag such as XML allows, letters of all the world included?"""
+    if match[0].isascii():
+        return True
+    from sdfcheck.source.xml_names import is_name
+
+    tag = tag_of(match)
+    return is_name(tag.name) and all(is_name(attribute.name) for attribute in tag.attributes)
 
 
 def tag_of(match: re.Match[str]) -> StartTag:

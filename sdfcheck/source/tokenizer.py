@@ -11,10 +11,9 @@ import re
 from sdfcheck.source.broken_tag import parse_broken_tag
 from sdfcheck.source.problems import CommentHyphens, DocumentType, Problem, SyntaxDefect, SyntaxKind
 from sdfcheck.source.slips import comment_end, find_inner_comment, line_end, section_end
-from sdfcheck.source.start_tag import ATTRIBUTES, BLANK, NAME, START, tag_of
+from sdfcheck.source.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names
 from sdfcheck.source.text import Source
 from sdfcheck.source.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens
-from sdfcheck.source.xml_names import is_name
 
 _SOUND_TAG = re.compile(rf"{START.pattern}|</({NAME}){BLANK}*>")
 _ODD_END = re.compile(r"</?[ \t]*/?[ \t]*([^\s<>/]*)([^<>]*?)(/?>|(?=<)|\Z)")
@@ -23,6 +22,7 @@ _BLANK_END = re.compile(rf"<[ \t]+/[ \t]*{NAME}\s*>")
 _ODD_START = re.compile(r"<[^\s<>!?/][^<>]*>")
 _DECLARATION = re.compile(r"<![^<>\r\n]*>?")
 _BARE_INSTRUCTION = re.compile(r"<xml\s[^<>]*\?>")
+_MISSPELT_OPENING = re.compile(r"<!?\[?CDATA\[|<!\[[A-Z]{3,6}\[|<!\[CDATA|<!-|<--", re.IGNORECASE)
 _NESTING = re.compile(r"[\[\]>]|<!--.*?-->|\"[^\"]*\"|'[^']*'", re.DOTALL)
 _ENTITY = re.compile(r"<!ENTITY\s+(?:%\s+)?([\w.\-:]+)")
 _HYPHENS = re.compile(r"-{2,}")
@@ -31,7 +31,7 @@ _CUTS = frozenset(
         SyntaxKind.TRUNCATED,
         SyntaxKind.UNCLOSED_COMMENT,
         SyntaxKind.UNCLOSED_SECTION,
-        SyntaxKind.MALFORMED_COMMENT,
+        SyntaxKind.MISSPELT_OPENING,
         SyntaxKind.OTHER,
     )
 )
@@ -75,7 +75,7 @@ class _Tokenizer:
             if angle == size:
                 break
             match = _SOUND_TAG.match(text, angle)
-            if match is None or not (is_ascii or self.has_names(match)):
+            if match is None or not (is_ascii or match[4] or has_names(match)):
                 pos = self.take(angle, is_foreign=match is not None)
                 continue
             pos = match.end()
@@ -102,30 +102,18 @@ class _Tokenizer:
         """What is no sound tag; ``is_foreign``: it is one but for its names."""
         text = self.text
         follows = text[at + 1 : at + 2]
-        if follows == "/":
+        if follows == "/" or _BLANK_END.match(text, at):
             return self.take_end_tag(at)
         if follows == "!":
             return self.take_declaration(at)
         if follows == "?":
             return self.take_instruction(at)
-        if text.startswith("<--", at):
-            return self.take_malformed_comment(at)
-        if follows.isalpha() or follows in {"_", ":"}:
+        if match := _MISSPELT_OPENING.match(text, at):
+            return self.take_misspelt(at, match.end())
+        is_name = follows.isalpha() or follows in {"_", ":"}
+        if is_name or is_foreign or _ODD_START.match(text, at) or _BLANK_START.match(text, at):
             return self.take_broken_tag(at)
-        if is_foreign or _ODD_START.match(text, at) or _BLANK_START.match(text, at):
-            return self.take_broken_tag(at)
-        if _BLANK_END.match(text, at):
-            return self.take_end_tag(at)
         return self.take_angles(at)
-
-    def has_names(self, match: re.Match[str]) -> bool:
-        """Are the names in a start tag such as XML allows, letters of all the world included?"""
-        if match[0].isascii():
-            return True
-        if match[4]:
-            return True  # the start tag says it
-        tag = tag_of(match)
-        return is_name(tag.name) and all(is_name(attribute.name) for attribute in tag.attributes)
 
     def take_broken_tag(self, at: int) -> int:
         if match := _BARE_INSTRUCTION.match(self.text, at):
@@ -140,6 +128,17 @@ class _Tokenizer:
             Token(TokenKind.EMPTY if tag.empty else TokenKind.START, at, tag.end, tag.name, tag)
         )
         return tag.end
+
+    def take_misspelt(self, at: int, begin: int) -> int:
+        """``<!- … ->``, ``<-- … -->``, ``<[CDATA[ … ]]>``: comments and sections."""
+        is_section = self.text[begin - 1] != "-"
+        self.defect(SyntaxKind.MISSPELT_OPENING, at, begin, "<![CDATA[" if is_section else "<!--")
+        end = self.find("]]>", at) + 3 if is_section else comment_end(self.text, begin)
+        if end == 2:
+            end = section_end(self.text, begin)
+        self.doubtful.append((at, end))
+        self.pieces.append(Token(TokenKind.SECTION if is_section else TokenKind.OTHER, at, end))
+        return end
 
     def take_angles(self, at: int) -> int:
         """A ``<`` that begins nothing, or several: text. The last one may begin a tag yet."""
@@ -182,8 +181,8 @@ class _Tokenizer:
             return self.take_comment(at)
         if text.startswith("<![CDATA[", at):
             return self.take_section(at)
-        if text.startswith("<!-", at):
-            return self.take_malformed_comment(at)
+        if match := _MISSPELT_OPENING.match(text, at):
+            return self.take_misspelt(at, match.end())
         if text[at : at + 9].upper() == "<!DOCTYPE":
             return self.take_document_type(at)
         match = _DECLARATION.match(text, at)
@@ -230,16 +229,6 @@ class _Tokenizer:
             runs = (self.source.span(end - 4, end - 1),)
         if runs:
             self.problems.append(CommentHyphens(runs[0], runs))
-
-    def take_malformed_comment(self, at: int) -> int:
-        """``<!- … ->`` or ``<-- … -->``."""
-        text = self.text
-        begin = at + (3 if text[at + 2 : at + 3] == "-" else 2)
-        self.defect(SyntaxKind.MALFORMED_COMMENT, at, begin)
-        end = comment_end(text, begin)
-        self.doubtful.append((at, end))
-        self.pieces.append(Token(TokenKind.OTHER, at, end))
-        return end
 
     def take_document_type(self, at: int) -> int:
         # A second one is wrong in any case, and not worth reading to the end.

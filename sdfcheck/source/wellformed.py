@@ -26,6 +26,8 @@ REFERENCE_LIMIT = 1_000
 """How many undefined references of one file are worth a list."""
 
 _AMPERSAND = re.compile(r"&(?:([\w.\-:]+);|(#[0-9]{1,8}|#x[0-9a-fA-F]{1,7});)?")
+_OPENING = re.compile(r"\A<!?\[?[A-Za-z]+\[?")
+_CUT_REFERENCE = re.compile(r"&#?[\w.\-:]*\Z")
 _PREDEFINED = frozenset({"amp", "lt", "gt", "quot", "apos"})
 _PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]*")
 _REWRITTEN = re.compile(r"[:&]|xmlns")
@@ -156,8 +158,9 @@ class Writer:
             if len(text) < 7 or "--" in text[4:-3] or text.endswith("--->") or not text.endswith("-->"):
                 self.replace(token, "<!---->")
         elif token.kind is TokenKind.SECTION:
-            if len(text) > LENGTH_LIMIT or not text.endswith("]]>"):
-                self.replace(token, _escape(text[9:LENGTH_LIMIT].replace("&", "&amp;")))
+            if len(text) > LENGTH_LIMIT or not (text.startswith("<![CDATA[") and text.endswith("]]>")):
+                content = _OPENING.sub("", text[:LENGTH_LIMIT]).removesuffix("]]>")
+                self.replace(token, _escape(content.replace("&", "&amp;")))
         elif len(text) > LENGTH_LIMIT or not (_INSTRUCTION.match(text) and text.endswith("?>")):
             self.replace(token, "")
 
@@ -170,7 +173,10 @@ class Writer:
         if self.text.find("&", start, end) < 0:
             return
         for match in _AMPERSAND.finditer(self.text, start, end):
-            if not _is_defined(match) and match[1] not in self.entities and self.patience > 0:
+            if _is_defined(match) or match[1] in self.entities:
+                continue
+            # At the end of the text it is cut, and that is said already.
+            if self.patience > 0 and not _CUT_REFERENCE.match(self.text, match.start()):
                 self.patience -= 1
                 span = self.source.span(match.start(), match.end())
                 self.problems.append(UnknownEntity(span, match[1] or match[2] or ""))

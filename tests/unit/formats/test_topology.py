@@ -1,0 +1,92 @@
+"""Standard elements inside custom ones: moved there, or only of the same name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.formats.problems import ReplacedElement, TopologyChanged
+from sdfcheck.formats.survey import survey
+from sdfcheck.source.document import read
+
+IN_MODEL = '<sdf version="1.12" xmlns:p="urn:p"><model name="m"><link name="base"/>{}</model></sdf>'
+IN_WORLD = '<sdf version="1.12" xmlns:p="urn:p"><world name="w">{}</world></sdf>'
+IN_LINK = '<sdf version="1.12" xmlns:p="urn:p"><model name="m"><link name="base">{}</link></model></sdf>'
+JOINT = '<joint name="j" type="fixed"><parent>world</parent><child>base</child></joint>'
+BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
+
+
+def problems(text: str) -> list[object]:
+    return survey(read(text.encode(), Path("example.sdf"))).problems
+
+
+@pytest.mark.parametrize(
+    ("scaffold", "inner", "name"),
+    [
+        (IN_MODEL, '<link name="L1"/>', "link"),
+        (IN_MODEL, '<link name="L1"><pose>0 0 1 0 0 0</pose></link>', "link"),
+        (IN_MODEL, JOINT, "joint"),
+        (IN_MODEL, '<frame name="f"/>', "frame"),
+        (IN_MODEL, "<include><uri>model://arm</uri></include>", "include"),
+        (IN_WORLD, '<model name="m"><link name="l"/></model>', "model"),
+        (IN_WORLD, '<light name="l" type="point"/>', "light"),
+        (IN_LINK, f'<visual name="v">{BOX}</visual>', "visual"),
+        (IN_LINK, f'<collision name="v">{BOX}</collision>', "collision"),
+        (IN_LINK, "<inertial><mass>1</mass></inertial>", "inertial"),
+        (IN_LINK, '<sensor name="s" type="imu"/>', "sensor"),
+    ],
+)
+def test_a_wrapped_standard_element(scaffold: str, inner: str, name: str) -> None:
+    (problem,) = problems(scaffold.replace("{}", f"<p:group>{inner}</p:group>"))
+    assert isinstance(problem, TopologyChanged)
+    assert (problem.element.name, problem.custom.name) == (name, "p:group")
+    assert problem.element.parent == problem.custom
+    assert problem.custom.parent == problem.parent
+
+
+def test_every_wrapped_element_is_told_and_nothing_in_it() -> None:
+    found = problems(IN_MODEL.replace("{}", '<p:g><link name="a"><pose/></link><link name="b"/></p:g>'))
+    assert [p.element.title for p in found if isinstance(p, TopologyChanged)] == ["link `a`", "link `b`"]
+
+
+def test_custom_elements_in_custom_elements_are_looked_into() -> None:
+    (problem,) = problems(IN_MODEL.replace("{}", '<p:g><p:h><link name="a"/></p:h></p:g>'))
+    assert isinstance(problem, TopologyChanged)
+    assert problem.custom.name == "p:g"
+
+
+@pytest.mark.parametrize(
+    ("scaffold", "custom"),
+    [
+        (IN_MODEL, '<p:joint name="j"><p:child>base</p:child></p:joint>'),
+        (IN_MODEL, '<p:g><joint name="j"><interface>effort</interface></joint></p:g>'),
+        (IN_MODEL, "<p:g><joint>j</joint></p:g>"),
+        (IN_MODEL, "<p:g><link>base</link></p:g>"),
+        (IN_MODEL, '<p:g><link name="a" weight="3"/></p:g>'),
+        (IN_MODEL, '<p:g><link name="base"/></p:g>'),
+        (IN_MODEL, "<p:g><pose>0 0 0 0 0 0</pose><static>1</static></p:g>"),
+        (IN_MODEL, f'<p:g><visual name="v">{BOX}</visual></p:g>'),
+        (IN_WORLD, '<p:g><link name="a"/></p:g>'),
+        (IN_WORLD, '<plugin name="g" filename="g"><model name="a"/></plugin>'),
+        (IN_LINK, "<p:inertial><mass>1</mass></p:inertial>"),
+        (IN_LINK, "<p:g><inertial>no</inertial></p:g>"),
+    ],
+)
+def test_content_that_only_borrows_a_name(scaffold: str, custom: str) -> None:
+    assert problems(scaffold.replace("{}", custom)) == []
+
+
+CYLINDER = '<visual name="v"><geometry><cylinder>{}</cylinder></geometry></visual>'
+
+
+def test_a_custom_element_in_the_place_of_a_required_one() -> None:
+    cylinder = CYLINDER.format("<p:diameter>2</p:diameter><length>1</length>")
+    (problem,) = problems(IN_LINK.replace("{}", cylinder))
+    assert isinstance(problem, ReplacedElement)
+    assert (problem.custom.name, problem.element.name, problem.child) == ("p:diameter", "cylinder", "radius")
+
+
+def test_a_custom_element_beside_the_required_one() -> None:
+    cylinder = CYLINDER.format("<p:diameter>2</p:diameter><radius>1</radius><length>1</length>")
+    assert problems(IN_LINK.replace("{}", cylinder)) == []

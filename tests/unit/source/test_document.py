@@ -1,0 +1,244 @@
+"""Any bytes become a document: with problems, without exceptions, soon."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+from lxml import etree
+
+from sdfcheck.source.document import Document, problems, read
+from sdfcheck.source.problems import (
+    SyntaxDefect,
+    UnknownEntity,
+    UnrecognizedDocument,
+)
+from sdfcheck.source.sniff import Kind
+
+PATH = Path("example.sdf")
+SMALL = (
+    '<?xml version="1.0"?>\n<sdf version="1.12" xmlns:p="urn:p">\n  <!-- a - b -->\n  <model name="m">\n'
+    "    <link name='l'><pose>0 0 0 &lt; 0</pose><p:x><![CDATA[<]]></p:x></link>\n  </model>\n</sdf>\n"
+)
+
+
+def document(text: str) -> Document:
+    return read(text.encode("utf-8", "surrogatepass"), PATH)
+
+
+def check(found: Document) -> None:
+    """What holds for every document."""
+    size = len(found.source.text)
+    for problem in problems(found):
+        assert 0 <= problem.span.start <= problem.span.end <= max(size, 1)
+    if found.root is None:
+        assert problems(found)
+        return
+    elements = list(found.root.iter(etree.Element))
+    assert len(elements) == len(found.scan.starts)
+    for element in elements:
+        found.spans.whole(element)  # type: ignore[arg-type]
+        assert 0 <= element.span.start < element.span.end <= size  # type: ignore[attr-defined]
+        if not found.is_doubtful(element.span):  # type: ignore[attr-defined]
+            assert element.span.text == element.name  # type: ignore[attr-defined]
+        for name in element.attributes:  # type: ignore[attr-defined]
+            assert found.spans.attribute_value(element, name).end <= size  # type: ignore[arg-type]
+
+
+def test_a_sound_text_is_not_scanned() -> None:
+    found = document(SMALL)
+    assert found.problems == []
+    assert found._scan is None
+
+
+MARKUP = st.lists(
+    st.sampled_from(
+        [
+            *(
+                "<",
+                ">",
+                "/",
+                "</",
+                "/>",
+                "<!--",
+                "-->",
+                "--",
+                "<![CDATA[",
+                "]]>",
+                "<?",
+                "?>",
+                "<?xml ",
+                "<!DOCTYPE ",
+            ),
+            *(
+                '"',
+                "'",
+                "=",
+                " ",
+                "\n",
+                "\r\n",
+                "\t",
+                "&",
+                ";",
+                "&amp;",
+                "&#0;",
+                "[",
+                "]",
+                ":",
+                "xmlns",
+                "xmlns:p",
+            ),
+            *(
+                "a",
+                "b",
+                "sdf",
+                "version",
+                "<a>",
+                "</a>",
+                "<b c='d'>",
+                "<p:q/>",
+                "<<<<<<< ",
+                "=======\n",
+                ">>>>>>> x\n",
+            ),
+            *("\0", "\x0b", "\ud800", "\u00a0", "\ufeff", "²", "é", "、", "\ua4fd", "1"),
+        ]
+    ),
+    max_size=40,
+).map("".join)
+
+
+@given(
+    st.one_of(
+        MARKUP, MARKUP.map(lambda text: f"<sdf>{text}</sdf>"), MARKUP.map(lambda text: f"<sdf {text}/>")
+    )
+)
+@example("<a b='1'<!-->")
+@example("<a><!----></a>")
+@example("<:><a\u3000b='c'/></:>")
+def test_any_text_is_read(text: str) -> None:
+    start = time.perf_counter()
+    check(document(text))
+    assert time.perf_counter() - start < 1
+
+
+@given(st.binary(max_size=300))
+def test_any_bytes_are_read(data: bytes) -> None:
+    check(read(data, PATH))
+
+
+@given(MARKUP)
+def test_what_is_written_anew_is_well_formed(text: str) -> None:
+    found = document(f"<sdf>{text}</sdf>")
+    written = found.scan.wellformed
+    if written:
+        root = etree.fromstring(written.encode())
+        assert sum(1 for _ in root.iter(etree.Element)) == len(found.scan.starts)
+
+
+@pytest.mark.parametrize("size", range(len(SMALL) - 1))
+def test_a_file_that_breaks_off_has_one_problem(size: int) -> None:
+    found = document(SMALL[:size])
+    check(found)
+    assert len(problems(found)) == 1
+
+
+def test_a_character_that_is_missing_gives_one_problem_at_most() -> None:
+    for at in range(len(SMALL)):
+        found = document(SMALL[:at] + SMALL[at + 1 :])
+        check(found)
+        assert len(problems(found)) <= 1, problems(found)
+
+
+def test_a_file_of_nul_bytes() -> None:
+    (problem,) = problems(read(b"\0" * 1000, Path("a.urdf")))
+    assert isinstance(problem, UnrecognizedDocument)
+
+
+def test_a_fault_that_only_the_parser_knows_is_told_in_its_words() -> None:
+    found = document("<sdf/>")
+    parser = etree.XMLParser()
+    with pytest.raises(etree.XMLSyntaxError):
+        etree.fromstring(b"<sdf>\n<a></sdf>", parser)
+    problem = found._unexplained(parser.error_log[0])
+    assert isinstance(problem, SyntaxDefect)
+    assert problem.detail.startswith("opening and ending tag mismatch")
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "kind"),
+    [
+        ("<sdf version='1.12'/>", "a", Kind.SDF),
+        ("<robot name='r'/>", "a", Kind.URDF),
+        ("<model><name>m</name><sdf>m.sdf</sdf></model>", "model.config", Kind.MODEL_CONFIG),
+        ("<robot xmlns:xacro='x'><xacro:a/></robot>", "a.xacro", Kind.XACRO),
+        ("<world name='w'/>", "a.world", Kind.SDF),
+        ("<html/>", "a.sdf", Kind.OTHER_XML),
+        ("", "a.sdf", Kind.EMPTY),
+    ],
+)
+def test_the_kind_is_told_from_the_text(text: str, name: str, kind: Kind) -> None:
+    given = Kind.XACRO if kind is Kind.XACRO else None
+    assert read(text.encode(), Path(name), given).kind is kind
+
+
+@pytest.mark.parametrize(
+    ("text", "looks_like", "root", "suggestion", "place"),
+    [
+        ("<robt><a></robt>", "XML of another kind", "robt", "robot", "robt"),
+        ("<html><br></html>", "XML of another kind", "html", None, "html"),
+        ("<mujoco/>", "MJCF (MuJoCo)", None, None, "mujoco"),
+        ("\n hello\nworld", "plain text", None, None, "hello"),
+        ("<!-- c -->", "XML without any element", None, None, "<!-- c -->"),
+        ("", "an empty file", None, None, ""),
+        (
+            "m\n p\n\n  9  8  0     0  0  0  0  0  0999 V2000\n",
+            "a chemical structure-data file",
+            None,
+            None,
+            "m",
+        ),
+    ],
+)
+def test_what_is_no_robot_description_has_this_problem_only(
+    text: str, looks_like: str, root: str | None, suggestion: str | None, place: str
+) -> None:
+    (problem,) = problems(document(text))
+    assert isinstance(problem, UnrecognizedDocument)
+    assert (problem.looks_like, problem.root, problem.suggestion) == (looks_like, root, suggestion)
+    assert problem.span.text == place
+
+
+def test_references_that_xml_does_not_define() -> None:
+    found = document(
+        '<sdf version="1&2"><a>&nbsp; &amp; &#7; &#x41; &#99999999; & &lt</a><!-- & --><b><![CDATA[&]]></b></sdf>'
+    )
+    names = [problem.name for problem in problems(found) if isinstance(problem, UnknownEntity)]
+    assert names == ["", "nbsp", "#7", "#99999999", "", ""]
+    assert found.root is not None
+    assert found.root.find("a").content == "&nbsp; & &#7; A &#99999999; & &lt"  # type: ignore[union-attr]
+    assert found.root.find("b").content == "&"  # type: ignore[union-attr]
+
+
+def test_views_are_computed_once() -> None:
+    found = document(SMALL)
+    calls = []
+
+    def view(seen: Document) -> int:
+        calls.append(seen)
+        return 7
+
+    assert (found.view(view), found.view(view), calls) == (7, 7, [found])
+
+
+def test_doubt_is_where_the_text_was_guessed_at() -> None:
+    found = document('<sdf version="1.12"><world name=w><light name="l"/></world></sdf>')
+    assert found.root is not None
+    world = found.root.find("world")
+    assert world is not None
+    assert found.is_doubtful(world.span)
+    assert not found.is_doubtful(world.find("light").span)  # type: ignore[union-attr]
+    assert not document(SMALL).is_doubtful(world.span)
