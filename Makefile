@@ -47,7 +47,7 @@ generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.manual_pages --check
 
 golden: $(TOOLS)
-	$(BIN)/python -m pytest -q -n0 tests/test_golden.py --golden
+	$(BIN)/python -m pytest -q -n0 tests/test_golden*.py --golden
 
 # Measures an ordinary installation: an editable one starts slower.
 bench: pyproject.toml setup.py

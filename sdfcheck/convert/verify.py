@@ -89,7 +89,8 @@ class Verification:
     def __str__(self) -> str:
         links = f"{self.links} link{'s' * (self.links != 1)}"
         largest = max(self.position, self.angle)
-        return f"{links}, {self.configurations} configurations, max pose error {largest:.0e} m"
+        times = f"{self.configurations} configuration{'s' * (self.configurations != 1)}"
+        return f"{links}, {times}, max pose error {largest:.0e} m"
 
 
 def verify(
@@ -121,6 +122,8 @@ class _Comparison:
         for name in missing:
             self.differ("link", name, "is missing")
         self.compared = [name for name in self.compared if name not in missing]
+        if not any(map(degrees_of_freedom, self.source.joints.values())):
+            configurations = 1  # nothing moves
         if self.compared:
             random = np.random.default_rng(20_170_613)
             for number in range(configurations):

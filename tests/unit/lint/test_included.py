@@ -13,9 +13,7 @@ from sdfcheck.lint.session import Options, run
 
 WORLD = '<sdf version="1.12"><world name="w"><include><uri>parts/arm.sdf</uri></include></world></sdf>'
 # An error in the static flag, and a warning for the text.
-BAD_ARM = (
-    '<sdf version="1.12"><model name="arm"><static>maybe</static><link name="l">x</link></model></sdf>'
-)
+BAD_ARM = '<sdf version="1.12"><model name="arm"><static>maybe</static><link name="l">x</link></model></sdf>'
 
 
 @pytest.fixture(autouse=True)
