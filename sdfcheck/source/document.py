@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -25,9 +24,6 @@ T = TypeVar("T")
 
 _DEFAULT_NAMESPACE = re.compile(r"xmlns\s*=")
 
-_ROOT_NAME = re.compile(r"\s*(?:<\?[^>]*\?>\s*|<!--[\s\S]*?-->\s*)*<[A-Za-z_][\w.\-:]*")
-_DECLARATION = re.compile(r"\sxmlns:([\w.\-]+)\s*=")
-_PREFIX = re.compile(r"[<\s]([^\W\d][\w.\-]*):[\w.\-]+[\s=/>]")
 _LINTED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG))
 _KINDS = {"sdf": Kind.SDF, "robot": Kind.URDF, "model": Kind.MODEL_CONFIG}
 
@@ -136,12 +132,8 @@ class Document:
         if "<!DOCTYPE" not in text and not _DEFAULT_NAMESPACE.search(text):
             try:
                 return etree.fromstring(_encoded(text), parser)  # type: ignore[return-value]
-            except etree.XMLSyntaxError as error:
+            except etree.XMLSyntaxError:
                 fault = _first_fault(parser)
-                if error.code == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE:
-                    with suppress(etree.XMLSyntaxError):
-                        declared = _encoded(_with_prefixes(text))
-                        return etree.fromstring(declared, self._parser(recover=False))  # type: ignore[return-value]
         from sdfcheck.source.scan import scan
 
         self._scan = scan(self.source)
@@ -188,21 +180,6 @@ def problems(document: Document) -> list[Problem]:
 
 def _encoded(text: str) -> bytes:
     return text.encode("utf-8", "surrogatepass")
-
-
-def _with_prefixes(text: str) -> str:
-    """The text with all its prefixes declared on the root: places shift, the tree is the same.
-
-    Simulators read undeclared prefixes, so this is the commonest fault by far, and not
-    worth a text written anew.
-    """
-    root = _ROOT_NAME.match(text)
-    if root is None:
-        return text
-    at = root.end()
-    declared = set(_DECLARATION.findall(text, at, text.find(">", at)))
-    used = sorted(set(_PREFIX.findall(text)) - declared - {"xml", "xmlns"})
-    return text[:at] + "".join(f' xmlns:{prefix}="undeclared:{prefix}"' for prefix in used) + text[at:]
 
 
 def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:

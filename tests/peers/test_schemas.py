@@ -18,7 +18,7 @@ pytestmark = [
     pytest.mark.skipif(not SHARED.is_dir(), reason="the files to compare on are not here"),
 ]
 
-OF_SHAPE = ("SCH", "NS", "XML", "NAM")
+OF_SHAPE = ("SCH", "NS", "XML", "NAM", "GAZ")
 """The families whose findings a schema may share."""
 
 ARGUED = {
