@@ -8,6 +8,7 @@ to comply with.
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
 from sdfcheck.formats.namespace_problems import (
     DeclaredBelowRoot,
@@ -23,8 +24,10 @@ from sdfcheck.formats.namespace_problems import (
 )
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
 from sdfcheck.source.text import Span
+
+if TYPE_CHECKING:
+    from sdfcheck.source.start_tag import AttributePlace, StartTag
 
 XML_NAMESPACE = "http://www.w3.org/XML/1998/namespace"
 XMLNS_NAMESPACE = "http://www.w3.org/2000/xmlns/"
@@ -82,6 +85,10 @@ class _Analysis:
     """One pass over the start tags, in document order, with the declarations in scope."""
 
     def __init__(self, document: Document) -> None:
+        # Only texts with prefixes pay for it.
+        from sdfcheck.source.start_tag import parse_start_tag
+
+        self.parse = parse_start_tag
         self.document = document
         self.source = document.source
         self.scan = document.scan
@@ -105,7 +112,7 @@ class _Analysis:
         return self.found
 
     def take(self, number: int) -> None:
-        tag = self.scan.odd.get(number) or parse_start_tag(self.source, self.scan.starts[number])[0]
+        tag = self.scan.odd.get(number) or self.parse(self.source, self.scan.starts[number])[0]
         own: dict[str, _Declaration] = {}
         for attribute in tag.attributes:
             head, colon, prefix = attribute.name.partition(":")
@@ -226,7 +233,7 @@ class _Analysis:
         return self.source.span(close, declaration.end)
 
     def root_insertion(self) -> Span:
-        tag = self.scan.odd.get(0) or parse_start_tag(self.source, self.scan.starts[0])[0]
+        tag = self.scan.odd.get(0) or self.parse(self.source, self.scan.starts[0])[0]
         at = tag.name_end
         if tag.attributes:
             at = tag.attributes[-1].value_end

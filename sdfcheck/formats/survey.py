@@ -146,6 +146,8 @@ class _Walk:
     ) -> None:
         """Check a value that was not met before."""
         text = element.text
+        if not text and definition.type == "pose" and not len(element) and not _is_rotated(items):
+            return  # <pose relative_to="…"/>: no displacement
         if len(element) or not definition.accepts(text or "") or _is_rotated(items):
             self.findings.value(element, parent, definition)
         elif len(definition.sound) < _REMEMBERED:
