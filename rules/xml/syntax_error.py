@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Fix, Good, Rule, Severity, problems, replace
+from sdfcheck import Bad, Diagnostic, Fix, Good, Rule, Severity, Span, problems, replace
 
 Kind = problems.SyntaxKind
 
@@ -8,6 +8,7 @@ MESSAGES = {
     Kind.UNCLOSED_ELEMENT: "`<{name}>` is never closed",
     Kind.MISMATCHED_END_TAG: "`{text}` does not match `{name}`",
     Kind.EXTRA_END_TAG: "`</{name}>` closes nothing that is open",
+    Kind.MISSING_START_TAG: "`<{name}>` is missing before `{text}`",
     Kind.MISSING_SLASH: "`{text}` opens an element where `</{name}>` is meant",
     Kind.MISSING_ANGLE: "`<` is missing before `{text}`",
     Kind.TRUNCATED: "the file ends inside `{text}`",
@@ -15,9 +16,9 @@ MESSAGES = {
     Kind.BLANK_IN_TAG: "a blank between `<` and `{name}`",
     Kind.ODD_BLANK: "{name} in a tag looks like a blank and is none for XML",
     Kind.CROWDED_END_TAG: "an end tag holds only its name, not `{text}`",
-    Kind.UNCLOSED_COMMENT: "the comment is not closed by `-->`",
+    Kind.UNCLOSED_COMMENT: "`-->` is missing at the end of a comment",
     Kind.NESTED_COMMENT: "a comment begins inside a comment",
-    Kind.MISSPELT_OPENING: "`{text}` where `{name}` is meant",
+    Kind.MISSPELT_MARK: "`{text}` where `{name}` is meant",
     Kind.COMMENT_IN_TAG: "a comment inside the tag `<{name}`",
     Kind.UNCLOSED_SECTION: "`{text}` is not closed by `{name}`",
     Kind.UNCLOSED_VALUE: "the value of `{name}` has no closing quote",
@@ -43,8 +44,11 @@ MESSAGES = {
 LABELS = {
     Kind.UNCLOSED_ELEMENT: "`</{name}>` is missing before this",
     Kind.EXTRA_END_TAG: "this is what is open here",
+    Kind.MISSING_START_TAG: "closed here",
     Kind.MISSING_SLASH: "opened here",
     Kind.TRUNCATED: "opened here",
+    Kind.MISSPELT_MARK: "begun here",
+    Kind.UNCLOSED_COMMENT: "begun here",
     Kind.NESTED_COMMENT: "both end here",
     Kind.MERGE_CONFLICT: "up to here",
     Kind.SECOND_DECLARATION: "the first one",
@@ -53,6 +57,7 @@ WRITTEN = {
     Kind.MISMATCHED_END_TAG: ("{name}", "write `{name}`"),
     Kind.MISSING_SLASH: ("</{name}>", "write `</{name}>`"),
     Kind.MISSING_ANGLE: ("<{text}", "insert `<`"),
+    Kind.MISSPELT_MARK: ("{name}", "write `{name}`"),
     Kind.UNCLOSED_TAG: ("{text}>", "insert `>`"),
     Kind.BLANK_IN_TAG: ("<{name}", "write `<{name}`"),
     Kind.ODD_BLANK: (" ", "write an ordinary blank"),
@@ -131,7 +136,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         ),
         Bad(
             '<sdf version="1.12"><model name="m">«<!--» a link\n<link name="a"/></model></sdf>',
-            says="not closed by",
+            says="is missing at the end of a comment",
         ),
         Bad(
             '<sdf version="1.12"><model name="m"><!-- a «<!--» b --> <link name="a"/> --></model></sdf>',
@@ -158,16 +163,26 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         labels = {}
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
+        elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:
+            message, labels = missing_end(span, text, name), {other: "opened here"}
+        elif kind is Kind.MISSING_START_TAG and not text.strip():
+            message = f"`<{name}>` is missing here"
         elif kind is Kind.TEXT_OUTSIDE_ROOT and text.startswith("\ufeff"):
             message = "a second byte order mark before the root element"
         elif kind is Kind.MISMATCHED_END_TAG and other is not None:
             slash, other_slash = ("/", "") if other.start < span.start else ("", "/")
             message = f"`<{slash}{text}>` does not match `<{other_slash}{name}>`"
             labels = {other: "closed here" if other_slash else "opened here"}
-        if other is not None and kind in LABELS:
+        if other is not None and not labels and kind in LABELS:
             is_closed = kind is Kind.EXTRA_END_TAG and other.text == name
             labels = {other: "closed here already" if is_closed else LABELS[kind].format(name=name)}
         yield self.diagnostic(span, message, labels=labels, fix=fix_for(problem))
+
+
+def missing_end(span: Span, text: str, name: str) -> str:
+    if not text.strip():
+        return f"`</{name}>` is missing here"
+    return f"`</{name}>` is missing {'before' if text.startswith('<') else 'behind'} `{text}`"
 
 
 def fix_for(problem: problems.SyntaxDefect) -> Fix | None:

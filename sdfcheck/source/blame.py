@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from sdfcheck.source.problems import SyntaxKind
 from sdfcheck.source.start_tag import BARE_START, tag_of
-from sdfcheck.source.tokens import Token, TokenKind, name_range
+from sdfcheck.source.tokens import Token, TokenKind, first_line, name_range
 
 LOOK_AHEAD = 5_000
 """How many tokens one look ahead may read."""
@@ -16,6 +16,7 @@ REMEDIES = 50
 """How many remedies one text is worth."""
 
 _UNKNOWN = "?"
+_BLANK_LINE = re.compile(r"[\r\n]([ \t]+)(?=[\r\n])")
 # What is most of a robot description, and so rather the right spelling than a wrong one.
 _COMMON = frozenset(
     (
@@ -175,17 +176,33 @@ class Blame:
         twins = (t for _, t in self.children(opened, number) if t.kind is TokenKind.EMPTY and t.name == name)
         return max(twins, key=lambda token: token.start, default=None)
 
-    def block_start(self, opened: int, number: int) -> int:
-        """Where the block might begin that the end tag ``number`` ends, of which no start tag is left."""
+    def orphans(self, opened: int, number: int) -> int | None:
+        """The first token of what the end tag ``number`` was to enclose, whose start tag got lost.
+
+        That is a text, or what is indented deeper; None: nothing stands before the end tag.
+        """
         indent = self.indent(self.tokens[number].start)
-        start, ended = self.tokens[number - 1].end, True
-        for _, token in self.children(opened, number):
+        if indent is None:
+            return number - 1 if self.tokens[number - 1].kind is TokenKind.TEXT else None
+        outer = self.indent(self.tokens[opened].start)
+        if outer is not None and outer >= indent:
+            return None
+        first: int | None = None
+        for index, token in self.children(opened, number):
             own = self.indent(token.start)
-            if indent is not None and own is not None and own <= indent:
-                ended = True
-            elif ended and indent is not None:
-                start, ended = token.start, False
-        return start
+            if own is not None and own <= indent:
+                first = None
+            elif own is not None and first is None and token.kind is not TokenKind.END:
+                first = index
+        return first
+
+    def place_before(self, number: int, indent: int | None) -> tuple[int, int]:
+        """The line of blanks that a tag of this indentation has left before a token; else the token."""
+        before, behind = self.tokens[number - 1], self.tokens[number]
+        for line in _BLANK_LINE.finditer(self.text, before.end, behind.start):
+            if indent and len(line[1].expandtabs()) == indent:
+                return line.span(1)
+        return first_line(behind, self.text) if behind.kind is TokenKind.TEXT else (behind.start, behind.end)
 
     def children(self, opened: int, number: int) -> Iterator[tuple[int, Token]]:
         """The tokens directly inside an element, up to token ``number``; of elements both tags."""
@@ -230,8 +247,26 @@ class Blame:
     def _end_before(self, index: int, element: Token) -> Remedy:
         token = self.tokens[index]
         end = Token(TokenKind.END, token.start, token.start, element.name)
-        place, other = name_range(element, self.text), (token.start, token.end)
+        place, other = self.gap(element, index)
         return Remedy(SyntaxKind.UNCLOSED_ELEMENT, element.name, place, other, index, 0, (end,))
+
+    def gap(self, element: Token, number: int) -> tuple[tuple[int, int], tuple[int, int]]:
+        """Where an end tag is missing before token ``number``, and the other place to look at.
+
+        That is the last line of a text, the line of blanks that the tag has left, or else
+        the token; the start tag is the other one. Where an element is empty, it is its
+        start tag that may want a slash, and the token is the other.
+        """
+        before, behind = self.tokens[number - 1], self.tokens[number]
+        name = name_range(element, self.text)
+        if before is element:
+            return name, (behind.start, behind.end)
+        if before.kind is TokenKind.TEXT:
+            content = self.text[before.start : before.end].rstrip()
+            end = before.start + len(content)
+            start = max(content.rfind("\n"), content.rfind("\r")) + 1
+            return (end - len(content[start:].lstrip()), end), name
+        return self.place_before(number, self.indent(element.start)), name
 
 
 def alike(one: str, other: str) -> bool:

@@ -214,9 +214,9 @@ class _Pairing:
         last_opened = next(step.number for step in reversed(self.steps) if step.act is Act.OPEN)
         has_children = last_opened != self.open[-1]
         opened = self.close_unwritten(token.start)
-        here = self.source.span(token.start, token.end)
         if opened.tag is None:
-            self.defect(SyntaxKind.UNCLOSED_ELEMENT, name_range(opened, self.text), here, opened.name)
+            place, other = self.blame.gap(opened, self.number)
+            self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, self.source.span(*other), opened.name)
         # What it has swallowed stands in the wrong place now.
         self.doubt(opened.start, token.start if has_children else opened.end)
 
@@ -232,17 +232,26 @@ class _Pairing:
             self.steps[at] = self.steps[at]._replace(name=token.name)
         else:
             self.defect(SyntaxKind.MISMATCHED_END_TAG, end, self.source.span(*start), opened.name)
+            if len(self.open) > 1:
+                self.doubt_lack(self.tokens[self.open[-2]])
         self.doubt(opened.start, opened.end)
         self.doubt(token.start, token.end)
         self.close(token)
 
     def extra(self, token: Token) -> None:
-        """An end tag too many, or one whose start tag got lost: then what it should enclose is misplaced."""
-        other = self.blame.empty_twin(self.open[-1], self.number) or self.tokens[self.open[-1]]
-        self.defect(SyntaxKind.EXTRA_END_TAG, (token.start, token.end), self.name_span(other), token.name)
+        """An end tag too many, or one whose start tag got lost: then what it was to enclose is misplaced."""
+        here, opened = (token.start, token.end), self.open[-1]
+        orphans = None if self.blame.is_exhausted else self.blame.orphans(opened, self.number)
+        if twin := self.blame.empty_twin(opened, self.number):
+            self.defect(SyntaxKind.EXTRA_END_TAG, here, self.name_span(twin), token.name)
+        elif orphans is None:
+            self.defect(SyntaxKind.EXTRA_END_TAG, here, self.name_span(self.tokens[opened]), token.name)
+        else:
+            place = self.blame.place_before(orphans, self.blame.indent(token.start))
+            self.defect(SyntaxKind.MISSING_START_TAG, place, self.source.span(*here), token.name)
+            self.doubt_lack(self.tokens[opened])
         self.step(Act.DROP, token)
-        if not self.blame.is_exhausted:
-            self.doubt(self.blame.block_start(self.open[-1], self.number), token.end)
+        self.doubt(token.start if orphans is None else self.tokens[orphans].start, token.end)
 
     def apply(self, remedy: Remedy) -> bool:
         """Change the tokens as the remedy says, and go back to where it begins."""
@@ -274,6 +283,10 @@ class _Pairing:
 
     def doubt(self, start: int, end: int) -> None:
         self.doubtful.append((self.number, (start, end)))
+
+    def doubt_lack(self, parent: Token) -> None:
+        """What the parent seems to lack may be what is misspelt, or not recognized, in it."""
+        self.doubt(parent.start, parent.end)
 
     def defect(
         self, kind: SyntaxKind, place: tuple[int, int], other: Span | None = None, detail: str = ""

@@ -34,24 +34,33 @@ def line_end(text: str, at: int, limit: int | None = None) -> int:
     return match.end()
 
 
-def comment_end(text: str, begin: int, limit: int | None = None) -> int:
-    """Where a comment without ``-->`` before ``limit`` was meant to end: at a misspelt end, or its line's."""
+class CommentEnd(NamedTuple):
+    """Where a comment was meant to end; from ``misspelt`` on (-1: nowhere) stands what was to end it."""
+
+    end: int
+    misspelt: int = -1
+
+
+def comment_end(text: str, begin: int, limit: int | None = None) -> CommentEnd:
+    """Where a comment without ``-->`` before ``limit`` was meant to end: at a misspelt end, or behind its words."""
     limit = len(text) if limit is None else limit
     markup = text.find("<", begin, limit)
     if markup < 0:
         markup = limit
-    if match := _MISSPELT_COMMENT_END.search(text, begin, markup):
-        return match.end()
     proper = text.find("-->", begin, markup)
     if proper >= 0:
-        return proper + 3
+        return CommentEnd(proper + 3)
+    if match := _MISSPELT_COMMENT_END.search(text, begin, markup):
+        return CommentEnd(match.end(), match.start())
     following = text.find("<!--", begin, min(limit, begin + _NEAR))
     for match in _MISSPELT_COMMENT_END.finditer(text, markup, following if following >= 0 else begin + _NEAR):
         if _AT_LINE_END.match(text, match.end()):
-            return match.end()
+            return CommentEnd(match.end(), match.start())
     if markup == len(text):
-        return markup
-    return line_end(text, begin, limit)
+        return CommentEnd(markup)
+    # Words up to the next markup, or markup that the comment was to hide.
+    end = line_end(text, begin, limit)
+    return CommentEnd(begin + len(text[begin:markup].rstrip()) if end < markup else end)
 
 
 def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
@@ -66,14 +75,14 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     leftover = text.find("-->", end, following if following >= 0 else end + _NEAR)
     if leftover >= 0:
         return InnerComment(inner, False, leftover + 3)
-    # An outer comment without end swallows tags up to the next comment.
+    # An outer comment without end swallows what stands between its words and the next comment.
+    markup = text.find("<", at + 4)
+    if text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
+        return InnerComment(inner, True, end)
     balance = 0
     for tag in _TAG.finditer(text, at + 4, min(inner, at + _NEAR)):
         balance += -1 if tag[1] else not tag[2]
-    begins_with_words = text.find("<", at + 4, line_end(text, at, end)) < 0
-    if balance < 0 or (balance > 0 and begins_with_words):
-        return InnerComment(inner, True, end)
-    return None
+    return InnerComment(inner, True, end) if balance < 0 else None
 
 
 def section_end(text: str, begin: int) -> int:

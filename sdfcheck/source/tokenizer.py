@@ -31,7 +31,7 @@ _CUTS = frozenset(
         SyntaxKind.TRUNCATED,
         SyntaxKind.UNCLOSED_COMMENT,
         SyntaxKind.UNCLOSED_SECTION,
-        SyntaxKind.MISSPELT_OPENING,
+        SyntaxKind.MISSPELT_MARK,
         SyntaxKind.OTHER,
     )
 )
@@ -132,8 +132,8 @@ class _Tokenizer:
     def take_misspelt(self, at: int, begin: int) -> int:
         """``<!- … ->``, ``<-- … -->``, ``<[CDATA[ … ]]>``: comments and sections."""
         is_section = self.text[begin - 1] != "-"
-        self.defect(SyntaxKind.MISSPELT_OPENING, at, begin, "<![CDATA[" if is_section else "<!--")
-        end = self.find("]]>", at) + 3 if is_section else comment_end(self.text, begin)
+        self.defect(SyntaxKind.MISSPELT_MARK, at, begin, "<![CDATA[" if is_section else "<!--")
+        end = self.find("]]>", at) + 3 if is_section else comment_end(self.text, begin).end
         if end == 2:
             end = section_end(self.text, begin)
         self.doubtful.append((at, end))
@@ -205,21 +205,34 @@ class _Tokenizer:
         text = self.text
         end = self.find("-->", at + 4) + 3
         if end == 2:
-            self.defect(SyntaxKind.UNCLOSED_COMMENT, at, at + 4)
-            end = comment_end(text, at + 4)
-            self.doubtful.append((at, end))
+            end = self.unclosed_comment(at, len(text))
         elif (inner := find_inner_comment(text, at, end)) is None:
             self.hyphens(at, end)
         elif inner.unclosed:
-            self.defect(SyntaxKind.UNCLOSED_COMMENT, at, at + 4)
-            end = comment_end(text, at + 4, inner.start)
-            self.doubtful.append((at, end))
+            end = self.unclosed_comment(at, inner.start)
         else:
             here = self.source.span(inner.start, inner.start + 4)
             close = self.source.span(end - 3, end)
             self.note(SyntaxDefect(here, SyntaxKind.NESTED_COMMENT, close))
             self.doubtful.append((at, inner.rest_end))
         self.pieces.append(Token(TokenKind.COMMENT, at, end))
+        return end
+
+    def unclosed_comment(self, at: int, limit: int) -> int:
+        """Say so where the end is missing: at its misspelling, or behind the last line of words."""
+        end, misspelt = comment_end(self.text, at + 4, limit)
+        here = self.source.span(at, at + 4)
+        content = self.text[at:end].rstrip()
+        if misspelt >= 0:
+            place = self.source.span(misspelt, end)
+            self.note(SyntaxDefect(place, SyntaxKind.MISSPELT_MARK, here, "-->"))
+        elif "\n" in content and end < len(self.text):
+            last = content[content.rindex("\n") + 1 :].strip()
+            place = self.source.span(at + len(content) - len(last), at + len(content))
+            self.note(SyntaxDefect(place, SyntaxKind.UNCLOSED_COMMENT, here))
+        else:
+            self.note(SyntaxDefect(here, SyntaxKind.UNCLOSED_COMMENT))
+        self.doubtful.append((at, end))
         return end
 
     def hyphens(self, at: int, end: int) -> None:

@@ -32,6 +32,7 @@ ROBOT = """<?xml version="1.0"?>
 </sdf>
 """
 NAMES = ["sdf", "model", "link", "pose", "visual", "geometry", "sphere", "radius", "link"]
+WITHOUT_VISUAL = [name for name in NAMES if name != "visual"]
 
 
 def scanned(text: str) -> Scan:
@@ -69,12 +70,13 @@ def test_places_of_tags() -> None:
 SLIPS = [
     # an end tag is missing
     (
-        edited("    </link>\n", "").replace('<link name="a', '<«link» name="a'),
+        edited("    </link>\n", "").replace('<link name="b"/>', '«<link name="b"/>»'),
         SyntaxKind.UNCLOSED_ELEMENT,
         NAMES,
     ),
-    (edited("</pose>", "").replace("<pose>", "<«pose»>"), SyntaxKind.UNCLOSED_ELEMENT, NAMES),
-    (edited("</sphere>", "").replace("<sphere>", "<«sphere»>"), SyntaxKind.UNCLOSED_ELEMENT, NAMES),
+    (edited("    </link>\n", "«    »\n"), SyntaxKind.UNCLOSED_ELEMENT, NAMES),
+    (edited("0 0 0 0 0 0</pose>", "«0 0 0 0 0 0»"), SyntaxKind.UNCLOSED_ELEMENT, NAMES),
+    (edited("</sphere></geometry>", "«</geometry>»"), SyntaxKind.UNCLOSED_ELEMENT, NAMES),
     (edited('<link name="b"/>', '<«link» name="b">'), SyntaxKind.UNCLOSED_ELEMENT, NAMES),
     # or wrong
     (edited("</visual>", "</«visaul»>"), SyntaxKind.MISMATCHED_END_TAG, NAMES),
@@ -103,9 +105,17 @@ SLIPS = [
         SyntaxKind.EXTRA_END_TAG,
         NAMES,
     ),
+    # or a start tag is missing
+    (edited('      <visual name="v">', "«      »"), SyntaxKind.MISSING_START_TAG, WITHOUT_VISUAL),
+    (
+        edited('      <visual name="v">\n', "").replace("<geometry>", "«<geometry>»"),
+        SyntaxKind.MISSING_START_TAG,
+        WITHOUT_VISUAL,
+    ),
+    (edited("<radius>1", "«1»"), SyntaxKind.MISSING_START_TAG, [name for name in NAMES if name != "radius"]),
     # crossed
     (
-        edited("</sphere></geometry>", "</geometry></sphere>").replace("<sphere>", "<«sphere»>"),
+        edited("</sphere></geometry>", "«</geometry>»</sphere>"),
         SyntaxKind.UNCLOSED_ELEMENT,
         NAMES,
     ),
@@ -118,21 +128,22 @@ SLIPS = [
     (edited('"a"', '«"a»'), SyntaxKind.UNCLOSED_VALUE, NAMES),
     (edited("<pose>", "«<»<pose>"), SyntaxKind.STRAY_ANGLE, NAMES),
     # comments and sections
-    (edited("<pose>", "«<!--» c -><pose>"), SyntaxKind.UNCLOSED_COMMENT, NAMES),
-    (edited("<pose>", "«<!--» c --!><pose>"), SyntaxKind.UNCLOSED_COMMENT, NAMES),
-    (edited("<pose>", "«<!--» c -- ><pose>"), SyntaxKind.UNCLOSED_COMMENT, NAMES),
+    (edited("<pose>", "<!-- c «->»<pose>"), SyntaxKind.MISSPELT_MARK, NAMES),
+    (edited("<pose>", "<!-- c «--!>»<pose>"), SyntaxKind.MISSPELT_MARK, NAMES),
+    (edited("<pose>", "<!-- c «-- >»<pose>"), SyntaxKind.MISSPELT_MARK, NAMES),
     (edited("      <pose>", "«<!--» c\n      <pose>"), SyntaxKind.UNCLOSED_COMMENT, NAMES),
+    (edited("      <pose>", "<!-- c\n  «d e»\n      <pose>"), SyntaxKind.UNCLOSED_COMMENT, NAMES),
     (
         edited("      <pose>", "«<!--» c\n      <pose>").replace("</link>", "</link><!-- d -->"),
         SyntaxKind.UNCLOSED_COMMENT,
         NAMES,
     ),
     (edited("<pose>", "<!-- c «<!--» d --> e --><pose>"), SyntaxKind.NESTED_COMMENT, NAMES),
-    (edited("<pose>", "«<!-» c -><pose>"), SyntaxKind.MISSPELT_OPENING, NAMES),
-    (edited("<pose>", "«<--» c --><pose>"), SyntaxKind.MISSPELT_OPENING, NAMES),
-    (edited("<pose>", "<pose>«<[CDATA[»0]]>"), SyntaxKind.MISSPELT_OPENING, NAMES),
-    (edited("<pose>", "<pose>«<![CDTA[»0]]>"), SyntaxKind.MISSPELT_OPENING, NAMES),
-    (edited("<pose>", "<pose>«<!CDATA[»0"), SyntaxKind.MISSPELT_OPENING, NAMES),
+    (edited("<pose>", "«<!-» c -><pose>"), SyntaxKind.MISSPELT_MARK, NAMES),
+    (edited("<pose>", "«<--» c --><pose>"), SyntaxKind.MISSPELT_MARK, NAMES),
+    (edited("<pose>", "<pose>«<[CDATA[»0]]>"), SyntaxKind.MISSPELT_MARK, NAMES),
+    (edited("<pose>", "<pose>«<![CDTA[»0]]>"), SyntaxKind.MISSPELT_MARK, NAMES),
+    (edited("<pose>", "<pose>«<!CDATA[»0"), SyntaxKind.MISSPELT_MARK, NAMES),
     (edited("<pose>", "<pose>«<![CDATA[»"), SyntaxKind.UNCLOSED_SECTION, NAMES),
     (edited("<pose>", "<pose>«<![CDATA[»]>"), SyntaxKind.UNCLOSED_SECTION, NAMES),
     (edited("0 0 0 0 0 0", "0 «]]>» 0"), SyntaxKind.SECTION_END_IN_TEXT, NAMES),
@@ -202,8 +213,9 @@ def test_the_other_party_is_named() -> None:
         assert problem.other is not None
         return problem.other.text
 
-    assert other(edited("    </link>\n", "")) == '<link name="b"/>'
-    assert other(edited("</sphere>", "")) == "</geometry>"
+    assert other(edited("    </link>\n", "")) == "link"
+    assert other(edited("</sphere>", "")) == "sphere"
+    assert other(edited('<link name="b"/>', '<link name="b">')) == "</model>"
     assert other(edited("</visual>", "</visaul>")) == "visual"
     assert other(edited("</link>\n", "</link></joint>\n")) == "model"
     assert other(edited("<geometry>", "<geometry/>")) == "geometry"
@@ -214,14 +226,17 @@ def test_the_other_party_is_named() -> None:
 def test_a_nested_element_that_took_the_end_tag_of_its_parent_is_blamed() -> None:
     text = "<sdf>\n <model>\n  <model>\n   <link/>\n </model>\n</sdf>"
     (problem,) = scanned(text).problems
-    assert problem.span.begin.line == 3
+    assert isinstance(problem, SyntaxDefect)
+    assert (problem.span.text, problem.span.begin.line) == ("</model>", 5)
+    assert problem.other is not None
+    assert problem.other.begin.line == 3
 
 
 def test_where_nothing_is_indented_the_swallowed_part_is_doubtful() -> None:
     text = '<sdf><model name="m"><link name="a"><link name="b"/></model></sdf>'
     result = scanned(text)
     (problem,) = result.problems
-    assert problem.span.text == "link"
+    assert problem.span.text == "</model>"
     assert any(start <= text.index('<link name="b') < end for start, end in result.doubtful)
 
 
