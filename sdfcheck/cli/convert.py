@@ -39,7 +39,11 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 @click.group(cls=LazyGroup, lazy=COMMANDS)
 def convert() -> None:
-    """Convert between formats, and prove that the robot stayed the same robot."""
+    """Convert between formats, and prove that the robot stayed the same robot.
+
+    Errors in the source are shown. One stops the conversion, and nothing is written, if the
+    format's own reader refuses the file for it: urdfdom for URDF, libsdformat for SDFormat.
+    """
 
 
 class Request(NamedTuple):
@@ -80,7 +84,11 @@ _OPTIONS = (
         "--verify-with", type=click.Choice(["yourdfpy"]), help="Let this library read the URDF as well."
     ),
     click.option("--strict", is_flag=True, help="Exit with 1 if anything is lost."),
-    click.option("--lint/--no-lint", default=True, help="Refuse a source with errors.  [default: lint]"),
+    click.option(
+        "--lint/--no-lint",
+        default=True,
+        help="Stop at errors for which the format's own reader refuses the source.  [default: lint]",
+    ),
     click.option(
         "--output-format",
         multiple=True,
@@ -110,14 +118,16 @@ def common(given: dict[str, Any]) -> Request:
 
 class _Outcome(NamedTuple):
     file: Path
-    diagnostics: Sequence[Diagnostic]
+    errors: Sequence[Diagnostic]
+    """Those of the source."""
+    losses: Sequence[Diagnostic] = ()
     conversion: Conversion | None = None
     failed: bool = False
 
     @property
     def has_losses(self) -> bool:
         """Whether anything is worse than worth knowing."""
-        return any(one.severity.value != "info" for one in self.diagnostics)
+        return any(one.severity.value != "info" for one in self.losses)
 
 
 def convert_files(
@@ -126,12 +136,12 @@ def convert_files(
     suffix: str,
     convert: Convert,
     *,
-    tolerated: frozenset[str] = frozenset(),
+    mended: frozenset[str] = frozenset(),
 ) -> int:
     """Convert each input, write what was verified, report; returns the exit code.
 
     ``kinds`` are those that can be converted, with what to call them; ``suffix`` ends the
-    names of files in --output-dir. Errors of the ``tolerated`` families do not stop: the
+    names of files in --output-dir. Errors of the ``mended`` families do not stop: the
     converter deals with them itself.
 
     Raises:
@@ -143,7 +153,7 @@ def convert_files(
     wanted = outputs(request.output_format or ("full",), None)
     outcomes = []
     with Reader(
-        request.config, request.isolated, request.arguments, lint=request.lint, tolerated=tolerated
+        request.config, request.isolated, request.arguments, lint=request.lint, mended=mended
     ) as reader:
         for file, target in zip(request.files, targets, strict=True):
             outcome = _convert(reader.read(file, kinds), convert, request)
@@ -183,12 +193,12 @@ def _stem(file: Path) -> str:
 def _convert(given: Input, convert: Convert, request: Request) -> _Outcome:
     from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 
-    if given.document is None or given.diagnostics:
-        return _Outcome(given.file, given.diagnostics, failed=True)
+    if given.document is None or not given.is_sound:
+        return _Outcome(given.file, given.errors, failed=True)
     try:
         done = convert(given.document, request.verify)
     except NotConvertible as error:
-        return _Outcome(given.file, [to_diagnostic(error.loss)], failed=True)
+        return _Outcome(given.file, given.errors, [to_diagnostic(error.loss)], failed=True)
     losses = [to_diagnostic(loss) for loss in done.losses]
     found = list(done.verification.differences) if done.verification is not None else []
     if request.verify_with is not None:
@@ -203,7 +213,7 @@ def _convert(given: Input, convert: Convert, request: Request) -> _Outcome:
         for one in found:
             text = f"the result is not the same robot: {one.what} of `{one.name}` {one.text}"
             losses.append(to_diagnostic(Loss(LossKind.NOT_VERIFIED, span, text, Severity.ERROR)))
-    return _Outcome(given.file, losses, done, bool(found))
+    return _Outcome(given.file, given.errors, losses, done, bool(found))
 
 
 def _write(done: Conversion, target: Path | None) -> None:
@@ -226,7 +236,7 @@ def _report(outcomes: Sequence[_Outcome], wanted: Sequence[Output], request: Req
     from sdfcheck.lint.run import Run
     from sdfcheck.report import render
 
-    diagnostics = [one for outcome in outcomes for one in outcome.diagnostics]
+    diagnostics = [one for outcome in outcomes for one in (*outcome.errors, *outcome.losses)]
     diagnostics.sort(key=lambda one: one.sort_key)
     done = Run(tuple(diagnostics), tuple(outcome.file for outcome in outcomes))
     for output in wanted:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from sdfcheck.cli.terminal import pair
 from sdfcheck.lint.config import Configuration, Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import Dispatch, lint_document
-from sdfcheck.lint.packs import load_index
-from sdfcheck.lint.select import ActiveRules
+from sdfcheck.lint.engine import lint_document
+from sdfcheck.lint.obstacles import obstacles
+from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.select import SILENT
 from sdfcheck.source.library import Library, SearchPaths
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -21,16 +22,17 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
     from sdfcheck.source.xacro.expansion import Expander
 
-_OF_OTHERS = frozenset({"RES", "DRK"})
-"""Families whose errors are about files that are not there, or one program's limits: no obstacle."""
+_ELSEWHERE = frozenset({"RES"})
+"""Families whose errors are about other files, which a conversion can do without."""
 
 
 class Input(NamedTuple):
-    """A file as it was read; with ``diagnostics`` it is not to be converted."""
+    """A file as it was read, and the errors in it; if they stop the conversion, ``is_sound`` is false."""
 
     file: Path
     document: Document | None
-    diagnostics: Sequence[Diagnostic] = ()
+    errors: Sequence[Diagnostic] = ()
+    is_sound: bool = True
 
 
 class Reader:
@@ -43,9 +45,10 @@ class Reader:
         arguments: Sequence[str],
         *,
         lint: bool = True,
-        tolerated: frozenset[str] = frozenset(),
+        mended: frozenset[str] = frozenset(),
     ) -> None:
-        self._tolerated = _OF_OTHERS | tolerated
+        self._mended = _ELSEWHERE | mended
+        self._book = RuleBook(SILENT, None)
         self._configuration = Configuration(config, isolated=isolated)
         self._arguments = dict(pair(text, ":=", "name:=value") for text in arguments)
         self._lint = lint
@@ -81,12 +84,12 @@ class Reader:
             expanded, problems = self._expand(document, settings)
             if expanded is None:
                 document.problems = [*document.problems, *problems]  # type: ignore[list-item]
-                return Input(file, None, self._errors(document))
+                return self._judged(document, settings)._replace(document=None, is_sound=False)
             document = expanded
         if document.kind not in kinds or document.root is None:
             names = " or ".join(kinds.values())
             raise WrongUsage(f"{file} looks like {document.kind.description}, not like {names}")
-        return Input(file, document, self._errors(document) if self._lint else ())
+        return self._judged(document, settings) if self._lint else Input(file, document)
 
     def _expand(self, document: Document, settings: Settings) -> tuple[Document | None, Sequence[object]]:
         from sdfcheck.source.xacro.expansion import Expander, Surroundings
@@ -100,12 +103,10 @@ class Reader:
             done.document.library = document.library
         return done.document, done.problems
 
-    def _errors(self, document: Document) -> list[Diagnostic]:
-        """The errors that make a conversion pointless."""
-        index = load_index()
-        found = lint_document(document, Dispatch(index, ActiveRules(index.facts, {})))
-        return [
-            one
-            for one in found
-            if one.severity is Severity.ERROR and one.code.rstrip("0123456789") not in self._tolerated
-        ]
+    def _judged(self, document: Document, settings: Settings) -> Input:
+        """A document with the errors that the configured rules find in it."""
+        file = document.path
+        found = lint_document(document, self._book.dispatch(settings, file))
+        errors = [one for one in found if one.severity is Severity.ERROR]
+        stopping = obstacles(errors, self._book.rules(settings), document.kind, self._mended)
+        return Input(file, document, errors, not stopping)

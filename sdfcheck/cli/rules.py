@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.terminal import emit
+from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config import Configuration
 from sdfcheck.lint.manual import facts_record, markdown
 from sdfcheck.lint.packs import RuleIndex
@@ -37,10 +38,13 @@ def rules(selectors: tuple[str, ...], output_format: str, config: Path | None, i
 
 
 def loaded(config: Path | None, *, isolated: bool) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
-    """The packs, and the facts of all rules, under the configuration of the current folder."""
+    """The packs, and the facts of all rules, under the configuration of the current folder.
+
+    What conversions report is told with them."""
     settings = Configuration(config, isolated=isolated).settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
-    return book.index(settings), book.rules(settings)
+    losses = tuple(kind.facts for kind in LossKind)
+    return book.index(settings), (*book.rules(settings), *losses)
 
 
 def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[RuleFacts]:

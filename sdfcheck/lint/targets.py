@@ -59,16 +59,17 @@ def matrix(run: Run, kind: Kind, readers: Iterable[Consumer] = tuple(Consumer)) 
         if reader not in READS.get(kind, frozenset(Consumer)):
             rows.append(Row(reader, Verdict.UNREAD, ()))
             continue
-        judged = (
-            _reason(diagnostic, affects.get(diagnostic.code, {}), reader) for diagnostic in run.diagnostics
-        )
-        reasons = [reason for reason in judged if reason.verdict is not Verdict.ACCEPT]
-        reasons.sort(key=lambda reason: (-_weight(reason.verdict), reason.diagnostic.sort_key))
+        judged = [
+            reason(diagnostic, affects.get(diagnostic.code, {}), reader) for diagnostic in run.diagnostics
+        ]
+        reasons = [one for one in judged if one.verdict is not Verdict.ACCEPT]
+        reasons.sort(key=lambda one: (-_weight(one.verdict), one.diagnostic.sort_key))
         rows.append(Row(reader, reasons[0].verdict if reasons else Verdict.ACCEPT, tuple(reasons)))
     return tuple(rows)
 
 
-def _reason(diagnostic: Diagnostic, affects: Mapping[str, str], reader: Consumer) -> Reason:
+def reason(diagnostic: Diagnostic, affects: Mapping[str, str], reader: Consumer) -> Reason:
+    """What a diagnostic of a rule that ``affects`` readers so means to one of them."""
     effect = affects.get(reader.value, "")
     if affects and not effect:
         return Reason(Verdict.ACCEPT, "", diagnostic)

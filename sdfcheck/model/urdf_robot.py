@@ -96,7 +96,8 @@ def _axis(joint: Element, kind: str) -> Axis:
     length = float(np.linalg.norm(direction))
     if length == 0 and kind in {"revolute", "continuous", "prismatic", "planar"}:
         raise RobotError("the axis has no direction", joint)
-    bounded = kind in {"revolute", "prismatic"}
+    # A bound that a limit leaves out is 0; without any limit only Drake reads the joint, as unlimited.
+    bounded = kind in {"revolute", "prismatic"} and limit is not None
     return Axis(
         direction / (length or 1.0),
         _number(limit, "lower", 0.0) if bounded else -math.inf,

@@ -78,31 +78,43 @@ class Joints:
         return pose_text(joint.element)
 
     def _axis(self, joint: Joint, node: Node) -> None:
-        element = joint.element
-        axis, limit, dynamics = (element.find(name) for name in _AXIS_PARTS[:3])
+        axis, dynamics = joint.element.find("axis"), joint.element.find("dynamics")
         node.add("xyz", spaced(axis.attributes.get("xyz", "1 0 0")) if axis is not None else "1 0 0")
         self._mimic(joint, node)
-        bounds: dict[str, str] = {}
-        for name in ("lower", "upper", "effort", "velocity"):
-            text = limit.attributes.get(name) if limit is not None else None
-            if name in {"lower", "upper"}:
-                if joint.kind == "continuous":
-                    continue
-                text = self._bound(joint, name) if text is None else text
-            elif text is not None and joint.axes and getattr(joint.axes[0], name) < 0:
-                told = f"joint `{joint.name}` has a negative {name}, which means no limit in SDFormat; it is left out"
-                self.context.lose(element, LossKind.CHANGED_LIMIT, told)
-                continue
-            if text is not None:
-                bounds[name] = spaced(text)
+        bounds = {**self._range(joint), **self._strength(joint)}
         if bounds:
             written = node.add("limit")
             for name, text in bounds.items():
-                written.add(name, text)
+                written.add(name, spaced(text))
         for name in ("damping", "friction"):
             text = dynamics.attributes.get(name) if dynamics is not None else None
             if text is not None:
                 node.reach("dynamics").add(name, spaced(text))
+
+    def _range(self, joint: Joint) -> dict[str, str]:
+        """Where the joint stops; nothing for one that does not."""
+        limit = joint.element.find("limit")
+        if joint.kind == "continuous":
+            return {}
+        if limit is None:
+            told = f"joint `{joint.name}` has no limits; it is taken as unlimited"
+            self.context.lose(joint.element, LossKind.CHANGED_DEFAULT, told)
+            return {}
+        return {name: limit.attributes.get(name) or self._bound(joint, name) for name in ("lower", "upper")}
+
+    def _strength(self, joint: Joint) -> dict[str, str]:
+        limit = joint.element.find("limit")
+        found = {}
+        for name in ("effort", "velocity"):
+            text = limit.attributes.get(name) if limit is not None else None
+            if text is None:
+                continue
+            if joint.axes and getattr(joint.axes[0], name) < 0:
+                told = f"joint `{joint.name}` has a negative {name}, which means no limit in SDFormat; it is left out"
+                self.context.lose(joint.element, LossKind.CHANGED_LIMIT, told)
+            else:
+                found[name] = text
+        return found
 
     def _bound(self, joint: Joint, name: str) -> str:
         value = getattr(joint.axes[0], name) if joint.axes else 0.0

@@ -67,6 +67,25 @@ def test_errors_of_the_source_stop_it(urdf: Path, tmp_path: Path, capsys: pytest
     assert not target.exists()
 
 
+def test_errors_that_urdfdom_does_not_mind_are_shown_and_do_not_stop(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    urdf.write_text(ROBOT.replace('izz="1"', 'izz="5"'))
+    target = tmp_path / "r.sdf"
+    assert run(urdf, "-o", target, "--strict", "--output-format", "concise") == 0
+    assert "no body has these principal moments" in capsys.readouterr().out
+    assert target.exists()
+
+
+def test_the_configuration_says_which_errors_count(urdf: Path, tmp_path: Path) -> None:
+    urdf.write_text(ROBOT.replace("</robot>", f'<link name="b">{BOX}</link></robot>'))
+    target = tmp_path / "r.sdf"
+    assert main(["convert", "urdf-to-sdf", str(urdf), "-o", str(target)]) == 1
+    (tmp_path / "sdfcheck.toml").write_text('ignore = ["disconnected-link"]')
+    assert main(["convert", "urdf-to-sdf", str(urdf), "-o", str(target)]) == 0
+    assert target.exists()
+
+
 @pytest.mark.parametrize("text", ["", "<robot", "<sdf version='1.9'/>", "\0\1", '<robot name="r"/>'])
 def test_bad_input_is_no_traceback(urdf: Path, text: str, capsys: pytest.CaptureFixture[str]) -> None:
     urdf.write_text(text)

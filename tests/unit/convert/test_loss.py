@@ -1,0 +1,47 @@
+"""Kinds of loss can be explained as rules are."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+from sdfcheck.convert import loss_table
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.lint.packs import load_index
+
+ROOT = Path(__file__).parents[3]
+
+
+def test_codes_and_names_are_nobody_elses() -> None:
+    rules = load_index().facts
+    names = [kind.title for kind in LossKind]
+    codes = [kind.code for kind in LossKind]
+    assert len(set(names)) == len(set(codes)) == len(names)
+    assert not {*names, *codes} & {one for facts in rules for one in (facts.name, facts.code)}
+    assert all(re.fullmatch(r"CNV\d{3}", code) for code in codes)
+
+
+@pytest.mark.parametrize("kind", LossKind, ids=lambda kind: kind.title)
+def test_each_says_what_is_lost_and_why(kind: LossKind, capsys: pytest.CaptureFixture[str]) -> None:
+    summary = kind.facts.summary
+    assert summary.endswith(".")
+    assert len(summary) > 20
+    assert main(["rule", kind.code, "--isolated", "--color", "never"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith(f"# {kind.title} ({kind.code})\n")
+    assert summary in out
+
+
+def test_they_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["rules", "CNV", "--isolated"]) == 0
+    listed = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+    assert listed == sorted(kind.code for kind in LossKind)
+
+
+def test_the_guide_has_them() -> None:
+    guide = (ROOT / loss_table.GUIDE).read_text(encoding="utf-8")
+    assert loss_table.with_table(guide) == guide
+    assert all(f"| {kind.code} | {kind.title} |" in guide for kind in LossKind)
