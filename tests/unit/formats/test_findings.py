@@ -2,38 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
-
 import pytest
 
 from sdfcheck.formats import problems
-from sdfcheck.formats.survey import survey
-from sdfcheck.source.document import read
+from tests.unit.formats.walk import BOX, found, in_link, only_in_link
+from tests.unit.only import only
 
-MODEL = '<sdf version="{version}"><model name="m"><link name="l">{text}</link></model></sdf>'
-MESH = '<visual name="v"><geometry><mesh>{}</mesh></geometry></visual>'
-BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 FRICTION = f'<collision name="c">{BOX}<surface><friction><ode>{{}}</ode></friction></surface></collision>'
-
-
-def found(text: str) -> list[Any]:
-    return survey(read(text.encode(), Path("example.sdf"))).problems
-
-
-def only(text: str, kind: type) -> Any:
-    problem, *others = found(text)
-    assert type(problem) is kind, problem
-    assert not others
-    return problem
-
-
-def in_link(text: str, version: str = "1.12") -> list[Any]:
-    return found(MODEL.format(version=version, text=text))
-
-
-def only_in_link(text: str, kind: type, version: str = "1.12") -> Any:
-    return only(MODEL.format(version=version, text=text), kind)
 
 
 def test_a_sound_document() -> None:
@@ -47,7 +22,7 @@ def test_a_sound_document() -> None:
     ("attributes", "empty"), [("", False), (' version=""', True), (' version="  "', True)]
 )
 def test_missing_version(attributes: str, empty: bool) -> None:
-    problem = only(f"<sdf{attributes}/>", problems.MissingVersion)
+    problem = only(found(f"<sdf{attributes}/>"), problems.MissingVersion)
     assert problem.empty is empty
     assert str(problem.assumed) == "1.12"
 
@@ -67,7 +42,7 @@ def test_missing_version(attributes: str, empty: bool) -> None:
     ],
 )
 def test_unknown_version(text: str, meant: str | None) -> None:
-    problem = only(f'<sdf version="{text}"/>', problems.UnknownVersion)
+    problem = only(found(f'<sdf version="{text}"/>'), problems.UnknownVersion)
     assert problem.meant == meant
     assert (str(problem.oldest), str(problem.newest)) == ("1.2", "1.12")
 
@@ -91,7 +66,7 @@ def test_misplaced_elements_know_where_they_belong(text: str, places: tuple[str,
 
 
 def test_includes_are_followed_wherever_they_stand() -> None:
-    problem = only('<sdf version="1.9"><include/></sdf>', problems.MisplacedElement)
+    problem = only(found('<sdf version="1.9"><include/></sdf>'), problems.MisplacedElement)
     assert not problem.ignored
     assert problem.places == ("model", "world")
 
@@ -135,7 +110,7 @@ def test_removed_elements() -> None:
     physics = '<physics type="ode"><gravity>0 0 0</gravity></physics>'
     world = f'<sdf version="{{}}"><world name="w">{physics}</world></sdf>'
     assert found(world.format("1.5")) == []
-    problem = only(world.format("1.6"), problems.RemovedElement)
+    problem = only(found(world.format("1.6")), problems.RemovedElement)
     assert (problem.attribute, str(problem.until), problem.successor) == (None, "1.5", "world/gravity")
 
 
@@ -215,7 +190,7 @@ def test_deprecated_elements() -> None:
         '<sdf version="1.12"><model name="m"><joint name="j" type="screw"><parent>a</parent><child>b</child>'
         "<thread_pitch>1</thread_pitch></joint></model></sdf>"
     )
-    problem = only(text, problems.DeprecatedElement)
+    problem = only(found(text), problems.DeprecatedElement)
     assert (problem.successor, problem.since, problem.announced) == ("screw_thread_pitch", "1.10", False)
 
 
@@ -256,8 +231,8 @@ def test_missing_attributes(attribute: str, empty: bool) -> None:
 def test_attributes_that_are_no_longer_required() -> None:
     plugin = '<sdf version="{}"><world name="w"><plugin filename="p"{}/></world></sdf>'
     assert found(plugin.format("1.10", "")) == []
-    assert str(only(plugin.format("1.9", ""), problems.MissingAttribute).until) == "1.9"
-    assert str(only(plugin.format("1.9", ' name=""'), problems.EmptyName).until) == "1.9"
+    assert str(only(found(plugin.format("1.9", "")), problems.MissingAttribute).until) == "1.9"
+    assert str(only(found(plugin.format("1.9", ' name=""')), problems.EmptyName).until) == "1.9"
 
 
 def test_empty_names() -> None:

@@ -2,38 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
-
 import pytest
 
 from sdfcheck.formats import problems
-from sdfcheck.formats.survey import survey
-from sdfcheck.source.document import read
+from tests.unit.formats.walk import found, in_link, only_in_link
+from tests.unit.only import only
 
-MODEL = '<sdf version="{version}"><model name="m"><link name="l">{text}</link></model></sdf>'
 MESH = '<visual name="v"><geometry><mesh>{}</mesh></geometry></visual>'
-BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
-FRICTION = f'<collision name="c">{BOX}<surface><friction><ode>{{}}</ode></friction></surface></collision>'
-
-
-def found(text: str) -> list[Any]:
-    return survey(read(text.encode(), Path("example.sdf"))).problems
-
-
-def only(text: str, kind: type) -> Any:
-    problem, *others = found(text)
-    assert type(problem) is kind, problem
-    assert not others
-    return problem
-
-
-def in_link(text: str, version: str = "1.12") -> list[Any]:
-    return found(MODEL.format(version=version, text=text))
-
-
-def only_in_link(text: str, kind: type, version: str = "1.12") -> Any:
-    return only(MODEL.format(version=version, text=text), kind)
 
 
 @pytest.mark.parametrize(
@@ -96,5 +71,5 @@ def test_what_the_newest_version_accepts_is_accepted() -> None:
 
 def test_choices_of_a_list_that_nobody_enforces() -> None:
     world = '<sdf version="1.9"><world name="w"><physics type="{}"/></world></sdf>'
-    assert not only(world.format("quick"), problems.UnknownChoice).refused
+    assert not only(found(world.format("quick")), problems.UnknownChoice).refused
     assert found(world.format("dart")) == []

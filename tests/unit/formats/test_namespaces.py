@@ -13,19 +13,13 @@ from sdfcheck.formats import namespace_problems as kinds
 from sdfcheck.formats.namespaces import problems
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
+from tests.unit.only import only
 
 
 def found(text: str, kind: Kind | None = None) -> list[Any]:
     return sorted(
         problems(read(text.encode(), Path("example.sdf"), kind)), key=lambda problem: problem.span.start
     )
-
-
-def only(text: str, kind: type) -> Any:
-    problem, *others = found(text)
-    assert type(problem) is kind, problem
-    assert not others
-    return problem
 
 
 def inside(content: str) -> str:
@@ -57,7 +51,7 @@ def test_other_documents_are_not_looked_at() -> None:
 
 
 def test_uses_of_an_undeclared_prefix_are_gathered() -> None:
-    problem = only(inside('<p:a p:b="1"><p:c/></p:a>'), kinds.UndeclaredPrefix)
+    problem = only(found(inside('<p:a p:b="1"><p:c/></p:a>')), kinds.UndeclaredPrefix)
     assert [use.text for use in problem.uses] == ["p", "p", "p"]
     assert problem.span == problem.uses[0]
     assert (problem.prefix, problem.namespace, problem.elsewhere) == ("p", "", None)
@@ -70,7 +64,7 @@ def test_each_prefix_is_told_once() -> None:
 
 def test_a_declaration_ends_with_its_element() -> None:
     text = inside('<a xmlns:p="u">\n<p:b/>\n</a>\n<p:c/>')
-    problem = only(text, kinds.UndeclaredPrefix)
+    problem = only(found(text), kinds.UndeclaredPrefix)
     assert problem.elsewhere.text == "xmlns:p"
     assert problem.scope_end.text == "</a>"
     assert problem.scope_end.begin.line == 3
@@ -84,15 +78,18 @@ def test_a_declaration_holds_for_its_own_start_tag() -> None:
 
 
 def test_an_empty_element_is_its_own_scope() -> None:
-    assert only(inside('<a xmlns:p="u"/><p:b/>'), kinds.UndeclaredPrefix).scope_end.text == ""
+    assert only(found(inside('<a xmlns:p="u"/><p:b/>')), kinds.UndeclaredPrefix).scope_end.text == ""
 
 
 def test_a_sibling_before_the_declaration_is_out_of_scope() -> None:
-    assert only(inside('<p:b/><a xmlns:p="u" p:c="1"/>'), kinds.UndeclaredPrefix).elsewhere.text == "xmlns:p"
+    assert (
+        only(found(inside('<p:b/><a xmlns:p="u" p:c="1"/>')), kinds.UndeclaredPrefix).elsewhere.text
+        == "xmlns:p"
+    )
 
 
 def test_the_root_without_attributes_takes_a_declaration_behind_its_name() -> None:
-    assert only("<sdf><p:a/></sdf>", kinds.UndeclaredPrefix).root.start == 4
+    assert only(found("<sdf><p:a/></sdf>"), kinds.UndeclaredPrefix).root.start == 4
 
 
 def test_xacro_itself_stops_at_its_own_undeclared_prefix() -> None:
@@ -105,30 +102,32 @@ def test_xacro_itself_stops_at_its_own_undeclared_prefix() -> None:
 
 
 def test_a_prefix_declared_twice_on_one_element() -> None:
-    problem = only('<sdf xmlns:p="u" xmlns:p="v"><p:a/></sdf>', kinds.RedeclaredPrefix)
+    problem = only(found('<sdf xmlns:p="u" xmlns:p="v"><p:a/></sdf>'), kinds.RedeclaredPrefix)
     assert (problem.first.start, problem.span.start) == (5, 17)
 
 
 def test_default_namespaces() -> None:
-    problem = only('<sdf version="1.12"\n xmlns = "u" />', kinds.DefaultNamespace)
+    problem = only(found('<sdf version="1.12"\n xmlns = "u" />'), kinds.DefaultNamespace)
     assert problem.span.text == "xmlns"
     assert problem.whole.text == '\n xmlns = "u"'
     assert problem.namespace == "u"
 
 
 def test_a_declaration_below_the_root_can_move_there() -> None:
-    problem = only(inside('<a\n  xmlns:p="u"  b="1"><p:c/></a>'), kinds.DeclaredBelowRoot)
+    problem = only(found(inside('<a\n  xmlns:p="u"  b="1"><p:c/></a>')), kinds.DeclaredBelowRoot)
     assert [whole.text for whole in problem.wholes] == ['\n  xmlns:p="u"']
     assert problem.declaration == 'xmlns:p="u"'
 
 
 def test_declarations_that_agree_are_told_together() -> None:
-    problem = only(inside('<a xmlns:p="u" p:b="1"/><c xmlns:p="u" p:b="1"/>'), kinds.DeclaredBelowRoot)
+    problem = only(found(inside('<a xmlns:p="u" p:b="1"/><c xmlns:p="u" p:b="1"/>')), kinds.DeclaredBelowRoot)
     assert len(problem.wholes) == 2
 
 
 def test_a_declaration_that_the_root_has_already() -> None:
-    problem = only('<sdf xmlns:p="u"><a p:c="1" xmlns:p="u" p:b="1"/><p:d/></sdf>', kinds.DeclaredBelowRoot)
+    problem = only(
+        found('<sdf xmlns:p="u"><a p:c="1" xmlns:p="u" p:b="1"/><p:d/></sdf>'), kinds.DeclaredBelowRoot
+    )
     assert problem.declaration == ""
 
 
@@ -139,7 +138,7 @@ def test_declarations_that_disagree_stay_where_they_are() -> None:
 
 
 def test_an_unused_prefix() -> None:
-    problem = only('<sdf xmlns:p="u" xmlns:q="v"><q:a/></sdf>', kinds.UnusedPrefix)
+    problem = only(found('<sdf xmlns:p="u" xmlns:q="v"><q:a/></sdf>'), kinds.UnusedPrefix)
     assert (problem.prefix, problem.whole.text) == ("p", ' xmlns:p="u"')
 
 
@@ -159,7 +158,7 @@ def test_declaring_again_with_the_same_name_shadows_nothing() -> None:
 
 
 def test_two_prefixes_for_one_name() -> None:
-    problem = only('<sdf xmlns:p="u" xmlns:q="u"><p:a/><q:a/></sdf>', kinds.SynonymousPrefix)
+    problem = only(found('<sdf xmlns:p="u" xmlns:q="u"><p:a/><q:a/></sdf>'), kinds.SynonymousPrefix)
     assert (problem.prefix, problem.first_prefix, problem.first.start) == ("q", "p", 5)
 
 
@@ -169,7 +168,7 @@ def test_two_prefixes_out_of_each_other_s_scope() -> None:
 
 
 def test_an_empty_namespace_name() -> None:
-    assert only('<sdf xmlns:p=""><p:a/></sdf>', kinds.EmptyNamespaceName).prefix == "p"
+    assert only(found('<sdf xmlns:p=""><p:a/></sdf>'), kinds.EmptyNamespaceName).prefix == "p"
 
 
 @pytest.mark.parametrize(
@@ -183,7 +182,7 @@ def test_an_empty_namespace_name() -> None:
     ],
 )
 def test_reserved_prefixes(text: str, place: str) -> None:
-    assert only(text, kinds.ReservedPrefix).span.text == place
+    assert only(found(text), kinds.ReservedPrefix).span.text == place
 
 
 def test_xml_may_be_declared_as_what_it_is() -> None:
@@ -197,22 +196,22 @@ def test_xml_may_be_declared_as_what_it_is() -> None:
 
 @pytest.mark.parametrize("name", ["a:b:c", ":a", "a:", "::", "a::b"])
 def test_malformed_names(name: str) -> None:
-    assert only(inside(f"<{name}/>"), kinds.MalformedQualifiedName).span.text == name
-    assert only(inside(f'<a {name}="1"/>'), kinds.MalformedQualifiedName).name == name
+    assert only(found(inside(f"<{name}/>")), kinds.MalformedQualifiedName).span.text == name
+    assert only(found(inside(f'<a {name}="1"/>')), kinds.MalformedQualifiedName).name == name
 
 
 @pytest.mark.parametrize("name", ["xmlns:", "xmlns:a:b"])
 def test_malformed_declarations(name: str) -> None:
-    assert only(f'<sdf {name}="u"/>', kinds.MalformedQualifiedName).name == name
+    assert only(found(f'<sdf {name}="u"/>'), kinds.MalformedQualifiedName).name == name
 
 
 def test_plugins_may_have_names_with_two_colons() -> None:
     assert found(inside('<plugin name="p" filename="p"><gz::a>1</gz::a></plugin>')) == []
-    assert only(inside('<plugin name="p" filename="p"/><gz::a/>'), kinds.MalformedQualifiedName)
+    assert only(found(inside('<plugin name="p" filename="p"/><gz::a/>')), kinds.MalformedQualifiedName)
 
 
 def test_names_in_a_faulty_text_are_judged_as_well() -> None:
-    assert only(inside("<p:a/><!-- -- -->"), kinds.UndeclaredPrefix).prefix == "p"
+    assert only(found(inside("<p:a/><!-- -- -->")), kinds.UndeclaredPrefix).prefix == "p"
 
 
 NAMES = st.sampled_from(["a", "p:a", "q:a", "p:q:a", ":a", "xmlns:a", "xml:a", "plugin"])

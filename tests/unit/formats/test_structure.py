@@ -10,6 +10,7 @@ import pytest
 from sdfcheck.formats import problems
 from sdfcheck.formats.structure import SHAPES, structure_problems
 from sdfcheck.source.document import read
+from tests.unit.only import only
 
 BOX, SPHERE = "<box><size>1 1 1</size></box>", "<sphere><radius>1</radius></sphere>"
 
@@ -20,13 +21,6 @@ def found(text: str, version: str = "1.12") -> list[Any]:
 
 def in_link(text: str, version: str = "1.12") -> list[Any]:
     return found(f'<model name="m"><link name="l">{text}</link></model>', version)
-
-
-def only(all_found: list[Any], kind: type) -> Any:
-    problem, *others = all_found
-    assert type(problem) is kind, problem
-    assert not others
-    return problem
 
 
 # The root

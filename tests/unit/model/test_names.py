@@ -10,6 +10,7 @@ import pytest
 from sdfcheck.model import names
 from sdfcheck.source.document import read
 from sdfcheck.source.library import Library
+from tests.unit.only import only
 
 
 def found(text: str, version: str = "1.12") -> list[Any]:
@@ -18,13 +19,6 @@ def found(text: str, version: str = "1.12") -> list[Any]:
 
 def in_model(text: str, version: str = "1.12") -> list[Any]:
     return found(f'<model name="m">{text}</model>', version)
-
-
-def only(all_found: list[Any], kind: type) -> Any:
-    problem, *others = all_found
-    assert type(problem) is kind, problem
-    assert not others
-    return problem
 
 
 @pytest.mark.parametrize(
