@@ -9,11 +9,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
 from sdfcheck.cli.group import LazyCommand, LazyGroup
+from sdfcheck.cli.options import F, colored, configured
 from sdfcheck.cli.output import FORMATS, Output, outputs
 from sdfcheck.cli.terminal import emit, say, wants_color
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -33,8 +34,6 @@ COMMANDS = {
     "sdf-to-urdf": LazyCommand("sdfcheck.cli.convert_sdf_to_urdf:sdf_to_urdf", "SDFormat to URDF."),
     "sdf-to-sdf": LazyCommand("sdfcheck.cli.convert_sdf_to_sdf:sdf_to_sdf", "Between versions of SDFormat."),
 }
-
-F = TypeVar("F", bound=Callable[..., Any])
 
 
 @click.group(cls=LazyGroup, lazy=COMMANDS)
@@ -95,11 +94,8 @@ _OPTIONS = (
         metavar="FORMAT[=FILE]",
         help=f"How to report losses: {', '.join(FORMATS)}.  [default: full]",
     ),
-    click.option("--config", type=_PATH, metavar="FILE", help="Use this configuration file."),
-    click.option("--isolated", is_flag=True, help="Use no configuration file."),
-    click.option(
-        "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour."
-    ),
+    configured,
+    colored(),
     click.option("-q", "--quiet", is_flag=True, help="Report losses, and say nothing else."),
 )
 

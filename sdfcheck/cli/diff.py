@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from sdfcheck.cli.graph import load
+from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.report.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -53,13 +54,8 @@ class Request(NamedTuple):
     default=1e-9,
     help="Smaller differences do not count (m, rad; relative for others).  [default: 1e-9]",
 )
-@click.option(
-    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
-)
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
-@click.option(
-    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour the text."
-)
+@configured
+@colored("When to colour the text.")
 def diff(**given: Any) -> int:
     """Show what changed in the robot from A to B, not in the text.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
+from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, pair, say
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -46,10 +47,7 @@ class Request(NamedTuple):
 )
 @click.option("--env", "variables", multiple=True, metavar="NAME", help="An environment variable to pass on.")
 @click.option("--annotate", is_flag=True, help="Say in comments where each element was written.")
-@click.option(
-    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
-)
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@configured
 def expand(**given: Any) -> int:
     """Expand a xacro file to stdout.
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.model import graph_text
 from sdfcheck.model.graphs import GraphKind, graph
@@ -31,13 +32,8 @@ _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
     default="tree",
     help="A tree to read, or the language of Graphviz or Mermaid.  [default: tree]",
 )
-@click.option(
-    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
-)
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
-@click.option(
-    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour the tree."
-)
+@configured
+@colored("When to colour the tree.")
 def graph_command(kind: str, file: Path, form: str, config: Path | None, isolated: bool, color: str) -> int:
     """Show what is tied to what in an SDFormat, URDF or xacro file.
 

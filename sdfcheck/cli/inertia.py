@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import click
 
 from sdfcheck.cli.graph import load
+from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.report.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
@@ -52,10 +53,7 @@ class _Block(NamedTuple):
     help="A table to read, or JSON.  [default: table]",
 )
 @click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
-@click.option(
-    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
-)
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@configured
 def inertia(file: Path, form: str, name: str | None, config: Path | None, isolated: bool) -> int:
     """Show mass, centre of mass and inertia of links and models, and of the whole file.
 

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import click
 
 from sdfcheck.cli.graph import load
+from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -51,10 +52,7 @@ class Request(NamedTuple):
     is_flag=True,
     help="Compute automatic inertias (of meshes with the extra `mesh`).",
 )
-@click.option(
-    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
-)
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@configured
 def print_command(**given: Any) -> int:
     """Write a description in canonical form to stdout.
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from sdfcheck.cli.options import colored
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.lint.manual import manual, record, render
@@ -17,9 +18,7 @@ from sdfcheck.lint.manual import manual, record, render
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to explain.")
 @click.option("--config", type=click.Path(path_type=Path), metavar="FILE", help="Take plugins from there.")
 @click.option("--isolated", is_flag=True, help="Use no configuration file, so no plugins.")
-@click.option(
-    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour."
-)
+@colored()
 def rule(
     selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool, color: str
 ) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.config import Configuration
 from sdfcheck.lint.rule import Consumer
@@ -30,10 +31,7 @@ VERSION = 1
 @click.option(
     "--format", "form", type=click.Choice(["text", "json"]), default="text", help="How to show the verdicts."
 )
-@click.option(
-    "--config", type=click.Path(path_type=Path), metavar="FILE", help="Use this configuration file."
-)
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@configured
 def targets_command(
     file: Path, target: tuple[str, ...], form: str, config: Path | None, isolated: bool
 ) -> int:
