@@ -23,35 +23,43 @@ if TYPE_CHECKING:
 __all__ = ["NEWEST", "OLDEST", "AttributeDefinition", "Definition", "Schema", "Version", "schema"]
 
 
-class AttributeDefinition:
-    """An attribute, as one version allows it at one place."""
+class _Row:
+    """A row of the table, as one version has it."""
 
-    __slots__ = (
-        "accepts",
-        "choices",
-        "default",
-        "may_be_infinite",
-        "name",
-        "place",
-        "range",
-        "required",
-        "row",
-        "type",
-        "version",
-    )
-    name: str
+    __slots__ = ("accepts", "choices", "may_be_infinite", "name", "place", "range", "row", "version")
+    version: Version
     row: Row
+    name: str
     place: str
-    """Where it stands over all versions, such as ``joint:joint/@type``."""
-    type: str
-    default: str
-    required: bool
+    """Where it stands over all versions, such as ``joint:joint/axis/limit/lower`` or ``joint:joint/@type``."""
     range: Range | None
     """Bounds that hold by meaning or by the table; readers do not check those of attributes."""
     choices: Choices | None
     may_be_infinite: bool
     accepts: Callable[[str], object]
-    """True for text that is surely read as written and nothing can be said against."""
+    """True for text that is surely read as written and nothing can be said against.
+
+    For a pose: with rotation_format euler_rpy, the default.
+    """
+
+    @property
+    def minimum(self) -> str | None:
+        """The least value by the table."""
+        return at(self.row.extra("min"), self.version.minor) or None
+
+    @property
+    def maximum(self) -> str | None:
+        """The greatest value by the table."""
+        return at(self.row.extra("max"), self.version.minor) or None
+
+
+class AttributeDefinition(_Row):
+    """An attribute, as one version allows it at one place."""
+
+    __slots__ = ("default", "required", "type")
+    type: str
+    default: str
+    required: bool
 
     def __init__(self, version: Version, row: Row, place: str) -> None:
         minor = version.minor
@@ -66,16 +74,6 @@ class AttributeDefinition:
     def __repr__(self) -> str:
         return f"AttributeDefinition({self.place!r}, {self.version})"
 
-    @property
-    def minimum(self) -> str | None:
-        """The least value by the table."""
-        return at(self.row.extra("min"), self.version.minor) or None
-
-    @property
-    def maximum(self) -> str | None:
-        """The greatest value by the table."""
-        return at(self.row.extra("max"), self.version.minor) or None
-
     def read(self, text: str) -> Reading:
         """How readers take a text; the explaining counterpart of ``accepts``."""
         from sdfcheck.formats.values import read_attribute
@@ -89,7 +87,7 @@ class AttributeDefinition:
             return object.__getattribute__(self, name)
 
 
-class Definition:
+class Definition(_Row):
     """An element, as one version allows it below one kind of parent.
 
     ``multiplicity`` (``0``, ``1``, ``+``, ``*``, or ``-1`` for deprecated) is the one written
@@ -98,35 +96,23 @@ class Definition:
 
     __slots__ = (
         "_schema",
-        "accepts",
         "attributes",
         "children",
-        "choices",
         "default",
         "deprecated",
-        "may_be_infinite",
         "multiplicity",
-        "name",
         "needed_children",
         "open",
         "own_multiplicity",
         "path",
-        "place",
-        "range",
         "required_attributes",
         "required_children",
-        "row",
         "single",
         "sound",
         "type",
-        "version",
     )
-    name: str
-    row: Row
     path: str
     """The names from the element that starts the definition: ``joint/axis/limit/lower``."""
-    place: str
-    """The definition and the names in it, over all versions: ``joint:joint/axis/limit/lower``."""
     type: str | None
     """None for an element that holds elements."""
     default: str | None
@@ -143,14 +129,6 @@ class Definition:
     required_children: tuple[str, ...]
     needed_children: tuple[str, ...]
     """Those of the required children whose silent default makes another robot."""
-    range: Range | None
-    choices: Choices | None
-    may_be_infinite: bool
-    accepts: Callable[[str], object]
-    """True for text that is surely read as written and nothing can be said against.
-
-    For a pose: with rotation_format euler_rpy, the default.
-    """
 
     def __init__(self, parent: Definition | None, schema: Schema, row: Row, use: Row) -> None:
         minor = schema.version.minor
@@ -176,16 +154,6 @@ class Definition:
 
     def __repr__(self) -> str:
         return f"Definition({self.place!r}, {self.version})"
-
-    @property
-    def minimum(self) -> str | None:
-        """The least value by the table."""
-        return at(self.row.extra("min"), self.version.minor) or None
-
-    @property
-    def maximum(self) -> str | None:
-        """The greatest value by the table."""
-        return at(self.row.extra("max"), self.version.minor) or None
 
     @property
     def needs_value(self) -> bool:
