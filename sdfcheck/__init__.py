@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.rule import Consumer, Rule, Target, edit, replace
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.vendor_rule import VendorRule
+    from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.model.load import Unreadable, load, parse
     from sdfcheck.model.objects import Joint, Link, Model, NotFound, Root, World
     from sdfcheck.source.document import Document
@@ -53,6 +54,7 @@ _HOMES = {
     "sdfcheck.lint.rule": "Consumer Rule Target edit replace",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.lint.vendor_rule": "VendorRule",
+    "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.model.load": "Unreadable load parse",
     "sdfcheck.model.objects": "Joint Link Model NotFound Root World",
     "sdfcheck.source.document": "Document",
@@ -108,10 +110,13 @@ __all__ = [
     "convert",
     "edit",
     "lint",
+    "listed",
     "load",
+    "named",
     "parse",
     "problems",
     "replace",
+    "used",
 ]
 
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, problems, used
 from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
 
 
@@ -43,7 +43,8 @@ class IgnoredByDrake(Rule):
     def check(self, problem: problems.IgnoredByDrake) -> Iterator[Diagnostic]:
         target = problem.target
         name = target.name if isinstance(target, Element) else target.attribute
-        times = f" (used {problem.uses} times)" if problem.uses > 1 else ""
         how = "with a warning" if problem.warned else "without a word"
         place = target if isinstance(target, Element) else target.name_span
-        yield self.diagnostic(place, f"`{name}`{times} in `{problem.parent}` is ignored by Drake, {how}")
+        yield self.diagnostic(
+            place, f"`{name}`{used(problem.uses)} in `{problem.parent}` is ignored by Drake, {how}"
+        )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems
 from sdfcheck_rules.drk.effect import consequence
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, LINK, ROBOT_LINK
 
@@ -24,7 +24,7 @@ class UnsupportedMeshFormat(Rule):
     bad = (
         Bad(
             "<geometry><mesh><uri>«https://example.org/arm.STL»</uri></mesh></geometry>",
-            says="a `.stl` file cannot be a collision: Drake refuses the file; it reads .gltf, .obj, .vtk",
+            says="a `.stl` file cannot be a collision: Drake refuses the file; it reads .gltf, .obj and .vtk",
         ),
         Bad(
             '<visual><geometry><mesh filename="«https://example.org/arm.dae»"/></geometry></visual>',
@@ -48,7 +48,7 @@ class UnsupportedMeshFormat(Rule):
     )
 
     def check(self, problem: problems.UnsupportedMesh) -> Iterator[Diagnostic]:
-        formats = ", ".join(problem.formats)
+        formats = listed(problem.formats)
         suffix = "." + problem.value.text.strip().rpartition(".")[2].lower()
         if problem.role == "visual":
             message = f"a `{suffix}` file is not shown by Drake's renderers, which take {formats}"

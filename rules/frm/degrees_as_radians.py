@@ -1,7 +1,7 @@
 import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import IN_LINK, IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, edit, listed, problems
 
 
 class DegreesAsRadians(Rule):
@@ -47,7 +47,7 @@ class DegreesAsRadians(Rule):
 
     def check(self, problem: problems.DegreesAsRadians) -> Iterator[Diagnostic]:
         words = problem.value.text.split()
-        told = " and ".join(f"{name} {words[at]}" for at, name in problem.parts)
+        told = listed(f"{name} {words[at]}" for at, name in problem.parts)
         are, look = ("is", "looks") if len(problem.parts) == 1 else ("are", "look")
         edits = tuple(
             Edit(problem.value.part(at), repr(math.radians(float(words[at])))) for at, _ in problem.parts

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    IN_WORLD,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    used,
+)
 
 
 class ClassicOnlyElement(Rule):
@@ -35,7 +47,7 @@ class ClassicOnlyElement(Rule):
         ),
         Bad(
             "<«audio_sink»/><audio_sink/>",
-            says="(2 times)",
+            says="(used 2 times)",
             scaffold=IN_LINK,
         ),
     )
@@ -50,5 +62,6 @@ class ClassicOnlyElement(Rule):
     )
 
     def check(self, problem: problems.ClassicOnlyElement) -> Iterator[Diagnostic]:
-        times = f" ({problem.count} times)" if problem.count > 1 else ""
-        yield self.diagnostic(problem.target, f"{problem.what} is for Gazebo Classic only{times}")
+        yield self.diagnostic(
+            problem.target, f"{problem.what} is for Gazebo Classic only{used(problem.count)}"
+        )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 ROBOT = f'<robot name="r"><link name="base"><collision name="hull">{BOX}</collision></link>{{}}</robot>'
@@ -49,13 +49,12 @@ class ExtensionLostByName(Rule):
 
     def check(self, problem: problems.ExtensionLostByName) -> Iterator[Diagnostic]:
         first, shape = problem.settings[0], problem.name.element
-        names = list(dict.fromkeys(f"`{setting.name}`" for setting in problem.settings))
-        told = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+        names = dict.fromkeys(setting.name for setting in problem.settings)
         verb = "do" if len(names) > 1 else "does"
         others = f" and {problem.count - 1} more" if problem.count > 1 else ""
         yield self.diagnostic(
             first,
-            f"{told} {verb} not reach {shape.title}{others} of link `{problem.link}`, because it has a name",
+            f"{named(names)} {verb} not reach {shape.title}{others} of link `{problem.link}`, because it has a name",
             labels={problem.name: "this name"},
             help=f"remove the name, or let it begin with `{problem.link}`",
         )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
 
 
 class SeveralParents(Rule):
@@ -21,7 +21,7 @@ class SeveralParents(Rule):
         Bad(
             '<link name="arm"/><joint name="j" type="fixed"><parent>base</parent><child>arm</child></joint>'
             '<joint name="k" type="fixed"><parent>world</parent><child>«arm»</child></joint>',
-            says="link `arm` is child of 2 joints: `j`, `k`",
+            says="link `arm` is child of 2 joints: `j` and `k`",
         ),
         Bad(
             '<link name="arm"/><link name="top"/>'
@@ -29,7 +29,7 @@ class SeveralParents(Rule):
             '<joint name="t" type="fixed"><parent link="base"/><child link="top"/></joint>'
             '<joint name="k" type="fixed"><parent link="top"/><child link="«arm»"/></joint>',
             scaffold=IN_ROBOT,
-            says="link `arm` is child of 2 joints: `j`, `k`",
+            says="link `arm` is child of 2 joints: `j` and `k`",
         ),
     )
     good = (
@@ -50,11 +50,10 @@ class SeveralParents(Rule):
     )
 
     def check(self, problem: problems.SeveralParents) -> Iterator[Diagnostic]:
-        joints = ", ".join(f"`{name}`" for name in problem.joints[:4])
-        more = ", …" if len(problem.joints) > 4 else ""
+        joints = named(problem.joints, most=4)
         yield self.diagnostic(
             problem.child,
-            f"link `{problem.link}` is child of {len(problem.joints)} joints: {joints}{more}",
+            f"link `{problem.link}` is child of {len(problem.joints)} joints: {joints}",
             labels={problem.first: "first a child here"},
             severity=Severity.ERROR if problem.refused else None,
         )

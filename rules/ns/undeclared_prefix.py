@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems, used
 
 # Prefixes whose namespace names their vendors have settled.
 WELL_KNOWN = {
@@ -63,8 +63,7 @@ class UndeclaredPrefix(Rule):
     )
 
     def check(self, problem: problems.UndeclaredPrefix) -> Iterator[Diagnostic]:
-        prefix, count = problem.prefix, len(problem.uses)
-        times = f" (used {count} times)" if count > 1 else ""
+        prefix, times = problem.prefix, used(len(problem.uses))
         namespace = problem.namespace or WELL_KNOWN.get(prefix, "")
         fix: Fix | None = None
         advice = f'declare it on the root element: xmlns:{prefix}="…"'

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 LAMP = '<sdf version="1.12"><light name="lamp" type="point"/></sdf>'
@@ -52,14 +52,7 @@ class InvalidMergeInclude(Rule):
         if problem.kind != "model":
             message = f"{article} {problem.kind} cannot be merged, only a model can"
         elif problem.parts:
-            message = f"a world cannot take {_listed(problem.parts)} from a merged model"
+            message = f"a world cannot take {listed(problem.parts, most=3)} from a merged model"
         else:
             message = f"nothing can be merged into {problem.parent.title}"
         yield self.diagnostic(problem.merge, message)
-
-
-def _listed(parts: tuple[str, ...]) -> str:
-    shown = list(parts[:3])
-    if len(parts) > len(shown):
-        shown.append(f"{len(parts) - len(shown)} more")
-    return " and ".join(filter(None, (", ".join(shown[:-1]), shown[-1])))

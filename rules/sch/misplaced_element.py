@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
 
 
 class MisplacedElement(Rule):
@@ -45,18 +45,10 @@ class MisplacedElement(Rule):
         if problem.suggestion is not None:
             message += f"; did you mean `{problem.suggestion}`?"
         else:
-            message += f"; it goes into {_listed(problem.places)}"
+            message += f"; it goes into {named(problem.places, 'or', most=3)}"
         if problem.ignored:
             yield self.diagnostic(element, message)
             return
         yield self.diagnostic(
             element, message, severity=Severity.WARNING, help="libsdformat follows it all the same"
         )
-
-
-def _listed(places: tuple[str, ...]) -> str:
-    """At most three places, and how many there are besides."""
-    shown = [f"`{place}`" for place in places[:3]]
-    if len(places) > len(shown):
-        return f"{', '.join(shown)} and {len(places) - len(shown)} more"
-    return " or ".join(filter(None, (", ".join(shown[:-1]), shown[-1])))

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, listed, problems
 
 MANY = 8
 """More choices than this are not worth a list beside a good guess."""
@@ -52,7 +52,7 @@ class UnknownChoice(Rule):
         if value.attribute is not None:
             place = f"`{value.attribute}` of {value.element.title}"
         message = f"unknown {place}: `{value.text.strip()}`"
-        known = f"known are {', '.join(choices)}" if len(choices) > 1 else f"known is {choices[0]}"
+        known = f"known {'are' if len(choices) > 1 else 'is'} {listed(choices)}"
         guess = problem.suggestion
         if guess is not None:
             message += f"; did you mean `{guess}`?"

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
 
 
 class IncompleteInertia(Rule):
@@ -25,7 +25,7 @@ class IncompleteInertia(Rule):
     bad = (
         Bad(
             '<inertial><mass value="1"/><«inertia» ixx="1" iyy="1" izz="1"/></inertial>',
-            says="the inertia of link `base` has no `ixy`, `ixz`, `iyz`",
+            says="the inertia of link `base` has no `ixy`, `ixz` or `iyz`",
         ),
         Bad('<«inertial»><mass value="1"/></inertial>', says="the inertial of link `base` has no `inertia`"),
         Bad(
@@ -43,6 +43,5 @@ class IncompleteInertia(Rule):
     )
 
     def check(self, problem: problems.IncompleteInertial) -> Iterator[Diagnostic]:
-        lacks = ", ".join(f"`{name}`" for name in problem.missing)
-        message = f"the {problem.element.name} of {problem.link.title} has no {lacks}"
+        message = f"the {problem.element.name} of {problem.link.title} has no {named(problem.missing, 'or')}"
         yield self.diagnostic(problem.element, message)

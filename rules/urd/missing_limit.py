@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems
 
 
 class MissingLimit(Rule):
@@ -49,5 +49,5 @@ class MissingLimit(Rule):
         elif problem.limit is None:
             yield self.diagnostic(joint, f"{joint.title} is {problem.type} and has no `limit`")
         else:
-            lacks = " and ".join(f"no `{name}`" for name in problem.missing)
+            lacks = listed(f"no `{name}`" for name in problem.missing)
             yield self.diagnostic(problem.limit, f"the limit of {joint.title} has {lacks}")

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 LINK = f'<robot name="r">{{}}<link name="a"><visual>{SHAPE}<material name="grey"/></visual></link></robot>'
@@ -78,10 +78,9 @@ class UndefinedMaterial(Rule):
                 severity=Severity.WARNING,
             )
             return
-        times = f" (used {problem.uses} times)" if problem.uses > 1 else ""
         if problem.later is not None:
-            message = f"material `{name}` is not defined yet{times}"
+            message = f"material `{name}` is not defined yet{used(problem.uses)}"
             yield self.diagnostic(value, message, labels={problem.later: "defined here"})
         else:
             guess = f"; did you mean `{problem.suggestion}`?" if problem.suggestion else ""
-            yield self.diagnostic(value, f"material `{name}` is not defined{times}{guess}")
+            yield self.diagnostic(value, f"material `{name}` is not defined{used(problem.uses)}{guess}")

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems, used
 
 
 class UnknownUrdfAttribute(Rule):
@@ -45,14 +45,13 @@ class UnknownUrdfAttribute(Rule):
 
     def check(self, problem: problems.UnknownUrdfAttribute) -> Iterator[Diagnostic]:
         value, near = problem.value, problem.suggestion
-        count = len(problem.uses)
         message = f"unknown attribute `{value.attribute}` of {value.element.title}"
         if near is not None:
             message += f"; did you mean `{near}`?"
-        if count > 1:
-            message += f" ({count} times)"
         severity = Severity.ERROR if problem.needed else None
-        yield self.diagnostic(value.name_span, message, severity=severity, fix=rename(problem))
+        yield self.diagnostic(
+            value.name_span, message + used(len(problem.uses)), severity=severity, fix=rename(problem)
+        )
 
 
 def rename(problem: problems.UnknownUrdfAttribute) -> Fix | None:

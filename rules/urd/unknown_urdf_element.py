@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems
+from sdfcheck import (
+    IN_URDF_LINK,
+    Bad,
+    Diagnostic,
+    Edit,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    named,
+    problems,
+    used,
+)
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 
@@ -33,8 +46,8 @@ class UnknownUrdfElement(Rule):
             unsafe=True,
             says="did you mean `geometry`?",
         ),
-        Bad('<«mass» value="1"/>', says="`mass` is not read in link `base`; it belongs into `inertial`"),
-        Bad(f"<visual>{SHAPE}<«colour»/><colour/></visual>", says="(2 times)"),
+        Bad('<«mass» value="1"/>', says="`mass` is not read in link `base`; it goes into `inertial`"),
+        Bad(f"<visual>{SHAPE}<«colour»/><colour/></visual>", says="(used 2 times)"),
     )
     good = (
         Good(f"<collision>{SHAPE}<drake:proximity_properties/></collision>", why="a prefix makes it free"),
@@ -48,17 +61,16 @@ class UnknownUrdfElement(Rule):
 
     def check(self, problem: problems.UnknownUrdfElement) -> Iterator[Diagnostic]:
         element, near = problem.element, problem.suggestion
-        count = len(problem.uses)
         message = f"unknown element `{element.name}` in {problem.parent.title}"
         if near is not None:
             message += f"; did you mean `{near}`?"
         elif problem.places:
-            places = " or ".join(f"`{place}`" for place in problem.places)
-            message = f"`{element.name}` is not read in {problem.parent.title}; it belongs into {places}"
-        if count > 1:
-            message += f" ({count} times)"
+            places = named(problem.places, "or")
+            message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
         severity = Severity.ERROR if problem.needed else None
-        yield self.diagnostic(element, message, severity=severity, fix=rename(problem))
+        yield self.diagnostic(
+            element, message + used(len(problem.uses)), severity=severity, fix=rename(problem)
+        )
 
 
 def rename(problem: problems.UnknownUrdfElement) -> Fix | None:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems, used
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -36,10 +36,9 @@ class UndeclaredXacroPrefix(Rule):
     )
 
     def check(self, problem: problems.UndeclaredXacroPrefix) -> Iterator[Diagnostic]:
-        times = f" (used {problem.count} times)" if problem.count > 1 else ""
         declaration = Edit(problem.insertion, ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
         yield self.diagnostic(
             problem.span,
-            f"prefix `xacro` is not declared{times}",
+            f"prefix `xacro` is not declared{used(problem.count)}",
             fix=edit("declare it on the root element", (declaration,)),
         )

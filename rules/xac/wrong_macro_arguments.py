@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, named, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 _MACRO = '<xacro:macro name="leg" params="side length:=1 *origin"><link name="${side}${length}">'
@@ -40,7 +40,7 @@ class WrongMacroArguments(Rule):
     )
 
     def check(self, problem: problems.WrongMacroArguments) -> Iterator[Diagnostic]:
-        names = " and ".join(f"`{name}`" for name in problem.names)
+        names = named(problem.names)
         kind, macro = problem.kind.value, f"macro `{problem.macro}`"
         if kind == "missing":
             message = f"{macro} is called without {names}"

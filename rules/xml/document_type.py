@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, named, problems
 
 
 class DocumentType(Rule):
@@ -33,7 +33,5 @@ class DocumentType(Rule):
         if len(problem.entities) == 1:
             message += f"; its entity `{problem.entities[0]}` stays unresolved"
         elif problem.entities:
-            names = ", ".join(f"`{name}`" for name in problem.entities[:3])
-            more = ", …" if len(problem.entities) > 3 else ""
-            message += f"; its entities {names}{more} stay unresolved"
+            message += f"; its entities {named(problem.entities, most=3)} stay unresolved"
         yield self.diagnostic(problem.span, message)

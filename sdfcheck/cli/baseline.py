@@ -8,7 +8,7 @@ from sdfcheck.cli.terminal import say
 from sdfcheck.lint.baseline import hold, read, render
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify
-from sdfcheck.report.summary import counted
+from sdfcheck.lint.wording import counted
 from sdfcheck.source.overwrite import overwrite
 from sdfcheck.source.wrong_usage import WrongUsage
 

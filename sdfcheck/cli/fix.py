@@ -10,7 +10,7 @@ from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.fixer import ROUNDS, Mended, mend
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify, Options, run
-from sdfcheck.report.summary import counted
+from sdfcheck.lint.wording import counted
 from sdfcheck.source.decode import decode, encoding_of
 from sdfcheck.source.overwrite import overwrite
 

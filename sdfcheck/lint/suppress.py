@@ -22,6 +22,7 @@ from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import UnknownSelector, covered
 from sdfcheck.lint.suppress_rules import MalformedSuppression, OwnRule, UnusedSuppression
+from sdfcheck.lint.wording import named
 from sdfcheck.source.text import Span
 from sdfcheck.source.wrong_usage import suggestion
 
@@ -248,7 +249,7 @@ def _unused(directive: Directive, used: set[int], active: frozenset[str]) -> lis
 
 
 def _reason(directive: Directive, words: Sequence[Selector]) -> str:
-    names = " and ".join(f"`{word.span.text}`" for word in words)
+    names = named(word.span.text for word in words)
     bare = words[0].codes == {_ANY_RULE}
     if directive.verb == ENABLE:
         return "nothing is disabled here" if bare else f"{names} is not disabled here"

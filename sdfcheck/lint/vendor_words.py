@@ -11,6 +11,7 @@ from sdfcheck.formats.vendor_problems import TagFault, TagProblem
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.rule import Rule, Target, edit
+from sdfcheck.lint.wording import named, used
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
 
@@ -49,14 +50,6 @@ def consequence(problem: TagProblem, it: str = "it") -> str:
     }[problem.effect.outcome]
 
 
-def listed(words: tuple[str, ...], joiner: str = "or") -> str:
-    """``a``, ``b`` or ``c``."""
-    quoted = [f"`{word}`" for word in words]
-    if len(quoted) < 2:
-        return "".join(quoted)
-    return f"{', '.join(quoted[:-1])} {joiner} {quoted[-1]}"
-
-
 def _near(suggestion: str | None) -> str:
     return f"; did you mean `{suggestion}`?" if suggestion else ""
 
@@ -77,11 +70,11 @@ def _misplaced(problem: problems.MisplacedTag) -> Words:
     owner = _owner(problem.target)
     place = owner.title if owner is not None else "the root"
     if problem.condition is not None:
-        message = f"`{problem.name}` is read only in {listed(problem.places)}: {consequence(problem)}"
+        message = f"`{problem.name}` is read only in {named(problem.places, 'or')}: {consequence(problem)}"
     elif problem.places:
         message = (
             f"`{problem.name}` does not belong in {place}: {consequence(problem)}; "
-            f"it goes into {listed(problem.places)}"
+            f"it goes into {named(problem.places, 'or')}"
         )
     else:
         dialects = "URDF", "SDF"
@@ -126,7 +119,7 @@ def _out_of_range(problem: problems.TagOutOfRange) -> Words:
 def _choice(problem: problems.UnknownTagChoice) -> Words:
     called = _called(problem.name, problem.value)
     text = problem.value.text.strip()
-    choices = "" if problem.suggestion else f"; it is one of {listed(problem.choices)}"
+    choices = "" if problem.suggestion else f"; it is one of {named(problem.choices, 'or')}"
     message = f"{called} cannot be `{text}`: {consequence(problem)}{choices}{_near(problem.suggestion)}"
     return Words(problem.value, message)
 
@@ -141,7 +134,9 @@ def _unordered(problem: problems.UnorderedTags) -> Words:
 
 
 def _missing(problem: problems.MissingTag) -> Words:
-    message = f"{problem.element.title} lacks {listed(problem.choices)}: {consequence(problem, 'the whole')}"
+    message = (
+        f"{problem.element.title} lacks {named(problem.choices, 'or')}: {consequence(problem, 'the whole')}"
+    )
     if problem.near is not None:
         return Words(problem.near, f"{message}; did you mean `{problem.choices[0]}`?")
     return Words(problem.element, message)
@@ -223,8 +218,7 @@ def _outdated(problem: problems.OutdatedTag) -> Words:
 
 
 def _too_new(problem: problems.TooNewTag) -> Words:
-    times = f" (used {problem.uses} times)" if problem.uses > 1 else ""
-    message = f"`{problem.name}`{times} came with {problem.vendor.name} {problem.since}"
+    message = f"`{problem.name}`{used(problem.uses)} came with {problem.vendor.name} {problem.since}"
     declared = problem.declared
     if declared is not None:
         message += f", and the file says {declared.text}"

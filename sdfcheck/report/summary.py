@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import Run
+from sdfcheck.lint.wording import counted, listed
 
 
 def closing_line(run: Run) -> str:
@@ -15,7 +16,7 @@ def closing_line(run: Run) -> str:
     if run.diagnostics:
         kinds = (Severity.ERROR, Severity.WARNING, Severity.INFO)
         counts = [counted(run.count(kind), kind.value) for kind in kinds if run.count(kind)]
-        return f"{fixed}Found {_listed(counts)} in {files}{_fixes(run)}."
+        return f"{fixed}Found {listed(counts)} in {files}{_fixes(run)}."
     # Only a clean result can be mistaken for more than was looked at.
     unseen = [counted(len(run.skipped), "file") + " skipped"] if run.skipped else []
     if not run.files:
@@ -38,15 +39,6 @@ def _of_all(run: Run) -> str:
     """How many findings were fixed, and of how many where some are left."""
     everything = run.fixed + len(run.diagnostics)
     return (f"{run.fixed} of " if run.diagnostics else "") + counted(everything, "finding")
-
-
-def counted(number: int, noun: str) -> str:
-    """``1 file``, ``2 files``."""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def _listed(parts: list[str]) -> str:
-    return " and ".join(filter(None, [", ".join(parts[:-1]), parts[-1]]))
 
 
 def _in_brackets(parts: Iterable[str]) -> str:
