@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.source.document import read
 
 CASES = sorted((Path(__file__).parents[1] / "fixtures" / "convert" / "sdf-to-urdf").iterdir())
 
+_KINDS = {"ball": Unsupported, "forest": Unsupported, "loops": Loops}
+
+
+def _options(case: Path) -> Options:
+    """What the file ``options``, if there is one, says in lines ``name value``; a name alone is a switch."""
+    path = case / "options"
+    given: dict[str, Any] = {}
+    for line in path.read_text().splitlines() if path.is_file() else ():
+        name, _, value = line.partition(" ")
+        given[name] = _KINDS.get(name, str)(value) if value else True
+    return Options(**given)
+
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_case(case: Path, request: pytest.FixtureRequest) -> None:
-    done = convert(read((case / "input.sdf").read_bytes(), case / "input.sdf"))
+    done = convert(read((case / "input.sdf").read_bytes(), case / "input.sdf"), _options(case))
     assert done.verification is not None
     assert done.verification.is_equal
     lines = [

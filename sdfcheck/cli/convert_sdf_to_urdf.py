@@ -32,6 +32,12 @@ _POLICIES = click.Choice(["floating", "fixed", "error"])
     help="How free links are tied together.  [default: floating]",
 )
 @click.option(
+    "--loops",
+    type=click.Choice(["error", "cut"]),
+    default="error",
+    help="Joints that close loops: refuse, or leave them to libsdformat.  [default: error]",
+)
+@click.option(
     "--unlimited", type=float, default=1e16, metavar="NUMBER", help="Written for no limit.  [default: 1e16]"
 )
 @click.option("--package-uris", is_flag=True, help="Write model:// as package://.")
@@ -42,11 +48,12 @@ def sdf_to_urdf(**given: Any) -> int:
     The frame of a link in URDF is that of its joint: where SDF has it elsewhere, it moves,
     and everything in the link stays in place.
     """
-    from sdfcheck.convert.sdf_to_urdf import Options, Unsupported
+    from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported
     from sdfcheck.convert.sdf_to_urdf import convert as convert_model
 
     request = common(given)
-    options = Options(**{**given, "ball": Unsupported(given["ball"]), "forest": Unsupported(given["forest"])})
+    kinds = {"ball": Unsupported, "forest": Unsupported, "loops": Loops}
+    options = Options(**{**given, **{name: kind(given[name]) for name, kind in kinds.items()}})
     target = request.output_dir or (request.output.parent if request.output is not None else None)
 
     def convert(document: Document, verified: bool) -> Conversion:

@@ -8,16 +8,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from pathlib import PurePosixPath
 
 import numpy as np
 
-from sdfcheck.convert.renaming import Names, same_geometry, same_pose, seat
+from sdfcheck.convert.reframing import reframed
+from sdfcheck.convert.renaming import Names, filled, same_geometry, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.model.robot import Axis, Body, Geometry, Joint, Link, Mimic, Robot
 from sdfcheck.model.rotations import Array, inverse, to_rpy
+
+_ENDLESS = 1e15
 
 
 class ChangeKind(Enum):
@@ -53,17 +56,21 @@ def compare(
     if found:
         return found
     # Nothing that is known to matter has changed; make sure that the robots also move alike.
-    proof = verify(a, b, comparison.correspondence(), configurations=4, tolerance=tolerance * 100)
+    proof = verify(
+        comparison.a, comparison.b, comparison.correspondence(), configurations=4, tolerance=tolerance * 100
+    )
     return [Change(ChangeKind.CHANGED, "robot", d.name, d.what, "", d.text) for d in proof.differences]
 
 
 class _Comparison:
     def __init__(self, a: Robot, b: Robot, across_formats: bool, tolerance: float) -> None:
-        self.a = a
-        self.b = b
         self.across_formats = across_formats
         self.tolerance = tolerance
         self.names = Names.between(a, b, tolerance)
+        links = self.names.links
+        self.a = filled(a, b, links)
+        other = filled(b, a, {there: here for here, there in links.items()})
+        self.b, self.moved = reframed(self.a, other, self.names, tolerance)
 
     def correspondence(self) -> Correspondence:
         links = {name: Counterpart(other) for name, other in self.names.links.items()}
@@ -100,6 +107,8 @@ class _Comparison:
     def link(self, a: Link, b: Link) -> Iterator[Change]:
         parent, here = seat(self.a, a.name)
         other_parent, there = seat(self.b, b.name)
+        if a.name in self.moved:
+            yield self.changed("link", b.name, "frame", *pose_texts(np.eye(4), self.moved[a.name]))
         if self.names.links.get(parent, parent) != other_parent:
             parent, here, there = "", a.pose, b.pose  # the joint tells that the parent is another
         if not same_pose(here, there, self.tolerance):
@@ -132,12 +141,12 @@ class _Comparison:
             if equal is None:
                 new.append(geometry)
             else:
-                gone.remove(equal)
+                gone = [g for g in gone if g is not equal]
         for geometry in list(gone):
             other = _partner(geometry, gone, new)
             if other is not None:
-                gone.remove(geometry)
-                new.remove(other)
+                gone = [g for g in gone if g is not geometry]
+                new = [g for g in new if g is not other]
                 yield from self.geometry(b.name, geometry, other)
         for geometry in gone:
             yield self.changed("link", b.name, geometry.role, _title(geometry), "none")
@@ -170,8 +179,12 @@ class _Comparison:
         name = b.name
         if a.kind != b.kind:
             yield self.changed("joint", name, "type", a.kind, b.kind)
-        for what, x, y in (("parent", a.parent, b.parent), ("child", a.child, b.child)):
-            if self.names.links.get(x, x) != y:
+        ends = [self.names.links.get(end, end) for end in (a.parent, a.child)]
+        if ends == [b.child, b.parent]:
+            yield self.changed("joint", name, "parent and child", " → ".join(ends), " → ".join(ends[::-1]))
+            b = _turned_round(b)
+        for what, x, y in (("parent", ends[0], b.parent), ("child", ends[1], b.child)):
+            if x != y:
                 yield self.changed("joint", name, what, x, y)
         here, there = _in_child(self.a, a), _in_child(self.b, b)
         if self.across_formats:  # URDF has no frames of joints that are turned: the axis tells
@@ -190,7 +203,7 @@ class _Comparison:
         if not np.allclose(here, there, rtol=0, atol=max(self.tolerance, 1e-9)):
             yield self.changed("joint", joint, f"{label}direction", *_pair(here, there))
         for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):
-            x, y = getattr(a, what), getattr(b, what)
+            x, y = (_bounded(getattr(axis, what)) for axis in (a, b))
             if not self.equal(x, y):
                 yield self.changed("joint", joint, label + what, *_pair((x,), (y,)))
         if not self.same_mimic(a.mimic, b.mimic):
@@ -207,10 +220,10 @@ class _Comparison:
         )
 
     def frames(self) -> Iterator[Change]:
-        same = {name: name for name in self.a.frames if name in self.b.frames}
+        same = same_names(self.a.frames, self.b.frames)
         yield from self.parts("frame", self.a.frames, self.b.frames, same)
-        for name in same:
-            (link, pose), (other, other_pose) = self.a.frames[name], self.b.frames[name]
+        for name, its in same.items():
+            (link, pose), (other, other_pose) = self.a.frames[name], self.b.frames[its]
             if self.names.links.get(link, link) != other:
                 yield self.changed("frame", name, "attached to", link, other)
             elif not same_pose(pose, other_pose, self.tolerance):
@@ -221,6 +234,17 @@ class _Comparison:
 
     def changed(self, part: str, name: str, what: str, before: str, after: str) -> Change:
         return Change(ChangeKind.CHANGED, part, name, what, before, after)
+
+
+def _turned_round(joint: Joint) -> Joint:
+    """The same joint told from its other end."""
+    axes = tuple(replace(axis, direction=-axis.direction) for axis in joint.axes)
+    return replace(joint, parent=joint.child, child=joint.parent, axes=axes)
+
+
+def _bounded(value: float) -> float:
+    """Bounds that no joint reaches are none."""
+    return math.copysign(math.inf, value) if abs(value) >= _ENDLESS else value
 
 
 def _in_child(robot: Robot, joint: Joint) -> Array:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from sdfcheck.convert.difference import Change, ChangeKind, compare, pose_texts
+from sdfcheck.convert.reframing import shifted_model
 from sdfcheck.convert.renaming import same_pose
 from sdfcheck.convert.verify import TOLERANCE
 from sdfcheck.model.poses import Poses, written_pose
 from sdfcheck.model.robot import Robot
-from sdfcheck.model.rotations import Array
+from sdfcheck.model.rotations import Array, inverse
 from sdfcheck.model.scopes import Scope, scopes
 from sdfcheck.model.sdf_robot import read_sdf_robot
 from sdfcheck.model.urdf_robot import read_urdf_robot
@@ -44,8 +43,8 @@ def placed_models(document: Document) -> dict[str, Placed]:
     Raises RobotError or PoseError where one cannot be read.
     """
     if document.kind is Kind.URDF:
-        robot = read_urdf_robot(document)
-        return {robot.name: Placed(robot, np.eye(4))}
+        robot = _as_sdf_has_it(read_urdf_robot(document))
+        return {robot.name: Placed(robot, *_stand(document))}
     found: dict[str, Placed] = {}
     poses = Poses()
     for root in scopes(document).roots:
@@ -86,7 +85,29 @@ def compare_files(
 
 
 def _placed(scope: Scope, pose: Array) -> Placed:
-    return Placed(read_sdf_robot(scope), pose, scope.is_static)
+    robot = read_sdf_robot(scope)
+    if scope.is_static:  # what stands still needs no joint to stand
+        anchors = {j.name for j in robot.joints.values() if j.kind == "fixed" and j.parent == "world"}
+        robot.joints = {name: joint for name, joint in robot.joints.items() if name not in anchors}
+    return Placed(robot, pose, scope.is_static)
+
+
+def _as_sdf_has_it(robot: Robot) -> Robot:
+    """Without an empty link ``world``, and without joints that leave all free: SDFormat has neither."""
+    world = robot.links.get("world")
+    is_place = world is not None and world.body is None and not world.geometries
+    links = {name: link for name, link in robot.links.items() if not (is_place and name == "world")}
+    joints = {name: joint for name, joint in robot.joints.items() if joint.kind != "floating"}
+    return Robot(robot.name, links, joints, robot.frames)
+
+
+def _stand(document: Document) -> tuple[Array, bool]:
+    """Where a URDF's extensions place the robot, and whether they fix it there."""
+    assert document.root is not None
+    blobs = [blob for blob in document.root.children("gazebo") if not blob.attributes.get("reference")]
+    pose = next((pose for blob in blobs if (pose := blob.find("pose")) is not None), None)
+    static = next((static for blob in blobs if (static := blob.find("static")) is not None), None)
+    return written_pose(pose), static is not None and static.content.lower() in {"true", "1"}
 
 
 def _counterparts(before: dict[str, Placed], after: dict[str, Placed]) -> dict[str, str]:
@@ -105,9 +126,14 @@ def _compare(name: str, a: Placed, other: str, b: Placed, across: bool, toleranc
     changes: list[Change] = []
     if name != other:
         changes.append(Change(ChangeKind.RENAMED, "model", name, "", name, other))
-    if not same_pose(a.pose, b.pose, tolerance):
-        changes.append(Change(ChangeKind.CHANGED, "model", other, "pose", *pose_texts(a.pose, b.pose)))
     if a.is_static is not b.is_static:
         texts = ("true" if placed.is_static else "false" for placed in (a, b))
         changes.append(Change(ChangeKind.CHANGED, "model", other, "static", *texts))
-    return changes + compare(a.robot, b.robot, across_formats=across, tolerance=tolerance)
+    found = compare(a.robot, b.robot, across_formats=across, tolerance=tolerance)
+    if same_pose(a.pose, b.pose, tolerance):
+        return changes + found
+    moved = [Change(ChangeKind.CHANGED, "model", other, "pose", *pose_texts(a.pose, b.pose)), *found]
+    # Perhaps only the model's frame has moved, and the robot stands where it stood.
+    in_place = shifted_model(b.robot, inverse(a.pose) @ b.pose)
+    stayed = compare(a.robot, in_place, across_formats=across, tolerance=tolerance)
+    return changes + min(moved, stayed, key=len)

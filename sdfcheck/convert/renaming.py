@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Iterable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sdfcheck.model.robot import Body, Geometry, Joint, Link, Robot
+from sdfcheck.model.robot import Body, Geometry, Joint, Link, Robot, default_body
 from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.source.sniff import Kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +22,7 @@ class Names:
     @classmethod
     def between(cls, a: Robot, b: Robot, tolerance: float) -> Names:
         """Pair what has one name; of the rest, pair what is alike if nothing else is."""
-        links = {name: name for name in a.links if name in b.links}
+        links = same_names(a.links, b.links)
 
         def alike(name: str, other: str) -> bool:
             return _same_link(a, a.links[name], b, b.links[other], links, tolerance)
@@ -29,7 +30,7 @@ class Names:
         # A renamed link is known by its parent, which may have been renamed as well.
         while found := _unique_pairs(list(a.links), list(b.links), links, alike):
             links.update(found)
-        joints = {name: name for name in a.joints if name in b.joints}
+        joints = same_names(a.joints, b.joints)
 
         def between_same_links(name: str, other: str) -> bool:
             return _ends(a.joints[name], links) == _ends(b.joints[other], {})
@@ -41,6 +42,18 @@ class Names:
         )
 
 
+def same_names(a: Iterable[str], b: Container[str]) -> dict[str, str]:
+    """What has one name, or the name that it gets where scopes are flattened."""
+    same = {name: name for name in a if name in b}
+    taken = set(same)
+    for name in a:
+        flat = name.replace("::", "__")
+        if name not in same and flat in b and flat not in taken:
+            same[name] = flat
+            taken.add(flat)
+    return same
+
+
 def seat(robot: Robot, name: str) -> tuple[str, Array]:
     """The link that carries a link, empty for none, and the 4×4 pose in it or in the model."""
     pose = robot.links[name].pose
@@ -49,6 +62,21 @@ def seat(robot: Robot, name: str) -> tuple[str, Array]:
         if joint.child == name and parent is not None and joint.parent != name:
             return parent.name, inverse(parent.pose) @ pose
     return "", pose
+
+
+def meant_body(link: Link, other: Link) -> Body | None:
+    """The mass properties of a link; what an SDF model leaves out is 1 kg, where the other link has any."""
+    silent = link.body is None and other.body is not None and link.element.document.kind is Kind.SDF
+    return default_body() if silent else link.body
+
+
+def filled(robot: Robot, other: Robot, names: Mapping[str, str]) -> Robot:
+    """The robot with the mass properties that are meant, where those of the other robot are written."""
+    links = {
+        name: replace(link, body=meant_body(link, other.links[names[name]])) if name in names else link
+        for name, link in robot.links.items()
+    }
+    return replace(robot, links=links)
 
 
 def same_pose(a: Array, b: Array, tolerance: float) -> bool:
@@ -82,7 +110,9 @@ def _same_link(a: Robot, link: Link, b: Robot, other: Link, links: dict[str, str
     other_parent, there = seat(b, other.name)
     if (links.get(parent) if parent else "") != other_parent or not same_pose(here, there, tolerance):
         return False
-    if len(link.geometries) != len(other.geometries) or not _same_body(link.body, other.body):
+    if len(link.geometries) != len(other.geometries) or not _same_body(
+        meant_body(link, other), meant_body(other, link)
+    ):
         return False
     pairs = zip(link.geometries, other.geometries, strict=True)
     return all(same_geometry(mine, theirs, tolerance) for mine, theirs in pairs)

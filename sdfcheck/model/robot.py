@@ -45,6 +45,11 @@ class Body:
         return Body(mass, centre, moments)
 
 
+def default_body() -> Body:
+    """What simulators take for a link of an SDF model without ``inertial``: 1 kg and unit moments."""
+    return Body(1.0, np.zeros(3), np.eye(3))
+
+
 @dataclass(frozen=True, slots=True)
 class Geometry:
     """A shape of a link: ``role`` is visual or collision, ``size`` its numbers, ``uri`` a mesh's file."""

@@ -278,7 +278,7 @@ def _limit(limit: Element | None, name: str, default: float) -> float:
 def _bound(limit: Element | None, name: str) -> float:
     """Effort and velocity: anything negative means no limit."""
     value = _value(limit, name, math.inf)
-    return math.inf if value < 0 else value
+    return math.inf if value < 0 or value >= _ENDLESS else value
 
 
 def _pitch(joint: Element) -> float:

@@ -1,6 +1,6 @@
 """SDF models as URDF robots: every link at its joint, the robot the same."""
 
 from sdfcheck.convert.sdf_to_urdf.convert import convert
-from sdfcheck.convert.sdf_to_urdf.options import Options, Unsupported
+from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 
-__all__ = ["Options", "Unsupported", "convert"]
+__all__ = ["Loops", "Options", "Unsupported", "convert"]

@@ -35,6 +35,7 @@ class Context:
     links: Mapping[str, str]
     """Source name → name in the URDF."""
     joints: Mapping[str, str]
+    frame_names: Mapping[str, str]
     options: Options
     folder: Path
     """Where the result is going to be."""
@@ -55,3 +56,9 @@ class Context:
 
     def link_name(self, name: str) -> str:
         return self.links.get(name, name)
+
+    def add_blob(self, reference: str = "") -> Node:
+        """A new ``gazebo`` element, for a link or joint or for the whole robot."""
+        blob = Node("gazebo", reference=reference) if reference else Node("gazebo")
+        self.blobs.append(blob)
+        return blob

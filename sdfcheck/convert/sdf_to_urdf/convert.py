@@ -12,17 +12,19 @@ from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion
 from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, arrange
 from sdfcheck.convert.sdf_to_urdf.choose import choose, others
+from sdfcheck.convert.sdf_to_urdf.comments import around_root
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.extensions import keep_loop
+from sdfcheck.convert.sdf_to_urdf.extensions import keep_place, keep_static
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
-from sdfcheck.convert.sdf_to_urdf.layout import is_same, lay_out
+from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
+from sdfcheck.convert.sdf_to_urdf.layout import is_same, lay_out, tidy
 from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.links import add_link
 from sdfcheck.convert.sdf_to_urdf.materials import define_colors
 from sdfcheck.convert.sdf_to_urdf.meaning import coupling, understood
 from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames_below
 from sdfcheck.convert.sdf_to_urdf.naming import named
-from sdfcheck.convert.sdf_to_urdf.options import Options, Unsupported
+from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render
 from sdfcheck.lint.diagnostic import Severity
@@ -33,6 +35,7 @@ from sdfcheck.model.scopes import Scope
 from sdfcheck.model.sdf_robot import RobotError, canonical_link, read_sdf_robot
 from sdfcheck.model.urdf_robot import read_urdf_robot
 from sdfcheck.source.document import Document, read
+from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
 
@@ -52,11 +55,7 @@ def convert(
     except (RobotError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
     _write(context)
-    text = render(context.root)
-    for prefix, uri in scope.element.nsmap.items():
-        if prefix and re.search(rf"[\s<]{re.escape(prefix)}:", text):
-            context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
-    text = render(context.root)
+    text = _text(context)
     result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
     comparison = Comparison(_expected(context), result, _correspondence(context))
     for other in others(document, scope):
@@ -66,17 +65,28 @@ def convert(
     return conversion(text, context.ledger.losses, [comparison], verified=verified)
 
 
+def _text(context: Context) -> str:
+    """The file, with the prefixes declared that it uses."""
+    element = context.scope.element
+    before, after = (around_root(element, preceding=preceding) for preceding in (True, False))
+    text = render(context.root, before, after)
+    for prefix, uri in element.nsmap.items():
+        if prefix and re.search(rf"[\s<]{re.escape(prefix)}:", text):
+            context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
+    return render(context.root, before, after)
+
+
 def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
     robot = read_sdf_robot(scope)
     if not robot.links:
         raise refusal(scope.element, f"{scope.element.title} has no link")
     poses = Poses()
-    meant = understood(robot, is_static=scope.is_static)
+    meant = understood(robot)
     frames = dict(frames_below(scope))
     canonical = canonical_link(scope)
     canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
     made = arrange(meant, canonical_name)
-    naming, links, joints = named(meant)
+    naming, links, joints, places = named(meant, robot.frames)
     world = inverse(_model_pose(scope, poses))
     layout = lay_out(meant, made, world, keep=options.keep_link_frames, naming=naming)
     root = Node("robot", name=scope.name)
@@ -91,6 +101,7 @@ def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
         naming,
         links,
         joints,
+        places,
         options,
         folder,
         Ledger(),
@@ -134,27 +145,35 @@ def _add_root(context: Context) -> None:
     context.ledger.take(element, pose)
     static = element.find("static")
     context.ledger.take(static)
-    if made.has_world or scope.is_static:
-        context.root_link = WORLD
-    elif len(made.tops) > 1:
-        context.root_link = context.naming.unique(f"base_of_{scope.name}")
-        _tell_forest(context)
-    if context.root_link:
-        context.root.add("link", name=context.root_link)
     if scope.is_static:
+        at = static if static is not None else element
+        keep_static(context, at)
         message = f"static {element.title} is tied to the link `{WORLD}` by a fixed joint"
-        context.ledger.note(LossKind.APPROXIMATED_JOINT, static if static is not None else element, message)
-    elif made.has_world and made.tops:
+        context.ledger.note(LossKind.APPROXIMATED_JOINT, at, message)
+    elif len(made.tops) > (0 if made.has_world else 1):
         _tell_forest(context)
-    if (
-        context.root_link != WORLD
-        and pose is not None
-        and not is_same(context.layout.frames[WORLD], np.eye(4))
-    ):
-        message = (
-            f"the pose of {element.title} ({pose.content}) is left out: a URDF is placed by who loads it"
-        )
-        context.ledger.note(LossKind.DROPPED_ELEMENT, pose, message)
+    if made.has_world or scope.is_static or len(made.tops) > 1:
+        context.root_link = WORLD
+        context.root.add("link", name=WORLD)
+    else:
+        _keep_place(context, pose)
+
+
+def _keep_place(context: Context, pose: Element | None) -> None:
+    """Keep the pose of a model whose root is a link: a URDF begins there, wherever it is."""
+    root = context.made.tops[0]
+    place = inverse(context.layout.frames[WORLD]) @ context.layout.frames[root]
+    if is_same(place, np.eye(4)):
+        return
+    keep_place(context, tidy(place))
+    at = context.robot.links[root].element.find("pose") if pose is None else pose
+    message = (
+        f"where {context.scope.element.title} stands is kept for libsdformat alone: "
+        "a URDF is placed by who loads it"
+    )
+    context.ledger.note(
+        LossKind.KEPT_AS_EXTENSION, context.scope.element if at is None else at, message, Severity.INFO
+    )
 
 
 def _tell_forest(context: Context) -> None:
@@ -164,7 +183,7 @@ def _tell_forest(context: Context) -> None:
     at = context.robot.links[tops[-1]].element
     if policy is Unsupported.ERROR:
         raise refusal(at, message)
-    message = f"{message}: {policy.value} joints are written, from `{context.root_link}`"
+    message = f"{message}: {policy.value} joints are written, from the link `{WORLD}`"
     context.ledger.note(LossKind.APPROXIMATED_JOINT, at, message, Severity.ERROR)
 
 
@@ -173,7 +192,7 @@ def _tie_tops(context: Context) -> None:
         return
     is_static = context.scope.is_static
     kind = "fixed" if is_static else context.options.forest.value
-    start = context.layout.frames[WORLD] if context.root_link == WORLD else np.eye(4)
+    start = context.layout.frames[WORLD]
     for name in context.made.tops:
         own = context.links[name]
         pose = inverse(start) @ context.layout.frames[name]
@@ -183,13 +202,14 @@ def _tie_tops(context: Context) -> None:
 def _leave_out(context: Context) -> None:
     """Joints that are not in the tree: those that close loops, and gearboxes."""
     for joint in context.made.loops:
-        keep_loop(context, joint)
-        message = (
-            f"{joint.element.title} closes a loop, which URDF cannot have: it is kept for libsdformat alone"
-        )
-        context.ledger.lose(LossKind.CLOSED_LOOP, joint.element, message, Severity.ERROR)
+        what = f"{joint.element.title} closes a loop, which URDF cannot have"
+        if context.options.loops is Loops.ERROR:
+            raise refusal(joint.element, f"{what}; --loops cut leaves it to libsdformat")
+        keep_joint(context, joint)
+        message = f"{what}: it is kept for libsdformat alone"
+        context.ledger.note(LossKind.CLOSED_LOOP, joint.element, message, Severity.ERROR)
     apart = {name: joint for name, joint in context.read.joints.items() if joint.kind != "gearbox"}
-    before = list(understood(Robot("", {}, apart), is_static=True).joints.values())
+    before = list(understood(Robot("", {}, apart)).joints.values())
     for joint in context.read.joints.values():
         if joint.kind != "gearbox":
             continue

@@ -22,7 +22,7 @@ def carry_custom(context: Context, node: Node, element: Element) -> None:
         copy.attributes.pop(f"xmlns:{prefix}", None)
         node.append(_spelled(copy) if prefix == "drake" else copy)
         message = f"`{child.name}` is written as it is; names and poses in it are not translated"
-        context.ledger.take_whole(child)
+        context.ledger.cover(child)
         context.ledger.note(LossKind.KEPT_AS_EXTENSION, child, message, Severity.INFO)
 
 

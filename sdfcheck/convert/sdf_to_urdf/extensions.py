@@ -7,12 +7,14 @@ from collections.abc import Callable
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.comments import carry_comments
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text
+from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.model.carriers import is_merged_model
 from sdfcheck.model.poses import reference_of
-from sdfcheck.model.robot import Joint
 from sdfcheck.model.rotations import Array
 from sdfcheck.model.scopes import Frame
 from sdfcheck.source.element import Element
@@ -25,15 +27,15 @@ _OF_LINKS = frozenset(
 )  # fmt: skip
 _OF_JOINTS = frozenset({"physics", "plugin", "sensor"})
 _OF_MODELS = frozenset({"allow_auto_disable", "enable_wind", "gripper", "plugin", "self_collide"})
+_PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
 
 
 def link_extensions(context: Context, name: str) -> None:
     """Keep what a link has beyond URDF; what has a pose stays where it is."""
     link, frame = context.robot.links[name], context.frames[name]
     shift = context.layout.within(name, link.pose)
-    _keep(
-        context, link.element, _OF_LINKS, context.links[name], lambda part: _pose(context, part, frame, shift)
-    )
+    scope, reference = name.rpartition("::")[0], context.links[name]
+    _keep(context, link.element, _OF_LINKS, scope, reference, lambda part: _pose(context, part, frame, shift))
 
 
 def joint_extensions(context: Context, name: str, reference: str) -> None:
@@ -41,46 +43,49 @@ def joint_extensions(context: Context, name: str, reference: str) -> None:
     frame = context.frames[name]
     same = np.eye(4)
     element = context.robot.joints[name].element
-    _keep(context, element, _OF_JOINTS, reference, lambda part: _pose(context, part, frame, same))
+    scope = name.rpartition("::")[0]
+    _keep(context, element, _OF_JOINTS, scope, reference, lambda part: _pose(context, part, frame, same))
     for axis in element.children("axis"):
         _keep_springs(context, axis, reference)
 
 
-def model_extensions(context: Context, model: Element) -> None:
+def model_extensions(context: Context, model: Element, scope: str) -> None:
     """Keep the plugins and flags of a model, or of the include that brought it."""
-    _keep(context, model, _OF_MODELS, "", None)
+    _keep(context, model, _OF_MODELS, scope, "", None)
 
 
-def keep_loop(context: Context, joint: Joint) -> None:
-    """Keep a joint that would close a loop: libsdformat puts it back."""
-    copy = copied(joint.element)
-    copy.attributes["name"] = context.joints[joint.name]
-    child = context.layout.within(joint.child, joint.pose)
-    for part in list(copy.children):
-        if isinstance(part, Node) and part.name in {"parent", "child", "pose"}:
-            copy.children.remove(part)
-    ends = [Node("pose", pose_text(child))]
-    ends += [Node(role, context.link_name(getattr(joint, role))) for role in ("parent", "child")]
-    copy.children[:0] = ends
-    for number, axis in enumerate(joint.axes):
-        node = copy.find("axis" if number == 0 else "axis2")
-        if node is not None:
-            node.children = [
-                part
-                for part in node.children
-                if not (isinstance(part, Node) and part.name in {"xyz", "use_parent_model_frame"})
-            ]
-            node.children.insert(0, Node("xyz", " ".join(repr(float(value)) for value in axis.direction)))
-    holder = Node("gazebo")
-    holder.append(_renamed(context, copy))
-    context.blobs.append(holder)
-    context.ledger.take_whole(joint.element)
+def keep_place(context: Context, pose: Array) -> None:
+    """Keep where the robot stands, which a URDF cannot say."""
+    context.add_blob().add("pose", pose_text(pose))
+
+
+def keep_static(context: Context, static: Element) -> None:
+    """Keep that the model does not move."""
+    context.add_blob().add("static", "true")
+    context.ledger.take(static)
+
+
+def keep_frame(context: Context, name: str, link: str, pose: Array, frame: Frame) -> None:
+    """Keep a frame by this name, on a link of the URDF in whose frame it has this pose."""
+    holder = next((blob for blob in context.blobs if blob.find("frame") is not None), None)
+    holder = holder or context.add_blob()
+    carry_comments(context, holder, frame.element)
+    node = holder.add("frame", name=name, attached_to=link)
+    text = pose_text(pose)
+    if text != "0 0 0 0 0 0":
+        node.add("pose", text)
+    if is_merged_model(frame):
+        return
+    context.ledger.take(frame.element, frame.element.find("pose"))
+    message = f"{frame.element.title} is kept for libsdformat alone; --frames makes it a link"
+    context.ledger.note(LossKind.KEPT_AS_EXTENSION, frame.element, message, Severity.INFO)
 
 
 def _keep(
     context: Context,
     element: Element,
     names: frozenset[str],
+    scope: str,
     reference: str,
     pose: Callable[[Element], str | None] | None,
 ) -> None:
@@ -89,9 +94,10 @@ def _keep(
     ]
     if not kept:
         return
-    holder = Node("gazebo", reference=reference) if reference else Node("gazebo")
+    holder = context.add_blob(reference)
     for child in kept:
-        copy = _renamed(context, copied(child))
+        carry_comments(context, holder, child)
+        copy = copied(child)
         written = pose(child) if pose is not None else None
         if written is not None:
             place = copy.find("pose")
@@ -99,34 +105,20 @@ def _keep(
                 place = Node("pose")
                 copy.children.insert(0, place)
             place.text, place.attributes = written, {}
+        follow_names(context, copy, child, scope)
         holder.append(copy)
-        context.ledger.take_whole(child)
+        context.ledger.cover(child)
         message = (
             f"{child.title} of {element.title} is kept as a gazebo extension, which libsdformat alone reads"
         )
         context.ledger.note(LossKind.KEPT_AS_EXTENSION, child, message, Severity.INFO)
-    context.blobs.append(holder)
 
 
 def _pose(context: Context, part: Element, frame: Frame, shift: Array) -> str | None:
     """The pose to write for a part of a link or joint; None where it is as it was."""
-    if part.name in {"sensor", "light", "projector", "audio_source", "particle_emitter"}:
-        given = part.find("pose")
-        if is_identity(shift) and not reference_of(given):
-            return None
-        return pose_text(shift @ context.poses.of_part(part, frame))
-    return None
-
-
-def _renamed(context: Context, node: Node) -> Node:
-    """The copy with the new names of links and joints, where a text is a scoped name."""
-    if node.text and "::" in node.text:
-        text = node.text.strip()
-        node.text = context.links.get(text) or context.joints.get(text) or node.text
-    for child in node.children:
-        if isinstance(child, Node):
-            _renamed(context, child)
-    return node
+    if part.name not in _PLACED or (is_identity(shift) and not reference_of(part.find("pose"))):
+        return None
+    return pose_text(shift @ context.poses.of_part(part, frame))
 
 
 def _keep_springs(context: Context, axis: Element, reference: str) -> None:
@@ -156,4 +148,12 @@ def of_frame(context: Context, link: str, pose: Array) -> Array:
     return context.layout.within(link, context.robot.links[link].pose @ pose)
 
 
-__all__ = ["joint_extensions", "keep_loop", "link_extensions", "model_extensions", "of_frame"]
+__all__ = [
+    "joint_extensions",
+    "keep_frame",
+    "keep_place",
+    "keep_static",
+    "link_extensions",
+    "model_extensions",
+    "of_frame",
+]

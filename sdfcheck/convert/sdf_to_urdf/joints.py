@@ -6,10 +6,11 @@ import math
 
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.sdf_to_urdf.arrange import Edge
-from sdfcheck.convert.sdf_to_urdf.comments import carry_comments
+from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions
+from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
 from sdfcheck.convert.sdf_to_urdf.limits import add_dynamics, add_limit, add_mimic, enter_axis
 from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.options import Unsupported
@@ -27,7 +28,7 @@ def add_edge(context: Context, edge: Edge) -> None:
     joint = context.robot.joints[edge.joint.name]
     element = joint.element
     context.ledger.take_parts(element, "parent", "child", "pose", "screw_thread_pitch", "thread_pitch")
-    carry_comments(context.root, element)
+    carry_comments(context, context.root, element)
     if edge.is_reversed:
         _tell_reversed(context, edge)
     parent, child = context.link_name(edge.parent), context.link_name(edge.child)
@@ -41,7 +42,6 @@ def add_edge(context: Context, edge: Edge) -> None:
         written = _add_plain(context, edge, joint, parent, carried)
     else:
         written = _add_unsupported(context, edge, joint, parent, carried)
-    carry_comments(written, element, inside=True)
     carry_custom(context, written, element)
     if below is not None:
         context.root.add("link", name=below[0])
@@ -53,6 +53,7 @@ def add_edge(context: Context, edge: Edge) -> None:
             inverse(below[1]) @ context.layout.frames[edge.child],
         )
     joint_extensions(context, joint.name, context.joints[joint.name])
+    carry_inside(context, written, element)
 
 
 def add_fixed(context: Context, name: str, parent: str, child: str, pose: Array, kind: str = "fixed") -> None:
@@ -174,12 +175,13 @@ def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, ch
     if policy is Unsupported.ERROR:
         raise refusal(joint.element, f"{what}, as {joint.element.title} is")
     context.floating.add(joint.name)
-    node = context.root.add("joint", name=context.joints[joint.name], type=policy.value)
+    name = context.joints[joint.name]
+    node = context.root.add("joint", name=name, type=policy.value)
     _connect(node, parent, child, _start(context, edge))
-    for axis in joint.element.children():
-        if axis.name in {"axis", "axis2"}:
-            context.ledger.take_whole(axis)
     message = f"{what}: {joint.element.title} is written as {policy.value}"
+    if policy is Unsupported.FLOATING:
+        keep_joint(context, joint, in_parent=True)
+        message += ", and kept for libsdformat"
     context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message, Severity.ERROR)
     return node
 

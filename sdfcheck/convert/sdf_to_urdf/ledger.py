@@ -6,6 +6,8 @@ a reason. What nobody entered is reported at the end, so nothing disappears in s
 
 from __future__ import annotations
 
+from lxml import etree
+
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
@@ -24,7 +26,7 @@ _KINDS = {
 class Ledger:
     def __init__(self) -> None:
         self.losses: list[Loss] = []
-        self._done: set[Element] = set()
+        self._done: set[etree._Element] = set()
         self._said: set[tuple[LossKind, Span, str]] = set()
 
     def take(self, *elements: Element | None) -> None:
@@ -40,16 +42,27 @@ class Ledger:
                     self.take_whole(child)
 
     def take_whole(self, element: Element) -> None:
-        """An element and all that is in it are said in the result."""
+        """An element and all elements in it are said in the result."""
         self._done.add(element)
         for child in element.children():
             self.take_whole(child)
+
+    def take_comment(self, comment: etree._Element) -> bool:
+        """A comment is in the result; False if it was before."""
+        is_new = comment not in self._done
+        self._done.add(comment)
+        return is_new
+
+    def cover(self, element: Element) -> None:
+        """An element is copied as it is, or lost, with everything in it."""
+        self.take_whole(element)
+        self._done.update(element.iter(etree.Comment))
 
     def lose(
         self, kind: LossKind, element: Element, message: str, severity: Severity = Severity.WARNING
     ) -> None:
         """An element, with what is in it, is not in the result as it is in the source."""
-        self.take_whole(element)
+        self.cover(element)
         self.note(kind, element, message, severity)
 
     def note(
@@ -76,6 +89,13 @@ class Ledger:
                 self.lose(kind, element, f"URDF has no {element.title}{_value(element)} {_where(element)}")
             else:
                 waiting.extend(element.children())
+        for comment in model.iter(etree.Comment):
+            holder = comment.getparent()
+            if comment not in self._done and isinstance(holder, Element):
+                words = " ".join((comment.text or "").split())
+                shown = words if len(words) <= 30 else f"{words[:30]}…"
+                message = f"a comment in {holder.title} is left out: `{shown}`"
+                self.note(LossKind.DROPPED_COMMENT, holder, message, Severity.INFO)
 
 
 def _value(element: Element) -> str:

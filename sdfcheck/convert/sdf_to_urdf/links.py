@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sdf_to_urdf.comments import carry_comments
+from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
@@ -27,7 +27,7 @@ _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 def add_link(context: Context, name: str) -> None:
     """Write a link of the source, and what it has that only ``gazebo`` elements can hold."""
     link = context.robot.links[name]
-    carry_comments(context.root, link.element)
+    carry_comments(context, context.root, link.element)
     node = context.root.add("link", name=context.links[name])
     context.ledger.take(link.element, link.element.find("pose"))
     _add_inertial(context, node, link)
@@ -35,6 +35,7 @@ def add_link(context: Context, name: str) -> None:
         _add_parts(context, node, link, role)
     carry_custom(context, node, link.element)
     link_extensions(context, name)
+    carry_inside(context, node, link.element)
 
 
 def _add_inertial(context: Context, node: Node, link: Link) -> None:
@@ -47,6 +48,7 @@ def _add_inertial(context: Context, node: Node, link: Link) -> None:
             context.ledger.note(LossKind.CHANGED_DEFAULT, link.element, message, Severity.INFO)
             _write_body(context, node, link, link.body)
         return
+    carry_comments(context, node, inertial.element)
     context.ledger.take_parts(inertial.element, "pose", "mass", "inertia")
     if inertial.is_automatic and link.body is not None:
         context.ledger.take_parts(inertial.element, "density", "auto_inertia_params")
@@ -62,7 +64,7 @@ def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial
     tensor = inertial.tensor()._asdict()
     mass = 1.0 if inertial.mass is None else inertial.mass.number
     pose = link.pose @ written_pose(inertial.element.find("pose"))
-    _write(context.layout.within(link.name, pose), node, mass, tensor)
+    _write(context, node, inertial.element, context.layout.within(link.name, pose), mass, tensor)
     if inertial.mass is None or not inertial.is_complete:
         message = f"what the inertial of {link.element.title} leaves out is written: mass 1, moments 1"
         context.ledger.note(LossKind.CHANGED_DEFAULT, inertial.element, message, Severity.INFO)
@@ -72,11 +74,16 @@ def _write_body(context: Context, node: Node, link: Link, body: Body) -> None:
     places = {"x": 0, "y": 1, "z": 2}
     tensor = {name: float(body.moments[places[name[1]], places[name[2]]]) for name in _COMPONENTS}
     pose = link.pose @ transform(np.eye(3), body.centre)
-    _write(context.layout.within(link.name, pose), node, body.mass, tensor)
+    source = link.element.find("inertial")
+    _write(context, node, source, context.layout.within(link.name, pose), body.mass, tensor)
 
 
-def _write(pose: Array, node: Node, mass: float, tensor: dict[str, float]) -> None:
+def _write(
+    context: Context, node: Node, source: Element | None, pose: Array, mass: float, tensor: dict[str, float]
+) -> None:
     inertial = node.add("inertial")
+    if source is not None:
+        carry_inside(context, inertial, source)
     add_origin(inertial, pose)
     inertial.add("mass", value=number(mass))
     inertial.add("inertia", **{name: number(tensor[name]) for name in _COMPONENTS})
@@ -91,16 +98,20 @@ def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
     nameless = keep_extras(context, link, role, parts)
     for part in parts:
         context.ledger.take(part, part.find("pose"), part.find("geometry"))
+        if len(shapes[part]) > 1:
+            message = f"the capsule of {part.title} is written as a cylinder and two spheres"
+            context.ledger.note(LossKind.UNSUPPORTED_GEOMETRY, part, message, Severity.INFO)
         for geometry in shapes[part]:
+            carry_comments(context, node, part)
             written = node.add(role)
             if geometry.name and not nameless:
                 written.attributes["name"] = geometry.name
-            carry_comments(written, part, inside=True)
             add_origin(written, context.layout.within(link.name, link.pose @ geometry.pose))
             add_shape(context, written, geometry)
             if role == "visual":
                 add_color(context, written, part)
             carry_custom(context, written, part)
+            carry_inside(context, written, part)
 
 
 def _is_held(context: Context, part: Element, shapes: list[Geometry]) -> bool:
@@ -115,11 +126,3 @@ def _is_held(context: Context, part: Element, shapes: list[Geometry]) -> bool:
     kind = LossKind.UNSUPPORTED_GEOMETRY if kinds else LossKind.DROPPED_ELEMENT
     context.ledger.lose(kind, part, message, Severity.ERROR if kinds else Severity.WARNING)
     return False
-
-
-def add_massless(context: Context, name: str) -> None:
-    """A link that is nothing but a frame."""
-    context.root.add("link", name=name)
-
-
-__all__ = ["add_link", "add_massless"]

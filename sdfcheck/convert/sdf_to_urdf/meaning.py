@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from sdfcheck.convert.sdf_to_urdf.shapes import pieces
-from sdfcheck.model.robot import Axis, Body, Joint, Link, Mimic, Robot
+from sdfcheck.model.robot import Axis, Joint, Link, Mimic, Robot, default_body
 from sdfcheck.model.rotations import Array
 
 ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw"})
@@ -20,9 +20,9 @@ TWO_AXES = frozenset({"universal", "revolute2"})
 _UP = (0.0, 0.0, 1.0)
 
 
-def understood(robot: Robot, *, is_static: bool) -> Robot:
+def understood(robot: Robot) -> Robot:
     """The robot with defaults filled in, without gearboxes: those are a coupling of two other joints."""
-    links = {name: _link(link, is_static=is_static) for name, link in robot.links.items()}
+    links = {name: _link(link) for name, link in robot.links.items()}
     joints = {name: _joint(joint) for name, joint in robot.joints.items()}
     for gearbox in robot.joints.values():
         if gearbox.kind == "gearbox":
@@ -31,15 +31,8 @@ def understood(robot: Robot, *, is_static: bool) -> Robot:
     return Robot(robot.name, links, kept, robot.frames)
 
 
-def default_body() -> Body:
-    """What simulators take for a link without ``inertial``: 1 kg and unit moments."""
-    return Body(1.0, np.zeros(3), np.eye(3))
-
-
-def _link(link: Link, *, is_static: bool) -> Link:
-    body = link.body
-    if body is None and not is_static:
-        body = default_body()
+def _link(link: Link) -> Link:
+    body = default_body() if link.body is None else link.body
     shown = [piece for geometry in link.geometries for piece in pieces(geometry)]
     return Link(link.name, link.pose, link.element, body, shown)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.comments import carry_around, carry_comments
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.extensions import model_extensions, of_frame
+from sdfcheck.convert.sdf_to_urdf.extensions import keep_frame, model_extensions, of_frame
 from sdfcheck.convert.sdf_to_urdf.joints import add_fixed
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.carriers import is_merged_model, merged_model
@@ -25,33 +26,34 @@ def frames_below(scope: Scope, prefix: str = "") -> Iterator[tuple[str, Frame]]:
 def enter_models(context: Context) -> list[Element]:
     """Enter the models themselves and keep what extensions can hold of them; returns their elements."""
     elements = [context.scope.element]
-    _enter(context, context.scope.element)
+    _enter(context, context.scope.element, "")
     for name, frame in context.frames.items():
         if frame.kind == "model" and frame.inner is not None:
             message = f"model `{name}` is made a part of the robot; its names begin with `{name.replace('::', '__')}__`"
             context.ledger.note(LossKind.MERGED_MODEL, frame.element, message, Severity.INFO)
-            brought = frame.inner.element
+            brought, scope = frame.inner.element, name
         elif is_merged_model(frame) and (merged := merged_model(frame)) is not None:
-            brought = merged
+            brought, scope = merged, name.rpartition("::")[0]
         else:
             continue
         if frame.element.tag == "include":
-            _enter_include(context, frame.element)
+            _enter_include(context, frame.element, scope)
         elements.append(brought)
-        _enter(context, brought)
+        _enter(context, brought, scope)
     return elements
 
 
-def _enter(context: Context, model: Element) -> None:
+def _enter(context: Context, model: Element, scope: str) -> None:
     pose = model.find("pose")
     context.ledger.take(model)
     if model is not context.scope.element:
         context.ledger.take(pose, model.find("static"))
-    model_extensions(context, model)
+    model_extensions(context, model, scope)
+    carry_around(context, context.root, model)
 
 
-def _enter_include(context: Context, include: Element) -> None:
-    model_extensions(context, include)
+def _enter_include(context: Context, include: Element, scope: str) -> None:
+    model_extensions(context, include, scope)
     context.ledger.take_parts(
         include, "uri", "name", "pose", "static", "placement_frame", "experimental:params"
     )
@@ -65,17 +67,21 @@ def _uri(include: Element) -> str:
 
 
 def add_frames(context: Context) -> None:
-    """Write frames as massless links if that is wanted; enter them as lost if not."""
+    """Write frames as massless links if that is wanted, else keep them as they are."""
     for name, frame in context.frames.items():
-        if frame.kind != "frame" or is_merged_model(frame):
+        if frame.kind != "frame":
             continue
         place = context.read.frames.get(name)
-        if place is None or not context.options.frames:
-            message = f"frame `{name}` is left out; --frames makes it a link"
-            context.ledger.lose(LossKind.DROPPED_FRAME, frame.element, message, Severity.INFO)
+        if place is None:
+            message = f"frame `{name}` is left out: it moves with no link"
+            context.ledger.lose(LossKind.DROPPED_FRAME, frame.element, message)
             continue
         link, pose = place
-        own = context.naming.unique(name)
+        own, pose = context.frame_names[name], of_frame(context, link, pose)
+        if not context.options.frames:
+            keep_frame(context, own, context.links[link], pose, frame)
+            continue
+        carry_comments(context, context.root, frame.element)
         context.root.add("link", name=own)
-        add_fixed(context, f"{own}_joint", context.links[link], own, of_frame(context, link, pose))
+        add_fixed(context, f"{own}_joint", context.links[link], own, pose)
         context.ledger.take(frame.element, frame.element.find("pose"))

@@ -26,15 +26,18 @@ class Naming:
         return name
 
 
-def named(robot: Robot) -> tuple[Naming, Mapping[str, str], Mapping[str, str]]:
-    """The names of links and of joints, by those of the source.
+def named(
+    robot: Robot, frames: Iterable[str]
+) -> tuple[Naming, Mapping[str, str], Mapping[str, str], Mapping[str, str]]:
+    """The names of links, of joints and of frames, by those of the source.
 
     Names without a scope are given out first: they stay what they are.
     """
     naming = Naming({"world"})
     links = {name: naming.unique(name) for name in sorted(robot.links, key=_depth)}
     joints = {name: naming.unique(name, f"{name}_joint") for name in sorted(robot.joints, key=_depth)}
-    return naming, links, joints
+    places = {name: naming.unique(name) for name in sorted(frames, key=_depth)}
+    return naming, links, joints, places
 
 
 def _depth(name: str) -> int:

@@ -14,6 +14,13 @@ class Unsupported(Enum):
     ERROR = "error"
 
 
+class Loops(Enum):
+    """What to do with joints that close loops."""
+
+    ERROR = "error"
+    CUT = "cut"
+
+
 @dataclass(frozen=True, slots=True)
 class Options:
     """Choices; the defaults lose the least."""
@@ -28,6 +35,8 @@ class Options:
     """What a ball joint becomes."""
     forest: Unsupported = Unsupported.FLOATING
     """How free links are tied to the one root that URDF demands."""
+    loops: Loops = Loops.ERROR
+    """Whether a joint that closes a loop may be left to libsdformat."""
     unlimited: float = 1e16
     """What is written for a limit that is infinite."""
     package_uris: bool = False

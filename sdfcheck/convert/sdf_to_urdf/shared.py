@@ -34,7 +34,7 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
     blob.children.extend(copied(extra) for extra in each[0])
     context.blobs.append(holder)
     for extra in (extra for extras in each for extra in extras):
-        context.ledger.take_whole(extra)
+        context.ledger.cover(extra)
     names = ", ".join(f"`{extra.name}`" for extra in each[0])
     message = (
         f"{names} of the {role}s of {link.element.title} is kept for libsdformat alone, and costs their names"

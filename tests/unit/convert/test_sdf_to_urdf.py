@@ -9,7 +9,7 @@ import pytest
 
 from sdfcheck.convert.loss import LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
-from sdfcheck.convert.sdf_to_urdf import Options, Unsupported, convert
+from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.convert.verify import verify
 from sdfcheck.model.urdf_robot import read_urdf_robot
 from sdfcheck.source.document import read
@@ -90,7 +90,10 @@ def test_a_second_parent_is_reversed() -> None:
 def test_a_loop_is_cut_and_told() -> None:
     links = _LINKS + f'<link name="c"><pose>1 0 0 0 0 0</pose>{_BODY}</link>'
     joints = _joint("revolute", _axis()) + _joint("revolute", _axis(), ("b", "c"), "k")
-    done = _convert(links + joints + _joint("revolute", _axis(), ("a", "c"), "l"))
+    closing = _joint("revolute", _axis(), ("a", "c"), "l")
+    with pytest.raises(NotConvertible, match="closes a loop"):
+        _convert(links + joints + closing)
+    done = _convert(links + joints + closing, Options(loops=Loops.CUT))
     assert _is_equal(done)
     assert LossKind.CLOSED_LOOP in _kinds(done)
 
