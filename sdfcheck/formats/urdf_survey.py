@@ -47,7 +47,7 @@ class UrdfSurvey:
         if self.root is not None:
             declared = document.version or ""
             self.version = next((v for v in VERSIONS if str(v) == declared), VERSIONS[0])
-            self.problems = _Walk(self).run(self.root)
+            self.problems = UrdfWalk(self).run(self.root)
 
     def top(self, name: str) -> list[Element]:
         """The children of ``robot`` of that name."""
@@ -64,7 +64,9 @@ def problems(document: Document) -> list[object]:
     return survey(document).problems
 
 
-class _Walk:
+class UrdfWalk:
+    """One walk; what it meets that is not accepted at once goes to its findings."""
+
     def __init__(self, result: UrdfSurvey) -> None:
         self.result = result
         self.index = result.index
@@ -91,6 +93,10 @@ class _Walk:
         self.children(root, definition)
         if self.has_expressions:
             self.findings.expressions()
+        return self.conclude()
+
+    def conclude(self) -> list[object]:
+        """All problems, once every element is walked over."""
         if "<gazebo" in self.result.document.source.text:
             self.extensions()
         return self._findings.conclude() if self._findings else []

@@ -149,12 +149,12 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     textual: list[Diagnostic] = []
     found: list[Diagnostic] = []
     for analysis in analyses(document, dispatch.readers):
-        explained = _explain(analysis(document), document, dispatch)
+        explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     if tables := _tables(document, dispatch):
         from sdfcheck.model.vendor_references import problems
 
-        found += _explain(problems(document, tables), document, dispatch)
+        found += explain(problems(document, tables), document, dispatch)
     by_name = dispatch.by_element.get(document.kind.value, {})
     for name, element in _selected(document, by_name):
         for parents, rule in by_name[name]:
@@ -186,7 +186,8 @@ def _tables(document: Document, dispatch: Dispatch) -> list[Path]:
     return [table for prefix, table in dispatch.index.tables.items() if f"{prefix}:" in text]
 
 
-def _explain(problems: Iterable[object], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
+def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
+    """What the rules have to say about problems of a document."""
     for problem in problems:
         for rule in dispatch.by_problem.get(type(problem).__name__, ()):
             yield from _check(rule, problem, document, dispatch)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from sdfcheck.formats.macro_survey import problems as macro_problems
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.engine import Dispatch, lint_document
+from sdfcheck.lint.engine import Dispatch, explain, lint_document
 from sdfcheck.lint.fold import fold, settle
 from sdfcheck.source.document import Document
+from sdfcheck.source.xacro.bodies import unexpanded
 from sdfcheck.source.xacro.expansion import Expander
 from sdfcheck.source.xacro.prepare import prepare
 
@@ -22,6 +24,9 @@ def lint_xacro(
     prepared = prepare(document, expander, argument_sets)
     document.problems = [*document.problems, *prepared.problems]  # type: ignore[list-item]
     found = lint_document(document, dispatch)
+    if document.root is not None and document.root.name == "robot":
+        bodies = unexpanded(document, is_expanded=bool(prepared.documents))
+        found += explain(macro_problems(document, bodies), document, dispatch)
     for expanded in prepared.documents:
         found += settle(lint_document(expanded, dispatch), expanded)
     return fold(found)

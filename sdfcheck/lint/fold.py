@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import os
+from collections.abc import Iterable, Sequence
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin
 from sdfcheck.lint.fix import Fix
@@ -65,3 +66,18 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
     same_fix = all(other.fix == first.fix for other in others)
     message = f"{first.message} (in {len(group)} expansions)"
     return first._replace(message=message, fix=first.fix if same_fix else None)
+
+
+def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Those of a run without what a file is told of itself, and of the files that include it once more."""
+    foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins]
+    if not foreign:
+        return list(diagnostics)
+    places = {_place(diagnostic) for diagnostic in foreign}
+    own = places.intersection(_place(each) for each in diagnostics if not each.origins)
+    return [each for each in diagnostics if not each.origins or _place(each) not in own]
+
+
+def _place(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
+    span = diagnostic.span
+    return diagnostic.code, os.path.realpath(span.source.path), span.start, span.end

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from sdfcheck.lint.config import Configuration, Settings
+from sdfcheck.lint.fold import said_once
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
@@ -118,6 +119,7 @@ def run(
             kept, silenced = lint_included(document, book, options.configuration)
         diagnostics += kept
         suppressed += silenced
+    diagnostics = said_once(diagnostics)
     diagnostics.sort(key=lambda diagnostic: diagnostic.sort_key)
     rules = tuple(used[code] for code in sorted(used))
     return Run(tuple(diagnostics), tuple(files), tuple(sorted(skipped)), suppressed, rules=rules)
