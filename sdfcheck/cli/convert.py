@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -17,6 +17,7 @@ from sdfcheck.cli.group import LazyCommand, LazyGroup
 from sdfcheck.cli.options import F, colored, configured
 from sdfcheck.cli.output import FORMATS, Output, outputs
 from sdfcheck.cli.terminal import emit, say, wants_color
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.cli.terminal import pair
 from sdfcheck.lint.config import Configuration, Settings
@@ -15,6 +15,7 @@ from sdfcheck.lint.obstacles import obstacles
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.select import SILENT
 from sdfcheck.source.library import Library, SearchPaths
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 

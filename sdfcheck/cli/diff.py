@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,6 +12,7 @@ from sdfcheck.cli.graph import load
 from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.report.visible import visible
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any
 
 import click
 
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import suggestion
 
 

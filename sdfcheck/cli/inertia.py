@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -13,6 +13,7 @@ from sdfcheck.cli.graph import load
 from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.report.visible import visible
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 if TYPE_CHECKING:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 FORMATS = tuple(known.value for known in OutputFormat)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import click
 
 from sdfcheck.cli.graph import load
 from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 

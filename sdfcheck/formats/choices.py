@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
 from sdfcheck.formats.table import Row, at
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
+from sdfcheck.source.record import NamedTuple
 
 
 class Enforcement(Enum):

@@ -6,9 +6,8 @@ A question is a path of names, as short as is clear; its prefix says which forma
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.source.record import NamedTuple
 
 HOW_OFTEN = {
     "1": "exactly one",

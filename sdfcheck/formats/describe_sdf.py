@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from sdfcheck.formats import history
 from sdfcheck.formats.choices import Choices
 from sdfcheck.formats.describe import Description, Entry, missing
 from sdfcheck.formats.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
+from sdfcheck.source.record import NamedTuple
 
 _NEWEST_FIRST = tuple(Version(NEWEST.major, minor) for minor in range(NEWEST.minor, OLDEST.minor - 1, -1))
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sdfcheck.formats.describe import Description, Entry, UnknownPlace, missing
 from sdfcheck.formats.urdf import VERSIONS, UrdfAttribute, UrdfElement, extension, urdf
+from sdfcheck.source.record import NamedTuple
 
 
 class _Use(NamedTuple):

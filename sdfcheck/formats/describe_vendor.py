@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from sdfcheck.formats.describe import Description, Entry, UnknownPlace, missing
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor import DIALECTS, Effect, Place, Slot, Tag, Vendor, vendor
 from sdfcheck.formats.vendor_files import BUILT_IN, prefix_of
+from sdfcheck.source.record import NamedTuple
 
 _FORMATS = {"sdf": "SDFormat", "urdf": "URDF"}
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+
+from sdfcheck.source.record import NamedTuple
 
 _FILE = Path(__file__).with_name("data") / "drake-limits.txt"
 

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.formats.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.table import Row, block, newest_name, spans, stems
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
+from sdfcheck.source.record import NamedTuple
 
 _NOTES = Path(__file__).with_name("data") / "sdf-notes.txt"
 _ALL = frozenset(range(OLDEST.minor, NEWEST.minor + 1))

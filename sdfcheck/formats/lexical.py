@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import inf
-from typing import NamedTuple
 
 from sdfcheck.formats.bounds import Range
 from sdfcheck.formats.history import in_version
 from sdfcheck.formats.schema import AttributeDefinition, Definition, Schema, schema
 from sdfcheck.formats.version import NEWEST
+from sdfcheck.source.record import NamedTuple
 
 _NUMBER = r"[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+\-]?[0-9]+)?"
 _INFINITE = r"[+\-]?[iI][nN][fF]([iI][nN][iI][tT][yY])?"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 import re
 from enum import Enum
-from typing import NamedTuple
+
+from sdfcheck.source.record import NamedTuple
 
 BLANKS = " \t\n\r\v\f"
 

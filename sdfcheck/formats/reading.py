@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
 from sdfcheck.formats.bounds import Range
 from sdfcheck.formats.choices import Verdict
+from sdfcheck.source.record import NamedTuple
 
 
 class Outcome(Enum):

@@ -10,10 +10,10 @@ from __future__ import annotations
 from enum import Enum
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.formats.bounds import Range
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 DIALECTS = {"sdf": Kind.SDF, "urdf": Kind.URDF}

@@ -7,12 +7,11 @@ and refuses the file otherwise, except that letters behind a number end it (Drak
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from sdfcheck.formats.numbers import leading_float, stream_float
 from sdfcheck.formats.parts import words
 from sdfcheck.formats.vendor import REFUSED, Effect, Outcome, Slot
 from sdfcheck.formats.vendor_problems import TagFault
+from sdfcheck.source.record import NamedTuple
 
 _COUNTS = {"double": 1, "int": 1, "vector2": 2, "vector3": 3}
 _EXPECTED = {

@@ -6,10 +6,10 @@ import os
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1

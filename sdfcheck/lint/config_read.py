@@ -7,10 +7,11 @@ import re
 import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from sdfcheck.lint.config_fields import FIELDS, Field, Shape
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 ArgumentSet = tuple[tuple[str, str], ...]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from lxml import etree
 
@@ -16,6 +16,7 @@ from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.document import problems as text_problems
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 

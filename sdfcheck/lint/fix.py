@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 
 

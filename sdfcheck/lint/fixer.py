@@ -6,7 +6,6 @@ from bisect import bisect_left, insort
 from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.lint.config import Settings
 from sdfcheck.lint.diagnostic import Diagnostic
@@ -16,6 +15,7 @@ from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
 from sdfcheck.source.document import Document, read
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.splice import Unwritable, replaced, splice
 

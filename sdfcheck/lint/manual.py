@@ -5,12 +5,13 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 from sdfcheck.lint.example import MARK_END, MARK_START, Bad, Good
 from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress_rules import MalformedSuppression, UnusedSuppression
+from sdfcheck.source.record import NamedTuple
 
 _OWN = (UnusedSuppression, MalformedSuppression)
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.config import Configuration, Settings
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.source.library import Library, SearchPaths
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:

@@ -14,12 +14,13 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.formats.vendor_files import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor_files import SUFFIX, prefix_of
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.source.record import NamedTuple
 
 
 class RuleFacts(NamedTuple):

@@ -11,10 +11,10 @@ stays ignored, unless it is selected by a selector at least as long), its
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 ALL = "ALL"

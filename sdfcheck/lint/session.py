@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.config import Configuration, Settings
 from sdfcheck.lint.fold import said_once
@@ -16,6 +16,7 @@ from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, Choice
 from sdfcheck.source.discover import DiscoveredFile, Found, discover
 from sdfcheck.source.library import SearchPaths
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.wrong_usage import WrongUsage
 

@@ -14,7 +14,6 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Comment
@@ -23,6 +22,7 @@ from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import UnknownSelector, covered
 from sdfcheck.lint.suppress_rules import MalformedSuppression, OwnRule, UnusedSuppression
 from sdfcheck.lint.wording import named
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 from sdfcheck.source.wrong_usage import suggestion
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from enum import Enum
-from typing import NamedTuple
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rule import Consumer
 from sdfcheck.lint.run import Run
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 READS = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 from sdfcheck.formats import vendor_problems as problems
 from sdfcheck.formats.vendor import Outcome
@@ -13,6 +13,7 @@ from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.rule import Rule, Target, edit
 from sdfcheck.lint.wording import named, used
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 
 

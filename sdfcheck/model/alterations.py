@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
-from typing import NamedTuple
 
 from sdfcheck.model.includes import Included, included
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 
 Child = tuple[str, str, Element]
 """Kind, name and element of a named child."""

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from enum import Enum
-from typing import NamedTuple
 
 from sdfcheck.model.carriers import attachment, carrier, child_of, look_up, own_model, stands_still
 from sdfcheck.model.scopes import WORLD_FRAME, Frame, Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 
 UNKNOWN = "unknown"
 

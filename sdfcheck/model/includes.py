@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 from enum import Enum
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.formats.problems import MisplacedElement
 from sdfcheck.formats.survey import survey
@@ -17,6 +16,7 @@ from sdfcheck.model.model_config import config_of, model_file
 from sdfcheck.model.uris import Location, locate
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import NamedTuple
 
 INCLUDABLE = ("model", "actor", "light")
 """What an included file may hold, in the order in which libsdformat prefers them."""

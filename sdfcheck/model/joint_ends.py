@@ -7,7 +7,6 @@ for what a joint can be tied to.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from sdfcheck.model.carriers import carrier
 from sdfcheck.model.joint_problems import (
@@ -22,6 +21,7 @@ from sdfcheck.model.joint_problems import (
 from sdfcheck.model.scopes import NEVER_A_REFERENCE, WORLD_FRAME, Frame, Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import NamedTuple
 
 
 def end_problems(document: Document, joints: Iterable[Element]) -> Iterator[Problem]:

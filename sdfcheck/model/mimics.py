@@ -6,7 +6,6 @@ Source: libsdformat 17's Joint.cc and parser.cc, checked against what they repor
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sdfcheck.formats.survey import survey
 from sdfcheck.model.joint_problems import MimicCycle, Problem, UnknownMimicLeader
@@ -14,6 +13,7 @@ from sdfcheck.model.near_names import near_names
 from sdfcheck.model.scopes import Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import NamedTuple
 
 _AXES = ("axis", "axis2")
 

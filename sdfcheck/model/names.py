@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sdfcheck.formats.survey import Survey, survey
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.record import Record
+from sdfcheck.source.record import NamedTuple, Record
 
 FRAME_KINDS = frozenset({"link", "joint", "frame", "model"})
 """Elements whose names make frames, and so share one name space in their scope."""

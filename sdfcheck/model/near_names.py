@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from typing import NamedTuple
 
 from sdfcheck.model.scopes import Frame, Scope
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 
 
 class Guess(NamedTuple):

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from sdfcheck.formats.values import floats
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.record import Record
+from sdfcheck.source.record import NamedTuple, Record
 
 _WHOLE_TURN = 2 * math.pi
 _STEP = 0.5

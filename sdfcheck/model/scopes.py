@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from sdfcheck.formats.survey import survey
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.model.alterations import Alterations

@@ -7,7 +7,8 @@ mass, in axes parallel to its own; lengths of cylinders, capsules and cones run 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+
+from sdfcheck.source.record import NamedTuple
 
 
 class Moments(NamedTuple):

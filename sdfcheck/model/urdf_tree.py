@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.urdf import is_expression
 from sdfcheck.formats.urdf_survey import survey
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import NamedTuple
 
 MOVING = frozenset({"revolute", "continuous", "prismatic", "planar", "floating"})
 

@@ -11,9 +11,9 @@ import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.source.document import Document
+from sdfcheck.source.record import NamedTuple
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):/*")
 REMOTE_SCHEMES = frozenset({"http", "https", "fuel", "ftp"})

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor import REFUSED, Slot, vendor
@@ -13,6 +12,7 @@ from sdfcheck.formats.vendor_problems import UnknownTagReference
 from sdfcheck.model.scopes import MODEL_FRAME, Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 _URDF_KINDS = frozenset({"frame", "joint", "link"})

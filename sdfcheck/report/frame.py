@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from sdfcheck.report.colors import Ink, Paint
 from sdfcheck.report.visible import cells, visible
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
 
 _LONGEST = 120  # characters of a line that are shown

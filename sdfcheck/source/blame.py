@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sdfcheck.source.problems import SyntaxKind
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.start_tag import BARE_START, tag_of
 from sdfcheck.source.tokens import Token, TokenKind, first_line, name_range
 

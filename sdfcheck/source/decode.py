@@ -5,9 +5,9 @@ from __future__ import annotations
 import codecs
 import re
 from pathlib import Path
-from typing import NamedTuple
 
 from sdfcheck.source.problems import EncodingDefect, EncodingKind
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
 
 _DECLARATION = re.compile(

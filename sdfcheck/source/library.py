@@ -6,7 +6,9 @@ import os
 import stat
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from sdfcheck.source.problems import Problem, SyntaxDefect, SyntaxKind
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
 
 _ILLEGAL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]+")

@@ -8,7 +8,9 @@ can be linted all the same. Three steps: cut the text up, join the tags, write.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
+
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.source.problems import Problem

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+
+from sdfcheck.source.record import NamedTuple
 
 _LINE = re.compile(r"[^\r\n]*")
 _MISSPELT_COMMENT_END = re.compile(r"(?:--!>|--\s{1,80}>|(?<!-)->)")

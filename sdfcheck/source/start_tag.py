@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
 from sdfcheck.source.problems import Problem, RepeatedAttribute
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
 
 BLANK = r"[ \t\r\n]"

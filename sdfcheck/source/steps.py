@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
 
 from sdfcheck.source.problems import Problem
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.tokens import Token
 
 

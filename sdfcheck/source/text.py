@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from pathlib import Path
-from typing import NamedTuple
+
+from sdfcheck.source.record import NamedTuple
 
 _LINE_END = re.compile(r"\r\n?|\n")
 

@@ -6,10 +6,11 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any, NamedTuple
+from typing import Any
 
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.packages import Packages, project_root
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 from sdfcheck.source.xacro.origins import Call, ExpandedDocument, Provenance, Sources, shown

@@ -7,7 +7,6 @@ import re
 from bisect import bisect_right
 from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 from lxml import etree
 
@@ -15,6 +14,7 @@ from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.quick_scan import quick_scan
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scan import ElementPlace, Scan, scan
 from sdfcheck.source.spans import Spans
 from sdfcheck.source.start_tag import START, StartTag, parse_start_tag

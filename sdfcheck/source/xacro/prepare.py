@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.xacro import static
 from sdfcheck.source.xacro.expansion import Expander
