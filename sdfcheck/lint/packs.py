@@ -1,7 +1,7 @@
 """Rule packs: found, read, classified; the built-in one comes in by the same door.
 
 A pack is an import package or a folder of Python files. A pack may ship an index
-(``index.json``, written by :mod:`sdfcheck.lint.index`) that says what can be known of
+(``rule_index.py``, written by :mod:`sdfcheck.lint.index`) that says what can be known of
 its rules without importing them; one without it is imported whole. It may also ship
 tables of a vendor's own elements (``<prefix>.vendor.txt``), against which documents
 that use the prefix are checked.
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule
 
 BUILT_IN = "sdfcheck_rules"
+INDEX = "rule_index"
+"""The module of a pack that tells of its rules."""
 
 
 class PackError(Exception):
@@ -117,17 +119,17 @@ def find_pack(name: str | Path) -> Pack:
 
 def read_pack(pack: Pack) -> list[RuleFacts]:
     """The facts of a pack's rules: from its index, or else by importing all of it."""
-    index = pack.folder / "index.json"
-    if pack.package == pack.name and index.is_file():
-        import json
-
-        return [from_record(record) for record in json.loads(index.read_bytes())]
+    if pack.package == pack.name and (pack.folder / f"{INDEX}.py").is_file():
+        records = importlib.import_module(f"{pack.package}.{INDEX}").RULES
+        return [from_record(record) for record in records]
     return [describe(rule) for module in import_pack(pack) for rule in rule_classes(module)]
 
 
 def import_pack(pack: Pack) -> Iterator[ModuleType]:
     """Every module of a pack; raises PackError naming the one that fails."""
     for path in sorted(pack.folder.rglob("*.py")):
+        if path.stem == INDEX:
+            continue
         parts = path.relative_to(pack.folder).with_suffix("").parts
         name = ".".join((pack.package, *(part for part in parts if part != "__init__")))
         try:

@@ -38,7 +38,7 @@ def test_a_record_is_frozen_and_equal_by_value() -> None:
     assert Size(2) != Size(3)
     assert len({Size(2), Size(2), Size(3)}) == 2
     with pytest.raises(AttributeError, match="Size is frozen"):
-        Size(2).width = 3
+        Size(2).width = 3  # type: ignore[misc]
     with pytest.raises(TypeError, match="Size takes width, height"):
         Size(1, 2, 3)  # type: ignore[call-arg]
 
