@@ -87,9 +87,9 @@ class Joints:
             for name, text in bounds.items():
                 written.add(name, spaced(text))
         for name in ("damping", "friction"):
-            text = dynamics.attributes.get(name) if dynamics is not None else None
-            if text is not None:
-                node.reach("dynamics").add(name, spaced(text))
+            value = dynamics.attributes.get(name) if dynamics is not None else None
+            if value is not None:
+                node.reach("dynamics").add(name, spaced(value))
 
     def _range(self, joint: Joint) -> dict[str, str]:
         """Where the joint stops; nothing for one that does not."""
@@ -104,7 +104,7 @@ class Joints:
 
     def _strength(self, joint: Joint) -> dict[str, str]:
         limit = joint.element.find("limit")
-        found = {}
+        found: dict[str, str] = {}
         for name in ("effort", "velocity"):
             text = limit.attributes.get(name) if limit is not None else None
             if text is None:
