@@ -63,9 +63,8 @@ def _compare(model: Any, comparison: Comparison, *, from_urdf: bool) -> list[Dif
             if joint in comparison.correspondence.dropped_joints:
                 continue
             positions.setdefault(joint, {})[axis] = float(value)
-        poses = link_poses(
-            other, {name: tuple(v for _, v in sorted(by.items())) for name, by in positions.items()}
-        )
+        given = {name: np.array([[v for _, v in sorted(by.items())]]) for name, by in positions.items()}
+        poses = {name: pose[0] for name, pose in link_poses(other, given).items()}
         for name, apart in _apart(model, comparison, poses, from_urdf=from_urdf):
             if max(apart) > TOLERANCE:
                 text = f"is {apart[0]:.3g} m and {apart[1]:.3g} rad from where yourdfpy has it"

@@ -2,7 +2,7 @@
 
 Both are read by their own readers into :class:`~sdfcheck.model.robot.Robot`; at random
 joint positions the poses of all links and the mass, centre of mass and inertia of the
-whole are compared, then the links' geometry and the joints' limits.
+whole are compared, then those of each link, the links' geometry and the joints' limits.
 """
 
 from __future__ import annotations
@@ -13,9 +13,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.model.kinematics import Positions, degrees_of_freedom, link_poses, total_body, with_followers
-from sdfcheck.model.robot import Axis, Geometry, Joint, Robot
-from sdfcheck.model.rotations import Array, angle_between, inverse
+from sdfcheck.model.kinematics import (
+    Bodies,
+    Positions,
+    degrees_of_freedom,
+    link_poses,
+    total_body,
+    with_followers,
+)
+from sdfcheck.model.robot import Axis, Body, Geometry, Joint, Robot
+from sdfcheck.model.rotations import Array, angles_between, inverse
 
 TOLERANCE = 1e-9
 CONFIGURATIONS = 64
@@ -47,8 +54,9 @@ class Correspondence:
     dropped_joints: frozenset[str] = frozenset()
     dropped_geometries: frozenset[str] = frozenset()
     """Kinds of shape that the result cannot hold."""
-    changed_bodies: bool = False
-    """Mass properties were given to links that had none, or left out: masses are not compared."""
+    changed_bodies: frozenset[str] = frozenset()
+    """Source links whose mass properties were given to them, or left out; if there are any, totals
+    are not compared."""
 
     def link(self, name: str) -> Counterpart:
         return self.links.get(name) or Counterpart(name)
@@ -125,10 +133,8 @@ class _Comparison:
         if not any(map(degrees_of_freedom, self.source.joints.values())):
             configurations = 1  # nothing moves
         if self.compared:
-            random = np.random.default_rng(20_170_613)
-            for number in range(configurations):
-                # The first is the configuration in which the file places the links.
-                self.compare_at({} if number == 0 else self.draw(random))
+            self.compare_at(self.draw(configurations))
+            self.compare_bodies()
         self.compare_joints()
         self.compare_geometries()
         return Verification(
@@ -140,20 +146,23 @@ class _Comparison:
             tuple(self.found.values()),
         )
 
-    def draw(self, random: np.random.Generator) -> Positions:
-        return {
-            joint.name: tuple(random.uniform(-1, 1, degrees_of_freedom(joint)))
-            for joint in self.source.joints.values()
-            if degrees_of_freedom(joint) and joint.name not in self.to.dropped_joints
-        }
+    def draw(self, configurations: int) -> Positions:
+        """Random configurations; the first is the one in which the file places the links."""
+        random = np.random.default_rng(20_170_613)
+        drawn = {}
+        for joint in self.source.joints.values():
+            if degrees_of_freedom(joint) and joint.name not in self.to.dropped_joints:
+                drawn[joint.name] = random.uniform(-1, 1, (configurations, degrees_of_freedom(joint)))
+                drawn[joint.name][0] = 0
+        return drawn
 
     def translate(self, positions: Positions) -> Positions:
-        """The same configuration in the result's joints."""
-        there: dict[str, tuple[float, ...]] = {}
+        """The same configurations in the result's joints."""
+        there: dict[str, Array] = {}
         for name, values in positions.items():
             parts = self.to.parts.get(name)
             if parts:
-                there.update((part, (value,)) for part, value in zip(parts, values, strict=False))
+                there.update((part, values[:, n : n + 1]) for n, part in enumerate(parts))
             else:
                 there[self.to.joint(name)] = values
         return there
@@ -161,51 +170,61 @@ class _Comparison:
     def compare_at(self, positions: Positions) -> None:
         ours = link_poses(self.source, positions)
         theirs = link_poses(self.result, self.translate(with_followers(self.source, positions)))
-        root = self.compared[0]
-        our_root, their_root = ours.get(root), self.seen(theirs, root)
-        if our_root is None or their_root is None:
-            self.differ("link", root, "is part of a ring of joints")
-            return
-        for name in self.compared:
-            mine, other = ours.get(name), self.seen(theirs, name)
-            if mine is None or other is None:
-                continue
-            here, there = inverse(our_root) @ mine, inverse(their_root) @ other
-            position = float(np.linalg.norm(here[:3, 3] - there[:3, 3]))
-            angle = angle_between(here[:3, :3], there[:3, :3])
-            self.position, self.angle = max(self.position, position), max(self.angle, angle)
-            scale = max(1.0, float(np.linalg.norm(here[:3, 3])))
-            if position > self.tolerance * scale or angle > self.tolerance:
-                self.differ("link", name, f"is {position:.3g} m and {angle:.3g} rad off")
+        root = self.to.link(self.compared[0])
+        our_root, their_root = inverse(ours[self.compared[0]]), inverse(theirs[root.link] @ root.offset)
+        here = _stacked([our_root @ ours[name] for name in self.compared])
+        seen = [self.to.link(name) for name in self.compared]
+        there = _stacked([their_root @ (theirs[one.link] @ one.offset) for one in seen])
+        positions_apart = np.linalg.norm(here[..., :3, 3] - there[..., :3, 3], axis=-1)
+        angles_apart = angles_between(here[..., :3, :3], there[..., :3, :3])
+        self.position, self.angle = float(positions_apart.max()), float(angles_apart.max())
+        allowed = self.tolerance * np.maximum(1.0, np.linalg.norm(here[..., :3, 3], axis=-1))
+        off = (positions_apart > allowed) | (angles_apart > self.tolerance)
+        for number in np.flatnonzero(off.any(axis=1)):
+            apart = f"{positions_apart[number].max():.3g} m and {angles_apart[number].max():.3g} rad"
+            self.differ("link", self.compared[number], f"is {apart} off")
         if not self.to.changed_bodies:
-            self.compare_totals(ours, theirs, our_root, their_root)
-
-    def seen(self, poses: Mapping[str, Array], name: str) -> Array | None:
-        """The pose of a source's link frame in the result."""
-        counterpart = self.to.link(name)
-        pose = poses.get(counterpart.link)
-        return None if pose is None else pose @ counterpart.offset
+            self.compare_totals(
+                total_body(self.source, ours), total_body(self.result, theirs), our_root, their_root
+            )
 
     def compare_totals(
-        self, ours: Mapping[str, Array], theirs: Mapping[str, Array], our_root: Array, their_root: Array
+        self, first: Bodies | None, second: Bodies | None, our_root: Array, their_root: Array
     ) -> None:
-        first, second = total_body(self.source, ours), total_body(self.result, theirs)
-        if first is None or second is None:
-            if first is not second and (first or second).mass > 0:  # type: ignore[union-attr]
-                self.differ("mass", self.source.name, "is given on one side only")
-            return
-        a, b = first.seen_from(inverse(our_root)), second.seen_from(inverse(their_root))
-        scale = max(abs(a.mass), 1e-9)
+        if first is not None and second is not None:
+            self.compare_mass(self.source.name, first.seen_from(our_root), second.seen_from(their_root))
+        elif first is not second and (first or second).mass > 0:  # type: ignore[union-attr]
+            self.differ("mass", self.source.name, "is given on one side only")
+
+    def compare_bodies(self) -> None:
+        """Each link of the result must weigh what the source's links weigh that went into it."""
+        became: dict[str, Body] = {}
+        told = {self.to.link(name).link for name in self.to.changed_bodies}
+        for name in self.compared:
+            body, counterpart = self.source.links[name].body, self.to.link(name)
+            if body is not None:
+                seen, there = body.seen_from(counterpart.offset), became.get(counterpart.link)
+                became[counterpart.link] = seen if there is None else there.joined_with(seen)
+        for name in dict.fromkeys(self.to.link(one).link for one in self.compared):
+            mine, theirs = became.get(name), self.result.links[name].body
+            if name in told:
+                continue
+            if mine is not None and theirs is not None:
+                self.compare_mass(name, _single(mine), _single(theirs))
+            elif mine is not theirs and (mine or theirs).mass > 0:  # type: ignore[union-attr]
+                self.differ("mass", name, "is given on one side only")
+
+    def compare_mass(self, name: str, a: Bodies, b: Bodies) -> None:
         moments = max(float(np.abs(a.moments).max()), 1e-9)
         errors = {
-            "mass": abs(a.mass - b.mass) / scale,
-            "centre of mass": float(np.linalg.norm(a.centre - b.centre)) if a.mass else 0.0,
+            "mass": abs(a.mass - b.mass) / max(abs(a.mass), 1e-9),
+            "centre of mass": float(np.abs(a.centres - b.centres).max()) if a.mass else 0.0,
             "inertia": float(np.abs(a.moments - b.moments).max()) / moments,
         }
         for what, error in errors.items():
             self.inertia = max(self.inertia, error)
             if error > self.tolerance:
-                self.differ(what, self.source.name, f"differs by {error:.3g}")
+                self.differ(what, name, f"differs by {error:.3g}")
 
     def compare_joints(self) -> None:
         for name, joint in self.source.joints.items():
@@ -220,6 +239,9 @@ class _Comparison:
                     self.compare_axes(joint, mine, other.axes[which])
 
     def compare_axes(self, joint: Joint, mine: Axis, theirs: Axis) -> None:
+        # What follows another joint, and whether it does so rightly, shows in the poses.
+        if mine.mimic is not None and theirs.mimic is None:
+            self.differ("joint", joint.name, f"does not follow `{mine.mimic.leader}`")
         for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):
             a, b = self.bounded(getattr(mine, what)), self.bounded(getattr(theirs, what))
             if a != b and not math.isclose(a, b, rel_tol=1e-12, abs_tol=1e-12):
@@ -251,3 +273,12 @@ class _Comparison:
 
     def differ(self, what: str, name: str, text: str) -> None:
         self.found.setdefault((what, name), Difference(what, name, text))
+
+
+def _stacked(poses: list[Array]) -> Array:
+    """Poses of several links in n configurations, shape (links, n, 4, 4)."""
+    return np.stack(np.broadcast_arrays(*poses))
+
+
+def _single(body: Body) -> Bodies:
+    return Bodies(body.mass, body.centre[None], body.moments[None])

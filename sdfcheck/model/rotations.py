@@ -58,29 +58,41 @@ def from_quaternion(x: float, y: float, z: float, w: float) -> Array:
     )
 
 
-def about_axis(axis: Sequence[float] | Array, angle: float) -> Array:
-    """The 3×3 rotation by an angle (rad) about an axis of unit length."""
-    half = math.sin(angle / 2)
-    return from_quaternion(axis[0] * half, axis[1] * half, axis[2] * half, math.cos(angle / 2))
+def about_axis(axis: Sequence[float] | Array, angle: float | Array) -> Array:
+    """The 3×3 rotation by an angle (rad) about an axis of unit length; of many, shapes (…, 3) and (…)."""
+    x, y, z = np.moveaxis(np.asarray(axis, dtype=float), -1, 0)
+    cross = np.zeros((*x.shape, 3, 3))
+    cross[..., 2, 1], cross[..., 0, 2], cross[..., 1, 0] = x, y, z
+    cross -= cross.swapaxes(-1, -2)
+    angles = np.asarray(angle)[..., None, None]
+    return np.asarray(np.eye(3) + np.sin(angles) * cross + 2 * np.sin(angles / 2) ** 2 * (cross @ cross))
 
 
 def transform(rotation: Array, position: Sequence[float] | Array) -> Array:
-    """The 4×4 transform of a rotation and a position (m)."""
-    result = np.eye(4)
-    result[:3, :3] = rotation
-    result[:3, 3] = position
+    """The 4×4 transform of a rotation and a position (m); of many, shapes (…, 3, 3) and (…, 3)."""
+    result = np.zeros((*np.shape(rotation)[:-2], 4, 4))
+    result[..., :3, :3] = rotation
+    result[..., :3, 3] = position
+    result[..., 3, 3] = 1
     return result
 
 
 def inverse(of: Array) -> Array:
-    """The inverse of a 4×4 transform."""
-    result = np.eye(4)
-    result[:3, :3] = of[:3, :3].T
-    result[:3, 3] = -of[:3, :3].T @ of[:3, 3]
+    """The inverse of a 4×4 transform, or of many, shape (…, 4, 4)."""
+    back = of[..., :3, :3].swapaxes(-1, -2)
+    result = np.zeros(of.shape)
+    result[..., :3, :3] = back
+    result[..., :3, 3] = -(back @ of[..., :3, 3:])[..., 0]
+    result[..., 3, 3] = 1
     return result
 
 
 def angle_between(a: Array, b: Array) -> float:
     """The angle (rad) between two 3×3 rotations, precise also where it is tiny."""
-    chord = float(np.linalg.norm(a - b)) / (2 * math.sqrt(2))
-    return 2 * math.asin(min(1.0, chord))
+    return float(angles_between(a, b))
+
+
+def angles_between(a: Array, b: Array) -> Array:
+    """The angles (rad) between rotations, shape (…, 3, 3)."""
+    chords = np.linalg.norm(a - b, axis=(-2, -1)) / (2 * math.sqrt(2))
+    return np.asarray(2 * np.arcsin(np.minimum(1.0, chords)))

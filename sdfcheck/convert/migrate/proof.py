@@ -113,7 +113,7 @@ def _correspondence(migration: Migration, source: Robot) -> Correspondence:
         links,
         joints,
         dropped_geometries=frozenset(migration.dropped_shapes),
-        changed_bodies=migration.changed_bodies,
+        changed_bodies=frozenset(source.links) if migration.changed_bodies else frozenset(),
     )
 
 

@@ -30,6 +30,8 @@ class Context:
     own_links: set[str] = field(default_factory=set)
     """Links that only <gazebo> blocks have."""
     dropped_shapes: set[str] = field(default_factory=set)
+    lost_mimics: set[str] = field(default_factory=set)
+    """Joints that do not follow another any more."""
     told: set[str] = field(default_factory=set)
 
     def lose(

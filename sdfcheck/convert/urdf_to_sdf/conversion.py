@@ -43,7 +43,7 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     context = Context(options, made, list(made.losses))
     writer = _Writer(document, robot, context)
     text = writer.write()
-    source = expected(robot, made)
+    source = expected(robot, made, context.lost_mimics)
     comparison = Comparison(source, read_back(text, document.path, context), correspondence(made, context))
     return conversion(text, context.losses, [comparison], verified=verified)
 

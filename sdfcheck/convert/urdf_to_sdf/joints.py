@@ -140,6 +140,7 @@ class Joints:
             return
         text = f"joint `{joint.name}` does not follow `{name}` any more: {reason}"
         self.context.lose(mimic, LossKind.DROPPED_MIMIC, text)
+        self.context.lost_mimics.add(joint.name)
 
     def _idle(self, element: Element) -> None:
         """What has no meaning on a fixed joint."""

@@ -24,8 +24,8 @@ def read_back(text: str, path: Path, context: Context) -> Robot:
     return robot
 
 
-def expected(robot: Robot, plan: Plan) -> Robot:
-    """The source with what was reported: masses that were supplied, limits that mean none."""
+def expected(robot: Robot, plan: Plan, lost_mimics: set[str]) -> Robot:
+    """The source with what was reported: masses supplied, limits that mean none, joints that do not follow."""
     links = dict(robot.links)
     for name in plan.supplied - plan.automatic:
         for part in plan.parts(name):
@@ -37,7 +37,10 @@ def expected(robot: Robot, plan: Plan) -> Robot:
     for name, joint in robot.joints.items():
         if name in free:
             continue  # what floats stays where it is, whatever moves
-        joints[name] = replace(joint, axes=tuple(_unbounded(axis) for axis in joint.axes))
+        axes = tuple(_unbounded(axis) for axis in joint.axes)
+        if name in lost_mimics:
+            axes = tuple(replace(axis, mimic=None) for axis in axes)
+        joints[name] = replace(joint, axes=axes)
     return Robot(robot.name, links, joints, robot.frames)
 
 
@@ -61,5 +64,5 @@ def correspondence(plan: Plan, context: Context) -> Correspondence:
         dropped_links=frozenset(dropped),
         dropped_joints=frozenset(free_joints(plan.robot)),
         dropped_geometries=frozenset(context.dropped_shapes),
-        changed_bodies=bool(plan.automatic),
+        changed_bodies=frozenset(plan.automatic),
     )

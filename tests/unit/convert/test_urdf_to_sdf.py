@@ -9,6 +9,7 @@ from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
+from sdfcheck.convert.verify import Verification
 from sdfcheck.formats.version import Version
 from sdfcheck.model.scopes import scopes
 from sdfcheck.model.sdf_robot import read_sdf_robot
@@ -64,6 +65,42 @@ def test_one_changed_number_is_noticed(written: str, other: str) -> None:
     before = done.comparisons[0]
     result = read_sdf_robot(scopes(changed).roots[0])
     assert not Comparison(before.source, result, before.correspondence).verify().is_equal
+
+
+def verified(done: Conversion, text: str) -> Verification:
+    """The verification of another text in the place of the conversion's."""
+    before = done.comparisons[0]
+    result = read_sdf_robot(scopes(read(text.encode(), Path("arm.sdf"), Kind.SDF)).roots[0])
+    return Comparison(before.source, result, before.correspondence).verify()
+
+
+def test_links_are_weighed_one_by_one() -> None:
+    done = convert(ARM.replace(MASS, MASS.replace("2", "3"), 1))
+    # Rod and tip are welded: what goes from one to the other changes no total.
+    moved = done.text.replace("<mass>2</mass>", "<mass>1</mass>", 1)
+    differences = verified(done, moved).differences
+    assert ("mass", "rod") in {(one.what, one.name) for one in differences}
+    split = done.text.replace("<ixx>.1</ixx>", "<ixx>.15</ixx>", 2).replace(
+        "<ixx>.15</ixx>", "<ixx>.05</ixx>", 1
+    )
+    assert {one.name for one in verified(done, split).differences if one.what == "inertia"} >= {"base", "rod"}
+
+
+def test_a_merged_link_weighs_what_its_parts_do() -> None:
+    done = convert(ARM, Options(fixed_joints=FixedJoints.MERGE))
+    assert "<mass>4</mass>" in done.text
+    lighter = verified(done, done.text.replace("<mass>4</mass>", "<mass>2</mass>"))
+    assert ("mass", "rod") in {(one.what, one.name) for one in lighter.differences}
+
+
+def test_a_follower_that_does_not_follow_is_noticed() -> None:
+    follower = """<joint name="echo" type="continuous"><parent link="tip"/><child link="end"/>
+      <mimic joint="swing"/></joint></robot>"""
+    done = convert(ARM.replace("</robot>", f'<link name="end">{MASS}</link>{follower}'))
+    assert verified(done, done.text).is_equal
+    start, end = done.text.index("<mimic"), done.text.index("</mimic>") + len("</mimic>")
+    differences = verified(done, done.text[:start] + done.text[end:]).differences
+    assert [(one.what, one.name) for one in differences] == [("joint", "echo")]
 
 
 def test_a_clean_robot_loses_nothing() -> None:
