@@ -44,12 +44,18 @@ def drop_dead(migration: Migration) -> None:
     for node, definition in list(defined(migration.root, migration.source)):
         now = schema(NEWEST).at(definition.place)
         then = schema(migration.target).at(definition.place)
-        if then is None or now is None or definition.type is not None:
+        if then is None or now is None:
             continue
+        dead = f"has no meaning in {migration.source} and is left out"
+        for name in then.attributes.keys() - now.attributes.keys() - definition.attributes.keys():
+            if node.get(name) is not None:
+                text = f"attribute `{name}` of {title(node)} {dead}"
+                migration.lose(node, text, LossKind.DROPPED_ELEMENT)
+                node.unset(name)
         for child in node.children():
             name = child.name
             if name in then.children and name not in now.children and name not in definition.children:
-                migration.drop(child, f"{title(child)} has no meaning in {migration.source} and is left out")
+                migration.drop(child, f"{title(child)} {dead}")
 
 
 def defined(root: Node, version: Version) -> Iterator[tuple[Node, Definition]]:

@@ -16,6 +16,7 @@ from sdfcheck.source.text import Source
 _ENCODING = re.compile(
     r"""(<\?xml[^>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
 )
+_LONE = re.compile(r"(?<!\r)\n")
 
 
 class Draft:
@@ -29,6 +30,8 @@ class Draft:
         # Results are written as UTF-8, whatever the source was.
         self._before = _ENCODING.sub(r"\1UTF-8", document.source.text[: place.start])
         self._after = document.source.text[place.close_end :]
+        whole = document.source.text
+        self._has_crlf = "\r\n" in whole and not _LONE.search(whole)
         self.document = document
         self._elements: dict[Node, Element] = {}
         self._nodes: dict[Element, Node] = {}
@@ -40,7 +43,8 @@ class Draft:
         return Version.parse(self.root.get("version") or "") or NEWEST
 
     def text(self) -> str:
-        return self._before + self.root.text() + self._after
+        text = self._before + self.root.text() + self._after
+        return _LONE.sub("\r\n", text) if self._has_crlf else text
 
     def read(self) -> Document:
         """Read what has been written so far; nodes and elements know each other again."""

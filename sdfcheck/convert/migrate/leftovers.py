@@ -1,4 +1,8 @@
-"""What the target's table does not have: taken out and told, or kept on request."""
+"""What the target's table does not have: taken out and told, or kept on request.
+
+What no version knows is as dead as before, and stays. On the way up so does what is
+newer than the target: readers let a file use more than its version has.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +10,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.formats.schema import Definition, schema
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 
 _SHAPES = frozenset({"box", "capsule", "cone", "cylinder", "ellipsoid", "sphere", "mesh", "polyline"})
@@ -20,7 +25,9 @@ def drop_leftovers(migration: Migration) -> None:
 
 def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
     for name in node.attributes():
-        if ":" not in name and name != "xmlns" and name not in definition.attributes:
+        if ":" in name or name == "xmlns" or name in definition.attributes:
+            continue
+        if any(name in known.attributes for known in _meanings(migration, definition)):
             text = f"attribute `{name}` of {title(node)} is left out: {migration.target} does not have it"
             migration.lose(node, text, LossKind.DROPPED_ELEMENT)
             node.unset(name)
@@ -32,8 +39,16 @@ def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
         inner = definition.children.get(child.name)
         if inner is not None:
             _drop_in(migration, child, inner)
-        else:
+        elif any(child.name in known.children for known in _meanings(migration, definition)):
             _drop(migration, child)
+
+
+def _meanings(migration: Migration, definition: Definition) -> list[Definition]:
+    """What the place of a definition holds in the versions that the source may have meant."""
+    newest = NEWEST if migration.target < migration.source else migration.source
+    minors = range(migration.source.minor, newest.minor + 1)
+    found = (schema(Version(1, minor)).at(definition.place) for minor in minors)
+    return [known for known in found if known is not None]
 
 
 def _drop(migration: Migration, node: Node) -> None:

@@ -61,6 +61,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
     migration = Migration(document, target, keep_unknown=keep_unknown)
     if target > migration.source:
         go_up(migration)
+        write_out_merges(migration)
         # A file may use what is newer than the version that it declares: readers let it.
         _say_in_older_words(migration)
     elif target < migration.source:
@@ -71,6 +72,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
 
 
 def _go_down(migration: Migration) -> None:
+    write_out_merges(migration)
     drop_dead(migration)
     write_defaults(migration)
     _say_in_older_words(migration)
@@ -78,7 +80,6 @@ def _go_down(migration: Migration) -> None:
 
 
 def _say_in_older_words(migration: Migration) -> None:
-    write_out_merges(migration)
     if migration.goes_below(12):
         rename_states(migration)
         rename_frame_ids(migration)

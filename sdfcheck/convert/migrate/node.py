@@ -160,8 +160,13 @@ class Node:
         del parent.parts[at]
         self.parent = None
         before = parent.parts[at - 1] if at else None
-        if isinstance(before, str):
-            parent.parts[at - 1] = re.sub(r"\r?\n?[ \t]*$", "", before) if _ends_line(parent, at) else before
+        after = parent.parts[at] if at < len(parent.parts) else ""
+        if not isinstance(before, str) or before.rpartition("\n")[2].strip() or not isinstance(after, str):
+            return
+        if after.lstrip(" \t")[:1] in {"\n", "\r", ""}:
+            parent.parts[at - 1] = re.sub(r"\r?\n?[ \t]*$", "", before)
+        else:
+            parent.parts[at] = after.lstrip(" \t")
 
     def replace(self, others: list[Node]) -> None:
         """Put others in the place of this node, each on a line of its own."""
@@ -254,14 +259,6 @@ class Node:
         if not self.closing:
             self.opening = re.sub(r"\s*/>$", ">", self.opening)
             self.closing = f"</{self.name}>"
-
-
-def _ends_line(parent: Node, at: int) -> bool:
-    """Does nothing else stand on the line before or behind what was here?"""
-    before = parent.parts[at - 1]
-    after = parent.parts[at] if at < len(parent.parts) else ""
-    blank = isinstance(before, str) and not before.rpartition("\n")[2].strip()
-    return blank and isinstance(after, str) and (not after or after.lstrip(" \t")[:1] in {"\n", "\r", ""})
 
 
 __all__ = ["Node"]

@@ -11,8 +11,17 @@ _DUST = 1e-13
 """Smaller components of what was computed are what is left of rounding."""
 
 
+_NOISY = 3
+"""So many digits shorter is what the rounding of noise makes of a number."""
+
+
+def _number(value: float) -> str:
+    exact, rounded = number(value), number(round(value, 15))
+    return rounded if len(rounded) <= len(exact) - _NOISY else exact
+
+
 def vector(values: Iterable[float]) -> str:
-    return " ".join(number(0.0 if abs(value) < _DUST else round(float(value), 15)) for value in values)
+    return " ".join("0" if abs(value) < _DUST else _number(float(value)) for value in values)
 
 
 def pose(transform: Array) -> str:

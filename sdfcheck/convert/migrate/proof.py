@@ -25,9 +25,9 @@ from sdfcheck.source.document import Document
 def comparisons(migration: Migration) -> list[Comparison]:
     """What there is to compare; a model whose source cannot be read is told of."""
     source, result = migration.draft.source, migration.draft.read()
-    others = dict(_models(result))
+    others = dict(models(result))
     compared = list(_worlds(migration, source, result))
-    for name, scope in _models(source):
+    for name, scope in models(source):
         try:
             robot = _without_mimics(migration, read_sdf_robot(scope))
         except (RobotError, PoseError) as error:
@@ -36,7 +36,7 @@ def comparisons(migration: Migration) -> list[Comparison]:
                 text = f"model `{scope.name}` cannot be compared with its result: {error}"
                 migration.losses.append(loss_at(place, LossKind.NOT_VERIFIED, text))
             continue
-        compared.append(Comparison(robot, _robot(others.get(name)), _correspondence(migration, robot)))
+        compared.append(Comparison(robot, _robot(others.get(name)), correspondence(migration, robot)))
     return compared
 
 
@@ -48,7 +48,7 @@ def _robot(scope: Scope | None) -> Robot:
         return Robot("", {}, {})
 
 
-def _models(document: Document) -> Iterator[tuple[str, Scope]]:
+def models(document: Document) -> Iterator[tuple[str, Scope]]:
     """The models at the top and in worlds, by their names with that of the world."""
     for root in scopes(document).roots:
         if root.kind == "model":
@@ -103,7 +103,8 @@ def _without_mimics(migration: Migration, robot: Robot) -> Robot:
     return replace(robot, joints=joints)
 
 
-def _correspondence(migration: Migration, source: Robot) -> Correspondence:
+def correspondence(migration: Migration, source: Robot) -> Correspondence:
+    """What became of the links and joints of a model."""
     joints = dict(migration.renamed_joints)
     links = {}
     if migration.target < Version(1, 5):
@@ -117,4 +118,4 @@ def _correspondence(migration: Migration, source: Robot) -> Correspondence:
     )
 
 
-__all__ = ["comparisons"]
+__all__ = ["comparisons", "correspondence", "models"]
