@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, named, problems
 
 
 class UnusedPrefix(Rule):
@@ -24,6 +24,12 @@ class UnusedPrefix(Rule):
             '<robot name="r" «xmlns:xacro»="http://www.ros.org/wiki/xacro"><link name="l"/></robot>',
             fixed='<robot name="r"><link name="l"/></robot>',
         ),
+        Bad(
+            '<robot name="r" «xmlns:controller»="https://example.org/c" xmlns:sensor="https://example.org/s"'
+            ' xmlns:interface="https://example.org/i"><link name="l"/></robot>',
+            fixed='<robot name="r"><link name="l"/></robot>',
+            says="prefixes `controller`, `sensor` and `interface` are declared and not used",
+        ),
     )
     good = (
         Good(
@@ -33,5 +39,9 @@ class UnusedPrefix(Rule):
     )
 
     def check(self, problem: problems.UnusedPrefix) -> Iterator[Diagnostic]:
-        fix = edit("remove the declaration", (Edit(problem.whole, ""),))
-        yield self.diagnostic(problem.span, f"prefix `{problem.prefix}` is declared and not used", fix=fix)
+        removed = tuple(Edit(whole, "") for whole in problem.wholes)
+        if len(removed) == 1:
+            what, cure = f"prefix {named(problem.prefixes)} is", "remove the declaration"
+        else:
+            what, cure = f"prefixes {named(problem.prefixes)} are", "remove the declarations"
+        yield self.diagnostic(problem.span, f"{what} declared and not used", fix=edit(cure, removed))

@@ -55,9 +55,11 @@ class DeclaredBelowRoot(Record):
 
 
 class UnusedPrefix(Record):
+    """What one element declares and nothing uses: the first, and all with the blanks before them."""
+
     span: Span
-    prefix: str
-    whole: Span
+    prefixes: tuple[str, ...]
+    wholes: tuple[Span, ...]
 
 
 class MalformedQualifiedName(Record):

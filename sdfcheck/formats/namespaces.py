@@ -208,18 +208,23 @@ class _Analysis:
             # A declaration that does not reach the uses is told above: that is one mistake.
             if prefix not in self.unresolved:
                 self.weigh(prefix, declarations, root)
+        # The files that an xacro file includes may use what it declares.
+        if self.document.kind is not Kind.XACRO:
+            self.look_for_unused()
+
+    def look_for_unused(self) -> None:
+        by_element: dict[int, list[_Declaration]] = {}
+        for declaration in self.declarations:
+            if not declaration.used and declaration.prefix not in self.unresolved:
+                by_element.setdefault(declaration.number, []).append(declaration)
+        for unused in by_element.values():
+            wholes = tuple(self.whole(declaration.place) for declaration in unused)
+            prefixes = tuple(declaration.prefix for declaration in unused)
+            self.found.append(UnusedPrefix(unused[0].span, prefixes, wholes))
 
     def weigh(self, prefix: str, declarations: list[_Declaration], root: Span) -> None:
-        """Say what is superfluous in the declarations of one prefix, or better moved."""
-        below = []
-        for declaration in declarations:
-            if not declaration.used:
-                # The files that an xacro file includes may use what it declares.
-                if self.document.kind is not Kind.XACRO:
-                    whole = self.whole(declaration.place)
-                    self.found.append(UnusedPrefix(declaration.span, prefix, whole))
-            elif declaration.number > 0:
-                below.append(declaration)
+        """Say what is better moved of the declarations of one prefix."""
+        below = [declaration for declaration in declarations if declaration.used and declaration.number > 0]
         if len({declaration.namespace for declaration in declarations}) > 1:
             self.found += (DeclaredBelowRoot(d.span, prefix, (), "", root) for d in below)
         elif below:

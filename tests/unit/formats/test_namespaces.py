@@ -139,7 +139,13 @@ def test_declarations_that_disagree_stay_where_they_are() -> None:
 
 def test_an_unused_prefix() -> None:
     problem = only(found('<sdf xmlns:p="u" xmlns:q="v"><q:a/></sdf>'), kinds.UnusedPrefix)
-    assert (problem.prefix, problem.whole.text) == ("p", ' xmlns:p="u"')
+    assert (problem.prefixes, [whole.text for whole in problem.wholes]) == (("p",), [' xmlns:p="u"'])
+
+
+def test_unused_prefixes_are_told_once_for_each_element() -> None:
+    root, inner = found('<sdf xmlns:p="u" xmlns:q="v"><b xmlns:r="w"/></sdf>')
+    assert (root.prefixes, inner.prefixes) == (("p", "q"), ("r",))
+    assert [whole.text for whole in root.wholes] == [' xmlns:p="u"', ' xmlns:q="v"']
 
 
 def test_what_a_xacro_file_declares_may_be_for_others() -> None:
