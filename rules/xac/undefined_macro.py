@@ -1,7 +1,8 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.undefined import report
 
 
 class UndefinedMacro(Rule):
@@ -26,6 +27,7 @@ class UndefinedMacro(Rule):
             says="did you mean `wheel`?",
         ),
         Bad('<xacro:«proprety» name="w" value="1"/>', file=FILE, says="did you mean `property`?"),
+        Bad("<xacro:«grey»/><xacro:grey/>", file=FILE, says="macro `grey` is not defined (used 2 times)"),
     )
     good = (
         Good(
@@ -43,6 +45,4 @@ class UndefinedMacro(Rule):
     )
 
     def check(self, problem: problems.UndefinedMacro) -> Iterator[Diagnostic]:
-        guess = f"; did you mean `{problem.near}`?" if problem.near else ""
-        message = f"macro `{problem.name}` is not defined{guess}"
-        yield self.diagnostic(problem.span, message, origins=tuple(Origin(*step) for step in problem.origins))
+        yield report(self, problem, "macro")

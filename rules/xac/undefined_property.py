@@ -1,7 +1,8 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.undefined import report
 
 
 class UndefinedProperty(Rule):
@@ -35,6 +36,11 @@ class UndefinedProperty(Rule):
             file=FILE,
             says="did you mean `side`?",
         ),
+        Bad(
+            '<link name="l${«size»}"/><link name="k${size}"/>',
+            file=FILE,
+            says="property `size` is not defined (used 2 times)",
+        ),
     )
     good = (
         Good('<xacro:property name="r" value="1"/><link name="l${sin(r * pi) + max(r, 2)}"/>', file=FILE),
@@ -43,6 +49,4 @@ class UndefinedProperty(Rule):
     )
 
     def check(self, problem: problems.UndefinedProperty) -> Iterator[Diagnostic]:
-        guess = f"; did you mean `{problem.near}`?" if problem.near else ""
-        message = f"property `{problem.name}` is not defined{guess}"
-        yield self.diagnostic(problem.span, message, origins=tuple(Origin(*step) for step in problem.origins))
+        yield report(self, problem, "property")

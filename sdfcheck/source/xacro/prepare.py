@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
@@ -36,8 +36,8 @@ def prepare(
 ) -> Prepared:
     """Read a xacro document, and expand it once for each set of arguments (without one: once).
 
-    A macro library is not expanded, and nothing is without ``expander``. Two problems
-    of one kind at one place are one.
+    A macro library is not expanded, and nothing is without ``expander``. Two problems of
+    one kind at one place are one, and so are all uses of one undefined name.
     """
     if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
         return Prepared((), ())
@@ -51,7 +51,25 @@ def prepare(
                 expansion.document.library = document.library
                 documents.append(expansion.document)
             found += [p for p in expansion.problems if not (_needs_includer(p) and _is_included(document))]
-    return Prepared(tuple({(type(p), p.span): p for p in reversed(found)}.values())[::-1], tuple(documents))
+    return Prepared(tuple(_merged(found)), tuple(documents))
+
+
+def _merged(found: list[Problem]) -> Iterator[Problem]:
+    """The first of the problems of one kind at one place, and of those with one undefined name."""
+    names: dict[tuple[type, str], list[UndefinedMacro | UndefinedProperty]] = {}
+    seen = set()
+    for problem in found:
+        key = type(problem), problem.span
+        if key in seen:
+            continue
+        seen.add(key)
+        if isinstance(problem, UndefinedMacro | UndefinedProperty):
+            names.setdefault((type(problem), problem.name), []).append(problem)
+        else:
+            yield problem
+    for first, *others in names.values():
+        places = tuple(other.span for other in others)
+        yield type(first)(first.span, first.name, first.near, first.origins, places)
 
 
 def is_complete(document: Document) -> bool:

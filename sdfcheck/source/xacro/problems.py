@@ -43,22 +43,23 @@ class UndeclaredXacroPrefix(Record):
     insertion: Span
 
 
-class UndefinedMacro(Record):
-    """A call of a macro that is defined nowhere; ``near`` is a known name that may be meant."""
+class UndefinedName(Record):
+    """A name that is defined nowhere, where it is used; ``near`` is a known name that may be meant."""
 
     span: Span
     name: str
     near: str | None = None
     origins: tuple[Step, ...] = ()
+    others: tuple[Span, ...] = ()
+    """Further uses, where they are told of with this one."""
 
 
-class UndefinedProperty(Record):
-    """An expression uses a name that is no property, parameter or function."""
+class UndefinedMacro(UndefinedName):
+    """What is called is no macro."""
 
-    span: Span
-    name: str
-    near: str | None = None
-    origins: tuple[Step, ...] = ()
+
+class UndefinedProperty(UndefinedName):
+    """What an expression uses is no property, parameter or function."""
 
 
 class UnusedProperty(Record):
