@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from sdfcheck.source.blame import alike
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import UnrecognizedDocument
-from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.sniff import HEAD, Kind, sniff, suggested_root
 from sdfcheck.source.tokens import Token, TokenKind, first_line
-
-ROOTS = ("sdf", "robot", "model")
 
 
 def unrecognized(document: Document) -> UnrecognizedDocument:
@@ -23,7 +20,6 @@ def unrecognized(document: Document) -> UnrecognizedDocument:
             looks_like = "XML without any element"
         place = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
         return UnrecognizedDocument(document.source.span(*place), looks_like, None, None)
-    if kind is not Kind.OTHER_XML:
+    if kind not in {Kind.OTHER_XML, Kind.MISSPELT_ROOT}:
         return UnrecognizedDocument(root.span, looks_like, None, None)
-    suggestion = next((name for name in ROOTS if alike(root.name, name)), None)
-    return UnrecognizedDocument(root.span, looks_like, root.name, suggestion)
+    return UnrecognizedDocument(root.span, looks_like, root.name, suggested_root(root.name))

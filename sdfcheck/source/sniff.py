@@ -25,6 +25,7 @@ class Kind(Enum):
     SDF_SPECIFICATION = "sdf-specification"
     SRDF = "srdf"
     MJCF = "mjcf"
+    MISSPELT_ROOT = "misspelt-root"
     OTHER_XML = "other-xml"
     BROKEN_XML = "broken-xml"
     CHEMISTRY = "chemistry"
@@ -48,6 +49,7 @@ _DESCRIPTIONS: Mapping[Kind, str] = {
     Kind.SDF_SPECIFICATION: "a part of the SDFormat specification itself",
     Kind.SRDF: "SRDF (MoveIt semantics)",
     Kind.MJCF: "MJCF (MuJoCo)",
+    Kind.MISSPELT_ROOT: "a robot description with a misspelt root element",
     Kind.OTHER_XML: "XML of another kind",
     Kind.BROKEN_XML: "broken XML",
     Kind.CHEMISTRY: "a chemical structure-data file",
@@ -82,6 +84,7 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
     Kind.SDF_SPECIFICATION: (Treatment.SKIP, Treatment.NOTICE),
     Kind.SRDF: (Treatment.SKIP, Treatment.NOTICE),
     Kind.MJCF: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.MISSPELT_ROOT: (Treatment.LINT, Treatment.LINT),
     Kind.OTHER_XML: (Treatment.SKIP, Treatment.NOTICE),
     Kind.BROKEN_XML: (Treatment.LINT, Treatment.LINT),
     Kind.CHEMISTRY: (Treatment.SKIP, Treatment.NOTICE),
@@ -93,8 +96,10 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
 }
 """Kind → what happens in a walk, and what happens to a file that was named."""
 
-# Nothing but robot descriptions goes by these suffixes, so content without XML is a mistake.
+ROOTS = ("sdf", "robot", "model")
+# Nothing but robot descriptions goes by these suffixes, so other content is a mistake.
 _UNSHARED_SUFFIXES = frozenset({".urdf", ".world", ".xacro"})
+_SUFFIXES = _UNSHARED_SUFFIXES | {".sdf"}
 _TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
 
 _WIDE_MARKS = (
@@ -123,7 +128,7 @@ _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
 
 def treatment(kind: Kind, path: Path, *, named: bool) -> Treatment:
     """What becomes of a file of this kind that was found in a walk, or named by a person."""
-    if kind is Kind.NOT_XML and path.suffix.lower() in _UNSHARED_SUFFIXES:
+    if kind in {Kind.NOT_XML, Kind.OTHER_XML} and path.suffix.lower() in _UNSHARED_SUFFIXES:
         return Treatment.LINT
     return _TREATMENTS[kind][named]
 
@@ -198,6 +203,8 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
     suffix = suffixes[-1] if suffixes else ""
     if name == "robot" and (".srdf" in suffixes or _holds(text, _SRDF_TAGS)):
         return Kind.SRDF
+    if name not in _ROOTS and suffix in _SUFFIXES and _is_misspelt(name, suffix, text, start):
+        return Kind.MISSPELT_ROOT
     if suffix == ".xacro" or _holds(text, ("<xacro:",)):
         return Kind.XACRO
     if name in _ROOTS:
@@ -217,6 +224,20 @@ def _tag_name(text: str, start: int) -> str:
         end += 1
     name = text[start + 1 : end]
     return name if name.replace(":", "_").replace("-", "_").replace(".", "_").isidentifier() else ""
+
+
+def _is_misspelt(name: str, suffix: str, text: str, start: int) -> bool:
+    """Whether the root was meant to be that of a robot description."""
+    if suffix == ".xacro" and (name == "root" or " name=" not in text[start : text.find(">", start)]):
+        return False  # what other files include may have any root
+    return name not in ROOTS and suggested_root(name) is not None
+
+
+def suggested_root(name: str) -> str | None:
+    """The root element whose name is a slip away from this one."""
+    from sdfcheck.source.blame import alike
+
+    return next((root for root in ROOTS if alike(name, root)), None)
 
 
 def _holds(text: str, words: tuple[str, ...]) -> bool:

@@ -188,7 +188,7 @@ def test_the_kind_is_told_from_the_text(text: str, name: str, kind: Kind) -> Non
 @pytest.mark.parametrize(
     ("text", "looks_like", "root", "suggestion", "place"),
     [
-        ("<robt><a></robt>", "XML of another kind", "robt", "robot", "robt"),
+        ("<robt><a></robt>", "a robot description with a misspelt root element", "robt", "robot", "robt"),
         ("<html><br></html>", "XML of another kind", "html", None, "html"),
         ("<mujoco/>", "MJCF (MuJoCo)", None, None, "mujoco"),
         ("\n hello\nworld", "plain text", None, None, "hello"),
