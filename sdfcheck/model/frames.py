@@ -176,6 +176,7 @@ class _Analysis:
 
     def look_at_bare_model(self, scope: Scope) -> None:
         from sdfcheck.model.carriers import stands_still
+        from sdfcheck.model.includes import is_made_static
 
         element = scope.element
         # Those without a name are no frames, which is said of them.
@@ -184,6 +185,7 @@ class _Analysis:
             and not stands_still(scope)
             and not element.has("link")
             and not element.has("model")
+            and not (scope.parent is None and is_made_static(self.document))
         ):
             self.found.append(ModelWithoutLink(element))
 

@@ -81,6 +81,13 @@ def includes_of(document: Document) -> list[Element]:
     return [*surveyed.index.get("include", ()), *misplaced]
 
 
+def is_made_static(document: Document) -> bool:
+    """Was the document reached by an include that makes its model static?"""
+    include = document.included_by[-1].element.parent if document.included_by else None
+    static = include.find("static") if include is not None else None
+    return static is not None and _is_true(static.content)
+
+
 def included_element(document: Document) -> Element | None:
     """The model, actor or light of a file, or the robot of a URDF."""
     root = document.root
@@ -153,7 +160,7 @@ def _find_file(document: Document, found: Included, path: Path) -> Included:
     config = config_of(document, path)
     if config is None:
         return found._replace(obstacle=Obstacle.NO_CONFIG)
-    _note_origin(document, config, found.uri)
+    _note_origin(document, config, found)
     file = model_file(config)
     return found._replace(config=config, file=file, obstacle=None if file else Obstacle.BAD_CONFIG)
 
@@ -164,7 +171,7 @@ def _read(document: Document, found: Included, file: Path) -> Included:
     other = library.document(file)
     if other is None:
         return found._replace(obstacle=Obstacle.UNREADABLE)
-    _note_origin(document, other, found.uri)
+    _note_origin(document, other, found)
     found = found._replace(document=other)
     if other.root is None:
         return found._replace(obstacle=Obstacle.BROKEN)
@@ -180,10 +187,12 @@ def _read(document: Document, found: Included, file: Path) -> Included:
     return found._replace(model=model, kind=kind, name=found.name or own)
 
 
-def _note_origin(document: Document, other: Document, uri: Value | None) -> None:
-    """The first include that leads to a file tells how it was reached."""
-    if uri is not None and not other.included_by and other is not document:
-        other.included_by = (*document.included_by, uri)
+def _note_origin(document: Document, other: Document, found: Included) -> None:
+    """The first include that leads to a file tells how it was reached; of a static model's, one that asks more."""
+    if found.uri is None or other is document:
+        return
+    if not other.included_by or (is_made_static(other) and not found.is_static):
+        other.included_by = (*document.included_by, found.uri)
 
 
 def _is_true(text: str) -> bool:

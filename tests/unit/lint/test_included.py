@@ -85,3 +85,20 @@ def test_settings_name_folders_of_models(folder: Path) -> None:
     (folder / "sdfcheck.toml").write_text('model-paths = ["far/away"]\n')
     (diagnostic,) = run([Path("main.sdf")], Options(Configuration())).diagnostics
     assert diagnostic.span.source.path.name == "robot.sdf"
+
+
+@pytest.mark.parametrize(
+    ("flags", "refused"), [(("true",), False), (("false",), True), (("true", "false"), True)]
+)
+def test_a_model_without_links_may_be_included_as_static(
+    folder: Path, flags: tuple[str, ...], refused: bool
+) -> None:
+    (folder / "parts/arm.sdf").write_text('<sdf version="1.12"><model name="arm"/></sdf>')
+    includes = [
+        f"<include><uri>parts/arm.sdf</uri><name>a{number}</name><static>{flag}</static></include>"
+        for number, flag in enumerate(flags)
+    ]
+    (folder / "one.sdf").write_text(f'<sdf version="1.12"><world name="w">{"".join(includes)}</world></sdf>')
+    found = of_arm(lint("one.sdf"))
+    assert [d.name for d in found] == ["model-without-link"] * refused
+    assert all(d.origins[0].span.begin.column > 100 * (len(flags) > 1) for d in found)
