@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sdfcheck.formats.truth import is_true
 from sdfcheck.model import solids
 from sdfcheck.model.solids import Moments, Solid
 from sdfcheck.source.element import Element, Value
@@ -61,7 +62,7 @@ def read_inertial(link: Element) -> Inertial | None:
     if mass is not None:
         weight = mass.attribute("value") or mass.own_value
         weight = weight if weight.text.strip() else None
-    automatic = element.attributes.get("auto", "").strip().lower() in {"true", "1"}
+    automatic = is_true(element.attributes.get("auto", ""))
     return Inertial(element, link, weight, inertia, moments, position(element), automatic)
 
 

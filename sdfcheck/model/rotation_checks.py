@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
+from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.values import floats
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -89,7 +90,7 @@ def _in_poses(poses: Iterable[Element]) -> Iterator[Problem]:
 def _attributes(pose: Element) -> _Attributes:
     given = pose.attributes
     return _Attributes(
-        given.get("degrees", "").strip().lower() in {"true", "1"},
+        is_true(given.get("degrees", "")),
         given.get("rotation_format", "").strip() == "quat_xyzw",
     )
 
