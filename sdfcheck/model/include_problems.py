@@ -67,13 +67,11 @@ class InvalidMerge(Record):
     """Something that cannot be merged into where the include stands.
 
     ``kind`` is what is included: a light or an actor never merges; a model does, but not
-    into ``parent`` where that is neither model nor world, nor into a world with the
-    ``parts`` that a world cannot have.
+    into a world with the ``parts`` that a world cannot have.
     """
 
     merge: Value
     kind: str
-    parent: Element
     parts: tuple[str, ...] = ()
 
 
