@@ -24,6 +24,7 @@ _VALUE_PROBLEMS = {
     Outcome.MISREAD: problems.MisreadValue,
     Outcome.WRONG_COUNT: problems.WrongComponentCount,
 }
+_TYPES_OF_DRAKE_JOINT = frozenset(("ball", "curvilinear", "screw", "universal"))
 _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
@@ -177,7 +178,8 @@ class UrdfFindings:
         span = _part(value, reading.start, reading.end)
         if reading.outcome is Outcome.NOT_A_CHOICE:
             near = suggest(text, known.choices)
-            self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True))
+            place = "drake:joint" if value.attribute == "type" and text in _TYPES_OF_DRAKE_JOINT else None
+            self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True, place=place))
         elif reading.outcome is Outcome.OUT_OF_RANGE:
             instead = reading.range.instead if reading.range is not None else None
             bound = str(reading.range)
