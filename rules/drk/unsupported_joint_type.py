@@ -29,7 +29,7 @@ class UnsupportedJointType(VendorRule):
         Bad(
             f'<drake:joint name="j" type="«revolute»">{ENDS}</drake:joint>',
             says="`type` of `drake:joint` cannot be `revolute`: Drake refuses the file",
-            also=("URD021",),
+            also=("URD004",),
         ),
         Bad(
             '<joint name="j" type="«gearbox»"><parent>a</parent><child>b</child>'
@@ -37,6 +37,11 @@ class UnsupportedJointType(VendorRule):
             says="a joint of type `gearbox` is not supported: Drake refuses the file",
             also=("JNT004",),
             scaffold=MODEL,
+        ),
+        Bad(
+            f'<joint name="j" type="«screw»">{ENDS}</joint>',
+            says="Drake refuses the file; write it as drake:joint",
+            also=("SCH015",),
         ),
         Bad(
             f'<joint name="j" type="«floating»">{ENDS}</joint>',
@@ -55,7 +60,6 @@ class UnsupportedJointType(VendorRule):
         Good("", scaffold=JOINT),
         Good("", scaffold=ROBOT),
         Good(f'<drake:joint name="j" type="ball">{ENDS}</drake:joint>'),
-        Good(f'<joint name="j" type="ball">{ENDS}</joint>', why="unknown-choice owns this one"),
     )
 
     def check(self, problem: Any) -> Iterator[Diagnostic]:

@@ -27,9 +27,14 @@ class IndefiniteInertia(Rule):
             says="ixx -0.1 is negative",
         ),
         Bad(
-            "<inertial><mass>1</mass><«inertia»><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz><ixy>0.5</ixy>"
+            "<inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz><ixy>«0.5»</ixy>"
             "</inertia></inertial>",
-            says="smallest principal moment is -0.4",
+            says="ixy 0.5 is too large beside ixx and iyy",
+        ),
+        Bad(
+            "<inertial><mass>1</mass><«inertia»><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz><ixy>0.09</ixy>"
+            "<ixz>0.09</ixz><iyz>-0.09</iyz></inertia></inertial>",
+            says="smallest principal moment is -0.08",
         ),
     )
     good = (
@@ -44,10 +49,15 @@ class IndefiniteInertia(Rule):
         labels = {problem.link: "the inertia of this link"}
         if problem.value is not None:
             name = problem.value.attribute or problem.value.element.name
-            message = f"{name} {problem.value.text} is negative: the inertia is not positive definite"
+            reason = "negative" if problem.value.number < 0 and name[1] == name[2] else _too_large(name)
+            message = f"{name} {problem.value.text} is {reason}: the inertia is not positive definite"
             yield self.diagnostic(problem.value, message, labels=labels)
             return
         message = (
             f"the inertia is not positive definite: its smallest principal moment is {problem.smallest:.6g}"
         )
         yield self.diagnostic(problem.inertia, message, labels=labels)
+
+
+def _too_large(name: str) -> str:
+    return f"too large beside {name[0]}{name[1] * 2} and {name[0]}{name[2] * 2}"

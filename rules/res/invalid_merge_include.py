@@ -33,23 +33,26 @@ class InvalidMergeInclude(Rule):
             files={"lamp.sdf": LAMP},
             says="a light cannot be merged",
         ),
+        Bad(
+            '<frame name="f"><include merge="«true»"><uri>arm.sdf</uri></include></frame>',
+            scaffold=IN_MODEL,
+            files={"arm.sdf": ARM},
+            says="nothing can be merged into frame `f`",
+            also=("SCH003",),
+        ),
     )
     good = (
         Good('<include merge="true"><uri>arm.sdf</uri></include>', scaffold=IN_MODEL, files={"arm.sdf": ARM}),
         Good('<include merge="true"><uri>set.sdf</uri></include>', files={"set.sdf": SET}),
         Good('<include merge="false"><uri>lamp.sdf</uri></include>', files={"lamp.sdf": LAMP}),
-        Good(
-            '<frame name="f"><include merge="true"><uri>arm.sdf</uri></include></frame>',
-            why="misplaced-element owns this one",
-            scaffold=IN_MODEL,
-            files={"arm.sdf": ARM},
-        ),
     )
 
     def check(self, problem: problems.InvalidMerge) -> Iterator[Diagnostic]:
         article = "an" if problem.kind == "actor" else "a"
         if problem.kind != "model":
             message = f"{article} {problem.kind} cannot be merged, only a model can"
-        else:
+        elif problem.parts:
             message = f"a world cannot take {listed(problem.parts, most=3)} from a merged model"
+        else:
+            message = f"nothing can be merged into {problem.parent.title}"
         yield self.diagnostic(problem.merge, message)

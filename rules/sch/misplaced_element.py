@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import IN_LINK, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
 
 
 class MisplacedElement(Rule):
@@ -8,8 +8,7 @@ class MisplacedElement(Rule):
 
     Readers look for an element in its place only. libsdformat warns and ignores a
     misplaced one, so the mass, the pose or the friction that it gives is the default
-    instead. Only an `<include>` is followed wherever it stands, and gets a warning, unless
-    it merges: for that libsdformat refuses the file.
+    instead. Only an `<include>` is followed wherever it stands, and gets a warning.
     """
 
     code = "SCH003"
@@ -26,11 +25,6 @@ class MisplacedElement(Rule):
             "<«include»><uri>https://fuel.gazebosim.org/1.0/openrobotics/models/arm</uri></include>",
             scaffold=SDF,
             says="it goes into `model` or `world`",
-        ),
-        Bad(
-            '<frame name="f"><«include» merge="true"><uri>arm.sdf</uri></include></frame>',
-            scaffold=IN_MODEL,
-            says="does not belong in frame `f`; it goes into `model`",
         ),
     )
     good = (

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_LINK,
-    IN_MODEL,
-    IN_ROBOT,
-    IN_WORLD,
-    Bad,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    listed,
-    problems,
-)
+from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, listed, problems
 
 MANY = 8
 """More choices than this are not worth a list beside a good guess."""
@@ -43,11 +31,6 @@ class UnknownChoice(Rule):
             scaffold=IN_MODEL,
             says="unknown `type` of joint `j`: `hinge`",
         ),
-        Bad(
-            '<link name="a"/><joint name="j" type="«screw»"><parent link="base"/><child link="a"/></joint>',
-            scaffold=IN_ROBOT,
-            says="unknown `type` of joint `j`: `screw`",
-        ),
         Bad('<physics type="«odee»"/>', scaffold=IN_WORLD, says="did you mean `ode`?"),
         Bad('<pose rotation_format="«quaternion»">0 0 0 0 0 0</pose>', says="unknown `rotation_format`"),
     )
@@ -70,8 +53,6 @@ class UnknownChoice(Rule):
             place = f"`{value.attribute}` of {value.element.title}"
         message = f"unknown {place}: `{value.text.strip()}`"
         known = f"known {'are' if len(choices) > 1 else 'is'} {listed(choices)}"
-        if problem.place is not None:
-            known += f"; `{problem.place}` has this one"
         guess = problem.suggestion
         if guess is not None:
             message += f"; did you mean `{guess}`?"

@@ -6,9 +6,7 @@ SHOWN = 3
 """Other uses that are pointed at."""
 
 
-def report(
-    rule: Rule, problem: problems.UndefinedMacro | problems.UndefinedProperty, what: str
-) -> Diagnostic:
+def report(rule: Rule, problem: problems.UndefinedName, what: str) -> Diagnostic:
     """One diagnostic at the first use, with others beside it."""
     guess = f"; did you mean `{problem.near}`?" if problem.near else ""
     return rule.diagnostic(

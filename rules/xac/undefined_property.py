@@ -17,7 +17,7 @@ class UndefinedProperty(Rule):
     code = "XAC004"
     name = "undefined-property"
     severity = Severity.ERROR
-    explains = (problems.UndefinedProperty,)
+    explains = (problems.UndefinedProperty, problems.UndefinedBlock)
     scaffold = IN_XACRO
 
     bad = (
@@ -41,6 +41,11 @@ class UndefinedProperty(Rule):
             file=FILE,
             says="property `size` is not defined (used 2 times)",
         ),
+        Bad(
+            '<xacro:macro name="m" params="*origin"><xacro:insert_block name="«orign»"/></xacro:macro>',
+            file=FILE,
+            says="block `orign` is not defined; did you mean `origin`?",
+        ),
     )
     good = (
         Good('<xacro:property name="r" value="1"/><link name="l${sin(r * pi) + max(r, 2)}"/>', file=FILE),
@@ -48,5 +53,5 @@ class UndefinedProperty(Rule):
         Good('<link name="l$${later}"/>', why="escaped", file=FILE),
     )
 
-    def check(self, problem: problems.UndefinedProperty) -> Iterator[Diagnostic]:
-        yield report(self, problem, "property")
+    def check(self, problem: problems.UndefinedProperty | problems.UndefinedBlock) -> Iterator[Diagnostic]:
+        yield report(self, problem, "block" if isinstance(problem, problems.UndefinedBlock) else "property")

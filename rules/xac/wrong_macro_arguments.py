@@ -45,7 +45,8 @@ class WrongMacroArguments(Rule):
         if kind == "missing":
             message = f"{macro} is called without {names}"
         elif kind == "unknown":
-            message = f"{macro} takes no parameter {names}"
+            guess = f"; did you mean `{problem.near}`?" if problem.near else ""
+            message = f"{macro} takes no parameter {names}{guess}"
         elif kind == "missing block":
             message = f"{macro} needs an element for {names or 'each of its blocks'}"
         else:

@@ -17,7 +17,6 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.text_pieces import stray_line
 from sdfcheck.formats.topology import standard_inside
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.value_problems import judge, text_problems
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
 from sdfcheck.source.element import Element, Value
@@ -104,8 +103,7 @@ class Findings:
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name):
             places = likely_parents(places, parent, place)
-            # Of an include that merges, libsdformat asks that the parent can take what it brings.
-            ignored = name not in _FOUND_ANYWHERE or is_true(child.attributes.get("merge", ""))
+            ignored = name not in _FOUND_ANYWHERE
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
@@ -159,7 +157,7 @@ class Findings:
         frame = axis.find("use_parent_model_frame")
         if frame is None:
             return self.version < _FIVE  # where that is what goes without saying
-        return is_true(frame.content)
+        return frame.content.lower() in {"true", "1"}
 
     def stray_text(self, element: Element) -> None:
         if element in self.stray:

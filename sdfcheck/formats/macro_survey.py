@@ -14,8 +14,10 @@ from sdfcheck.formats.urdf import UrdfElement, known_parents, urdf
 from sdfcheck.formats.urdf_survey import UrdfSurvey, UrdfWalk
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.xacro.own_elements import lacks_prefix
 
 _PREFIX = "xacro:"
+_BLOCK = "xacro:insert_block"
 _TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
 _PLACES = ("", "link", "joint", "link/inertial", "link/visual", "link/visual/geometry", "joint/limit")
 """Where macros are called: what their bodies hold may stand at one of these paths below ``robot``."""
@@ -23,24 +25,37 @@ _SHARE = 3
 """A body that has fewer known names than so many for each foreign one is none of URDF's."""
 
 
-def problems(document: Document, bodies: Iterable[Element]) -> list[object]:
-    """What the shape of some elements of a xacro document makes wrong with what they hold."""
-    walk = _BodyWalk(UrdfSurvey(document))
-    for body in bodies:
-        place = _place(body)
-        if place is not None:
-            walk.content(body, place)
-    return walk.conclude()
+class Bodies:
+    """Some elements of a xacro document that no expansion shows: what is wrong, and the links in them."""
+
+    __slots__ = ("links", "problems")
+
+    def __init__(self, document: Document, bodies: Iterable[Element]) -> None:
+        surveyed = UrdfSurvey(document)
+        walk = _BodyWalk(surveyed)
+        for body in bodies:
+            place = _place(body)
+            if place is not None:
+                walk.content(body, place)
+        self.problems = walk.conclude()
+        self.links = surveyed.index["link"]
 
 
 class _BodyWalk(UrdfWalk):
     """The walk over a document, for elements that are not all there yet."""
 
     def children(self, parent: Element, place: UrdfElement) -> None:
-        if any(child.name.startswith(_PREFIX) for child in parent.children()):
-            self.content(parent, place)
-        else:
+        put_in = [child for child in parent.children() if _is_of_xacro(child)]
+        if not put_in:
             super().children(parent, place)
+            return
+        self.content(parent, place)
+        blocks = {child.attributes.get("name", "") for child in put_in if child.name == _BLOCK}
+        # A block is called after what it is.
+        if len(blocks) == len(put_in) and blocks <= place.children.keys():
+            for name in place.required_children:
+                if name not in blocks and not parent.has(name):
+                    self.findings.missing_child(parent, name)
 
     def content(self, parent: Element, place: UrdfElement) -> None:
         """Check each child for itself: what else will be there is not known."""
@@ -52,12 +67,16 @@ class _BodyWalk(UrdfWalk):
                 self.element(child, definition)
 
 
+def _is_of_xacro(element: Element) -> bool:
+    return element.name.startswith(_PREFIX) or lacks_prefix(element)
+
+
 def content(parent: Element) -> Iterator[Element]:
     """The elements that an element holds once xacro has decided, without those that it puts in."""
     for child in parent.children():
         if child.name in _TRANSPARENT:
             yield from content(child)
-        elif not child.name.startswith(_PREFIX):
+        elif not _is_of_xacro(child):
             yield child
 
 

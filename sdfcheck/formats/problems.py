@@ -54,7 +54,7 @@ class MisplacedElement(Record):
     """A standard element where its parent does not allow it.
 
     ``places`` are the parents that do, the likeliest first and those only if there are
-    any. ``ignored`` is False for what readers find and take wherever it stands.
+    any. ``ignored`` is False for what readers find wherever it stands.
     """
 
     element: Element
@@ -226,16 +226,12 @@ class ValueOutOfRange(Record):
 
 
 class UnknownChoice(Record):
-    """A value that is none of those listed; ``refused`` when libsdformat refuses it.
-
-    ``place`` is an element that has the choice, one of a vendor's own.
-    """
+    """A value that is none of those listed; ``refused`` when libsdformat refuses it."""
 
     value: Value
     choices: tuple[str, ...]
     suggestion: str | None
     refused: bool
-    place: str | None = None
 
 
 class MissingShape(Record):

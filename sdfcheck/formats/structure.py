@@ -10,7 +10,6 @@ from collections.abc import Iterator
 
 from sdfcheck.formats import problems
 from sdfcheck.formats.survey import Survey, survey
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -127,7 +126,7 @@ def _is_static(element: Element) -> bool:
     parent = element.parent
     while parent is not None:
         static = parent.find("static")
-        if static is not None and is_true(static.content):
+        if static is not None and static.content.lower() in {"true", "1"}:
             return True
         parent = parent.parent
     return False

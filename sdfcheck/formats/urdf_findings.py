@@ -24,7 +24,6 @@ _VALUE_PROBLEMS = {
     Outcome.MISREAD: problems.MisreadValue,
     Outcome.WRONG_COUNT: problems.WrongComponentCount,
 }
-_TYPES_OF_DRAKE_JOINT = frozenset(("ball", "curvilinear", "screw", "universal"))
 _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
@@ -178,8 +177,7 @@ class UrdfFindings:
         span = _part(value, reading.start, reading.end)
         if reading.outcome is Outcome.NOT_A_CHOICE:
             near = suggest(text, known.choices)
-            place = "drake:joint" if value.attribute == "type" and text in _TYPES_OF_DRAKE_JOINT else None
-            self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True, place=place))
+            self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True))
         elif reading.outcome is Outcome.OUT_OF_RANGE:
             instead = reading.range.instead if reading.range is not None else None
             bound = str(reading.range)

@@ -10,7 +10,6 @@ from sdfcheck.formats.reading import Outcome, Reading
 from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.text_pieces import cut_text, part
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.element import Element, Value
 
@@ -43,7 +42,7 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
 
 
 def _exclude_each_other(rotation: Value, degrees: Value) -> bool:
-    return rotation.text.strip() == "quat_xyzw" and is_true(degrees.text)
+    return rotation.text.strip() == "quat_xyzw" and degrees.text.strip().lower() in {"true", "1"}
 
 
 def judge(value: Value, definition: Definition | AttributeDefinition, reading: Reading) -> Iterator[object]:

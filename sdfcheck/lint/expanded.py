@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from sdfcheck.formats.macro_survey import problems as macro_problems
+from sdfcheck.formats.macro_survey import Bodies
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, explain, lint_document
 from sdfcheck.lint.fold import fold, settle
+from sdfcheck.model.inertia import problems_of_links
 from sdfcheck.source.document import Document
 from sdfcheck.source.xacro.bodies import unexpanded
 from sdfcheck.source.xacro.expansion import Expander
@@ -25,8 +26,9 @@ def lint_xacro(
     document.problems = [*document.problems, *prepared.problems]  # type: ignore[list-item]
     found = lint_document(document, dispatch)
     if document.root is not None and document.root.name == "robot":
-        bodies = unexpanded(document, is_expanded=bool(prepared.documents))
-        found += explain(macro_problems(document, bodies), document, dispatch)
+        bodies = Bodies(document, unexpanded(document, is_expanded=bool(prepared.documents)))
+        found += explain(bodies.problems, document, dispatch)
+        found += explain(problems_of_links(bodies.links), document, dispatch)
     for expanded in prepared.documents:
         found += settle(lint_document(expanded, dispatch), expanded)
     return fold(found)

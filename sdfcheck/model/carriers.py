@@ -7,7 +7,6 @@ libsdformat 17's FrameSemantics.cc and parser.cc, checked against what they do.
 
 from __future__ import annotations
 
-from sdfcheck.formats.truth import is_true
 from sdfcheck.model.scopes import MODEL_FRAME, NEVER_A_REFERENCE, Frame, Scope
 from sdfcheck.source.element import Element
 
@@ -107,9 +106,9 @@ def stands_still(scope: Scope) -> bool:
     if scope.kind != "model":
         return False
     if scope.placed is not None and (given := scope.placed.find("static")) is not None:
-        return is_true(given.content)
+        return _is_true(given.content)
     static = scope.element.find("static")
-    return static is not None and is_true(static.content)
+    return static is not None and _is_true(static.content)
 
 
 def _merged_canonical_link(frame: Frame) -> Frame | None:
@@ -117,3 +116,7 @@ def _merged_canonical_link(frame: Frame) -> Frame | None:
     links = (other for other in frame.scope.links() if other.element.parent is model)
     named = model.attributes.get("canonical_link", "").strip() if model is not None else ""
     return frame.scope.find(named) if named else next(links, None)
+
+
+def _is_true(text: str) -> bool:
+    return text.strip().lower() in {"true", "1"}

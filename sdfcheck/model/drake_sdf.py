@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.survey import Survey, survey
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.values import number
 from sdfcheck.formats.vendor import PASSED_OVER, REFUSED, Effect, Outcome
 from sdfcheck.model.drake_ignored import ignored_parts
@@ -65,7 +64,7 @@ def _joint_type(joint: Element) -> Iterator[UnsupportedJoint]:
         static = parent.find("static")
         if parent.name == "world":
             yield UnsupportedJoint(kind, REFUSED, "fixed", "a world")
-        elif static is not None and is_true(static.content):
+        elif static is not None and static.content.lower() in {"true", "1"}:
             yield UnsupportedJoint(kind, REFUSED, "fixed", "a static model")
 
 
@@ -140,7 +139,7 @@ def _ode(ode: Element) -> Iterator[FrictionOrder]:
 
 def _automatic(inertial: Element) -> Iterator[CrashesDrake]:
     auto, link = inertial.attribute("auto"), inertial.parent
-    if auto is None or link is None or not is_true(auto.text):
+    if auto is None or link is None or auto.text.strip().lower() not in {"true", "1"}:
         return
     for collision in link.children("collision"):
         geometry = collision.find("geometry")

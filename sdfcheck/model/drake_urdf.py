@@ -25,6 +25,7 @@ from sdfcheck.source.element import Element, Value
 
 _CRASHES = Effect(Outcome.CRASH)
 _ABORTS = Effect(Outcome.ABORT)
+_OWN_TYPES = frozenset(("ball", "curvilinear", "screw", "universal"))
 _ACTUATED = frozenset(("continuous", "prismatic", "revolute", "screw", "curvilinear"))
 _SEVERAL_AXES = frozenset(("ball", "planar", "universal"))
 
@@ -45,7 +46,9 @@ def problems(document: Document) -> Iterator[object]:
 def _joint(joint: Element) -> Iterator[object]:
     kind = joint.attribute("type")
     word = "" if kind is None else kind.text
-    if kind is not None and word == "floating":
+    if kind is not None and word in _OWN_TYPES:
+        yield UnsupportedJoint(kind, REFUSED, "drake:joint")
+    elif kind is not None and word == "floating":
         yield UnsupportedJoint(kind, PASSED_OVER, "a link without joint")
     dynamics, limit = joint.find("dynamics"), joint.find("limit")
     damping = None if dynamics is None else dynamics.attribute("damping")

@@ -67,11 +67,13 @@ class InvalidMerge(Record):
     """Something that cannot be merged into where the include stands.
 
     ``kind`` is what is included: a light or an actor never merges; a model does, but not
-    into a world with the ``parts`` that a world cannot have.
+    into ``parent`` where that is neither model nor world, nor into a world with the
+    ``parts`` that a world cannot have.
     """
 
     merge: Value
     kind: str
+    parent: Element
     parts: tuple[str, ...] = ()
 
 

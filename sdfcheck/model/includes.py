@@ -12,7 +12,6 @@ from pathlib import Path
 
 from sdfcheck.formats.problems import MisplacedElement
 from sdfcheck.formats.survey import survey
-from sdfcheck.formats.truth import is_true
 from sdfcheck.model.model_config import config_of, model_file
 from sdfcheck.model.uris import Location, locate
 from sdfcheck.source.document import Document
@@ -86,7 +85,7 @@ def is_made_static(document: Document) -> bool:
     """Was the document reached by an include that makes its model static?"""
     include = document.included_by[-1].element.parent if document.included_by else None
     static = include.find("static") if include is not None else None
-    return static is not None and is_true(static.content)
+    return static is not None and _is_true(static.content)
 
 
 def included_element(document: Document) -> Element | None:
@@ -141,8 +140,8 @@ def _resolve(document: Document, include: Element) -> Included:
         None,
         None,
         (name.content or None) if name is not None else None,
-        is_true(include.attributes.get("merge", "")),
-        static is not None and is_true(static.content),
+        _is_true(include.attributes.get("merge", "")),
+        static is not None and _is_true(static.content),
     )
     if found.uri is None:
         return found._replace(obstacle=Obstacle.NO_URI)
@@ -194,3 +193,7 @@ def _note_origin(document: Document, other: Document, found: Included) -> None:
         return
     if not other.included_by or (is_made_static(other) and not found.is_static):
         other.included_by = (*document.included_by, found.uri)
+
+
+def _is_true(text: str) -> bool:
+    return text.strip().lower() in {"true", "1"}

@@ -36,7 +36,7 @@ class NonPositiveMass(Record):
 
 
 class IndefiniteInertia(Record):
-    """A tensor that is not positive definite; ``value`` is a negative diagonal component if there is one."""
+    """A tensor that is not positive definite; ``value`` is the component that makes it so, if it is one."""
 
     inertia: Element
     value: Value | None
@@ -117,6 +117,18 @@ def problems(document: Document) -> list[Record]:
     return found
 
 
+def problems_of_links(links: Iterable[Element]) -> Iterator[Record]:
+    """What no body can have, in links of URDF of which not everything is known."""
+    for link in links:
+        inertial = read_inertial(link)
+        if inertial is not None and inertial.mass is not None and inertial.mass.number < 0:
+            yield NonPositiveMass(inertial.mass, link, is_zero=False)
+        elif inertial is not None and len(inertial.moments) == len(COMPONENTS):
+            hard = _hard(inertial, inertial.tensor())
+            if hard is not None:
+                yield hard
+
+
 def _moving_links(document: Document) -> Iterable[Element]:
     root = document.root
     if root is None:
@@ -158,14 +170,28 @@ def _hard(inertial: Inertial, tensor: Moments) -> Record | None:
     if inertia is None:
         return None
     if low < -tolerance:
-        diagonal = (inertial.moments[name] for name in COMPONENTS[:3] if name in inertial.moments)
-        negative = next((value for value in diagonal if value.number < 0), None)
-        return IndefiniteInertia(inertia, negative, inertial.link, low)
+        return IndefiniteInertia(inertia, _culprit(inertial, tensor), inertial.link, low)
     if low + middle + tolerance < high:
         largest = max(COMPONENTS[:3], key=lambda name: getattr(tensor, name))
         value = inertial.moments.get(largest)
         return ImpossibleInertia(value or inertia.own_value, inertial.link, (low, middle, high))
     return None
+
+
+def _culprit(inertial: Inertial, tensor: Moments) -> Value | None:
+    """The one component that makes a tensor indefinite: a negative moment, or too large a product."""
+    diagonal = (inertial.moments[name] for name in COMPONENTS[:3] if name in inertial.moments)
+    negative = next((value for value in diagonal if value.number < 0), None)
+    if negative is not None:
+        return negative
+    too_large = [
+        inertial.moments[name]
+        for name in COMPONENTS[3:]
+        if name in inertial.moments
+        and getattr(tensor, name) ** 2
+        > getattr(tensor, "i" + name[1] * 2) * getattr(tensor, "i" + name[2] * 2)
+    ]
+    return too_large[0] if len(too_large) == 1 else None
 
 
 def _soft(inertial: Inertial, tensor: Moments, mass: float) -> Iterator[Record]:

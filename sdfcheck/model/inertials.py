@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.truth import is_true
 from sdfcheck.model import solids
 from sdfcheck.model.solids import Moments, Solid
 from sdfcheck.source.element import Element, Value
@@ -62,7 +61,7 @@ def read_inertial(link: Element) -> Inertial | None:
     if mass is not None:
         weight = mass.attribute("value") or mass.own_value
         weight = weight if weight.text.strip() else None
-    automatic = is_true(element.attributes.get("auto", ""))
+    automatic = element.attributes.get("auto", "").strip().lower() in {"true", "1"}
     return Inertial(element, link, weight, inertia, moments, position(element), automatic)
 
 

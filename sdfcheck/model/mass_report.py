@@ -8,7 +8,6 @@ from enum import Enum
 
 import numpy as np
 
-from sdfcheck.formats.truth import is_true
 from sdfcheck.model.poses import PoseError, Poses, written_pose
 from sdfcheck.model.robot import Body
 from sdfcheck.model.rotations import Array
@@ -161,7 +160,7 @@ class _Reader:
             return LinkMass(name, MassOrigin.DEFAULT, Body(1.0, np.zeros(3), np.eye(3)).seen_from(pose))
         inertial = frame.element.find("inertial")
         assert inertial is not None
-        automatic = is_true(inertial.attributes.get("auto", ""))
+        automatic = inertial.attributes.get("auto", "").strip().lower() in {"true", "1"}
         origin = MassOrigin.AUTOMATIC if automatic else MassOrigin.WRITTEN
         return LinkMass(name, origin, body.seen_from(pose))
 

@@ -46,12 +46,12 @@ def merge_problems(document: Document) -> Iterator[object]:
 
 def _invalid(found: Included, parent: Element) -> InvalidMerge | None:
     merge, kind = found.include.attribute("merge"), found.kind or "model"
-    if merge is None or parent.name not in {"model", "world"}:
-        return None  # elsewhere it is misplaced in the first place
-    if kind != "model":
-        return InvalidMerge(merge, kind)
+    if merge is None:
+        return None
+    if kind != "model" or parent.name not in {"model", "world"}:
+        return InvalidMerge(merge, kind, parent)
     parts = [f"{k} `{name}`" for k, name, _ in _moved(found) if k in _NOT_INTO_WORLDS]
-    return InvalidMerge(merge, kind, tuple(parts)) if parts and parent.name == "world" else None
+    return InvalidMerge(merge, kind, parent, tuple(parts)) if parts and parent.name == "world" else None
 
 
 def _moved(found: Included) -> Iterator[tuple[str, str, Element]]:

@@ -11,7 +11,6 @@ import math
 import numpy as np
 
 from sdfcheck.formats.survey import survey
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.values import floats
 from sdfcheck.formats.version import Version
 from sdfcheck.model.carriers import child_of, is_merged_model, look_up, own_model
@@ -43,7 +42,7 @@ def written_pose(pose: Element | None) -> Array:
         rotation = from_quaternion(*numbers[3:])
     else:
         angles = numbers[3:]
-        if is_true(attributes.get("degrees", "")):
+        if attributes.get("degrees", "").strip().lower() in {"true", "1"}:
             angles = tuple(math.radians(angle) for angle in angles)
         rotation = from_rpy(*angles)
     return transform(rotation, numbers[:3])

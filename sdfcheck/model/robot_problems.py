@@ -21,14 +21,6 @@ class DisconnectedLink(Record):
     main: Element
 
 
-class DrakeOnlyJoint(Record):
-    """A ``drake:joint`` that alone ties a link to the rest; ``count`` are the parts that hang by such joints."""
-
-    joint: Element
-    link: Element
-    count: int
-
-
 class MisnamedLink(Record):
     """A link that no joint names, where ``ends`` of joints agree on a name that is nearly its own."""
 

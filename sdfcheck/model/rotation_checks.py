@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.values import floats
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -90,7 +89,7 @@ def _in_poses(poses: Iterable[Element]) -> Iterator[Problem]:
 def _attributes(pose: Element) -> _Attributes:
     given = pose.attributes
     return _Attributes(
-        is_true(given.get("degrees", "")),
+        given.get("degrees", "").strip().lower() in {"true", "1"},
         given.get("rotation_format", "").strip() == "quat_xyzw",
     )
 

@@ -13,7 +13,6 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.survey import survey
-from sdfcheck.formats.truth import is_true
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
@@ -273,4 +272,4 @@ def scopes(document: Document) -> Scopes:
 
 def _is_static(element: Element) -> bool:
     static = element.find("static")
-    return static is not None and is_true(static.content)
+    return static is not None and static.content.lower() in {"true", "1"}

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from sdfcheck.formats.survey import survey
-from sdfcheck.formats.truth import is_true
 from sdfcheck.formats.version import Version
 from sdfcheck.model.geometry import read_geometry
 from sdfcheck.model.inertials import read_inertial, solid_of
@@ -166,7 +165,7 @@ class _Reader:
             return np.asarray(here.T @ frame @ direction)
         if version < _SEVEN:
             flag = axis.find("use_parent_model_frame")
-            in_model = version < _FIVE or (flag is not None and is_true(flag.content))
+            in_model = version < _FIVE or (flag is not None and flag.content.lower() in {"true", "1"})
             return here.T @ direction if in_model else direction
         return direction
 

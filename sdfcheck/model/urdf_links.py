@@ -9,14 +9,13 @@ from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.urdf_survey import UrdfSurvey, survey
 from sdfcheck.model.robot_problems import (
     DisconnectedLink,
-    DrakeOnlyJoint,
     MasslessMovingLink,
     MisnamedLink,
     RootWithInertia,
     SeveralRoots,
     VanishingRoot,
 )
-from sdfcheck.model.urdf_tree import MOVING, UrdfJoint, UrdfTree, tree
+from sdfcheck.model.urdf_tree import MOVING, UrdfTree, tree
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 
@@ -92,12 +91,6 @@ def _unfit_for_sdformat(value: Value) -> Iterator[object]:
 def _parts(robot: UrdfTree, parts: list[list[str]]) -> Iterator[object]:
     """Links that are not tied to the rest, unless mistakes in as many joints explain it."""
     main, *others = parts
-    ties = robot.joints_of_drake()
-    tied = [(tie, group) for group in others if (tie := _tie(robot, ties, group)) is not None]
-    if tied:
-        first, group = tied[0]
-        yield DrakeOnlyJoint(first.element, robot.links[_top(robot, group)], len(tied))
-        others = [group for group in others if _tie(robot, ties, group) is None]
     broken = sum(robot.ends(joint) is None for joint in robot.joints)
     if len(others) <= broken:
         return
@@ -111,16 +104,6 @@ def _parts(robot: UrdfTree, parts: list[list[str]]) -> Iterator[object]:
             yield SeveralRoots(robot.links[name], top, len(group))
         else:
             yield DisconnectedLink(robot.links[name], top)
-
-
-def _tie(robot: UrdfTree, joints: list[UrdfJoint], group: list[str]) -> UrdfJoint | None:
-    """The first of the joints that ties a group of links to others."""
-    members = set(group)
-    for joint in joints:
-        ends = robot.ends(joint)
-        if ends is not None and (ends[0] in members) is not (ends[1] in members):
-            return joint
-    return None
 
 
 def _meant_children(robot: UrdfTree) -> Iterator[str]:

@@ -76,11 +76,6 @@ class UrdfTree:
         self.roots = [name for name in self.links if name not in self.parents]
         """The links that no joint leads to, in document order."""
 
-    def joints_of_drake(self) -> list[UrdfJoint]:
-        """Those that only Drake reads; they are in no view."""
-        root = self.document.root
-        return [] if root is None else [_joint(element) for element in root.children("drake:joint")]
-
     def ends(self, joint: UrdfJoint) -> tuple[str, str] | None:
         """The names of parent and child, if they are two links of the robot."""
         if joint.parent is None or joint.child is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from sdfcheck.source.record import NamedTuple
 
@@ -14,6 +14,27 @@ KEYWORDS = frozenset(
     ["arg", "attribute", "call", "element", "if", "include", "insert_block", "macro", "property", "unless"]
 )
 """The elements of the language; any other ``xacro:…`` calls a macro."""
+
+REQUIRED: Mapping[str, tuple[str, ...]] = {
+    "arg": ("name", "default"),
+    "if": ("value",),
+    "include": ("filename",),
+    "insert_block": ("name",),
+    "macro": ("name",),
+    "property": ("name",),
+    "unless": ("value",),
+}
+"""The attributes that elements of the language cannot do without; of the others any will do."""
+
+OPTIONAL: Mapping[str, tuple[str, ...]] = {
+    "include": ("ns", "optional"),
+    "macro": ("params",),
+    "property": ("value", "default", "remove", "scope", "lazy_eval"),
+}
+"""Further attributes that they take."""
+
+COMMANDS = frozenset(["anon", "arg", "cwd", "dirname", "env", "eval", "find", "optenv"])
+"""What a substitution may begin with."""
 
 # What expressions know without being told: Python's functions that xacro exposes, its modules, and math.
 BUILT_IN = frozenset(

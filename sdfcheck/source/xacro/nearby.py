@@ -16,14 +16,14 @@ _PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _WORD = re.compile(r"[^\W\d][\w.]*")
 
 
-def nearest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate that a misspelt name was meant to be, None if none is close."""
+def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str | None:
+    """The candidate that a misspelt name was meant to be, None if none is so much like it."""
     import difflib
 
     if len(name) < 3:
         return None
     pool = {candidate.casefold(): candidate for candidate in sorted(candidates)}
-    near = difflib.get_close_matches(name.casefold(), pool, n=1, cutoff=0.75)
+    near = difflib.get_close_matches(name.casefold(), pool, n=1, cutoff=likeness)
     return pool[near[0]] if near else None
 
 
@@ -41,7 +41,7 @@ def _project_names(document: Document) -> frozenset[str]:
         text = text_of(path)
         names.update(_DEFINED.findall(text))
         for match in _PARAMETERS.finditer(text):
-            names.update(_WORD.findall(match[1] or match[2]))
+            names.update(_WORD.findall(match[1] or match[2] or ""))
     return frozenset(names)
 
 

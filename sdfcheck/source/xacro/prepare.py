@@ -16,12 +16,27 @@ from sdfcheck.source.xacro.origins import ExpandedDocument
 from sdfcheck.source.xacro.problems import (
     ExpansionFailure,
     Failure,
+    MissingXacroPrefix,
     Problem,
     UndeclaredXacroPrefix,
+    UndefinedArgument,
+    UndefinedBlock,
     UndefinedMacro,
     UndefinedProperty,
+    UnevaluatedExpression,
+    WrongXacroAttribute,
 )
 from sdfcheck.source.xacro.world import is_robot
+
+_STOPS = (
+    MissingXacroPrefix,
+    UndeclaredXacroPrefix,
+    UndefinedArgument,
+    UndefinedBlock,
+    UnevaluatedExpression,
+    WrongXacroAttribute,
+)
+"""With one of these an expansion fails, or shows what follows from them."""
 
 
 class Prepared(NamedTuple):
@@ -36,15 +51,16 @@ def prepare(
 ) -> Prepared:
     """Read a xacro document, and expand it once for each set of arguments (without one: once).
 
-    A macro library is not expanded, and nothing is without ``expander``. Two problems of
-    one kind at one place are one, and so are all uses of one undefined name.
+    A macro library is not expanded, nor is what cannot be, and nothing is without
+    ``expander``. Two problems of one kind at one place are one, and so are all uses of one
+    undefined name.
     """
     if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
         return Prepared((), ())
     found: list[Problem] = list(static.problems(document))
     documents: list[ExpandedDocument] = []
-    declared = not any(isinstance(problem, UndeclaredXacroPrefix) for problem in found)
-    if expander is not None and declared and is_robot(document):
+    is_sound = not any(isinstance(problem, _STOPS) for problem in found)
+    if expander is not None and is_sound and is_robot(document):
         for arguments in list(argument_sets) or [{}]:
             expansion = expander.expand(document, arguments)
             if expansion.document is not None and is_complete(expansion.document):

@@ -62,6 +62,48 @@ class UndefinedProperty(UndefinedName):
     """What an expression uses is no property, parameter or function."""
 
 
+class UndefinedBlock(UndefinedName):
+    """What is inserted is no block that a macro takes or a property holds."""
+
+
+class UndefinedArgument(Record):
+    """``$(arg name)``, and only an argument of another name, ``near``, is declared."""
+
+    span: Span
+    name: str
+    near: str
+
+
+class UnevaluatedExpression(Record):
+    """Something that looks like an expression and is none: ``meant`` is what it should be.
+
+    ``is_open``: its end is missing, so that xacro drops the rest of the value or takes too
+    much of it; what was meant cannot be told.
+    """
+
+    span: Span
+    meant: str
+    is_open: bool
+
+
+class WrongXacroAttribute(Record):
+    """An element of xacro's lacks an attribute (``is_missing``), or has one that it does not take."""
+
+    span: Span
+    element: str
+    attribute: str
+    is_missing: bool
+    near: str | None = None
+
+
+class MissingXacroPrefix(Record):
+    """An element that is xacro's but for the prefix; ``edits`` are where that goes."""
+
+    span: Span
+    name: str
+    edits: tuple[Span, ...]
+
+
 class UnusedProperty(Record):
     """A property that nothing reads."""
 
@@ -106,7 +148,10 @@ class Mismatch(Enum):
 
 
 class WrongMacroArguments(Record):
-    """A call that gives a macro other parameters than it takes; ``names`` are those at fault."""
+    """A call that gives a macro other parameters than it takes.
+
+    ``names`` are those at fault, ``near`` is what one was meant to be.
+    """
 
     span: Span
     macro: str
@@ -115,6 +160,7 @@ class WrongMacroArguments(Record):
     parameters: tuple[str, ...]
     definition: Span | None
     origins: tuple[Step, ...] = ()
+    near: str | None = None
 
 
 Problem = (
@@ -122,6 +168,11 @@ Problem = (
     | UndeclaredXacroPrefix
     | UndefinedMacro
     | UndefinedProperty
+    | UndefinedBlock
+    | UndefinedArgument
+    | UnevaluatedExpression
+    | WrongXacroAttribute
+    | MissingXacroPrefix
     | UnusedProperty
     | UnusedMacroParameter
     | XacroIncludeCycle

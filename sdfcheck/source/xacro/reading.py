@@ -18,6 +18,7 @@ from sdfcheck.source.xacro.language import (
     parameters,
     substitutions,
 )
+from sdfcheck.source.xacro.own_elements import keyword, own_attributes
 
 _WORD = re.compile(r"[^\W\d]\w*")
 _OWN_LANGUAGE = frozenset({"name", "filename"})
@@ -59,12 +60,13 @@ class Expression(Record):
 
 
 class Include(Record):
-    """An include; ``conditional`` inside ``xacro:if`` or a macro, or where the file may be missing."""
+    """An include; ``conditional`` inside ``xacro:if`` or a macro, ``optional`` where the file may be missing."""
 
     element: Element
     filename: str
     namespace: str
     conditional: bool
+    optional: bool
 
 
 class Command(Record):
@@ -87,6 +89,8 @@ class Reading:
         self.expressions: list[Expression] = []
         self.includes: list[Include] = []
         self.commands: list[Command] = []
+        self.elements: list[tuple[Element, Element | None]] = []
+        """All elements, each with the macro in whose body it stands."""
         self.arguments: dict[str, str] = {}
         self.words: set[str] = set()
         """Every word in an expression, and every name that is inserted or forwarded."""
@@ -97,22 +101,22 @@ class Reading:
 
     def _walk(self, element: Element, macro: Element | None, conditional: bool) -> None:
         name = element.name
-        if name.startswith(PREFIX):
-            own = name[len(PREFIX) :]
-            if own == "macro":
-                self._take_macro(element)
-                macro, conditional = element, True
-            elif own in KEYWORDS:
-                self._take_keyword(own, element, macro, conditional)
-                conditional |= own in {"if", "unless"}
-            else:
-                self.calls.append(Call(element, own))
+        self.elements.append((element, macro))
+        own = keyword(element)
+        if name.startswith(PREFIX) and name[len(PREFIX) :] not in KEYWORDS:
+            self.calls.append(Call(element, name[len(PREFIX) :]))
+        if own == "macro":
+            self._take_macro(element)
+            macro, conditional = element, True
+        elif own:
+            self._take_keyword(own, element, macro, conditional)
+            conditional |= own in {"if", "unless"}
         self._take_values(element, macro, conditional)
         for child in element.children():
             self._walk(child, macro, conditional)
 
     def _take_macro(self, element: Element) -> None:
-        attributes = element.attributes
+        attributes = own_attributes(element, "macro")
         name = attributes.get("name", "").removeprefix(PREFIX)
         found = tuple(parameters(attributes.get("params", "")))
         words: set[str] = set()
@@ -130,7 +134,7 @@ class Reading:
         self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls)))
 
     def _take_keyword(self, own: str, element: Element, macro: Element | None, conditional: bool) -> None:
-        attributes = element.attributes
+        attributes = own_attributes(element, own)
         name = attributes.get("name", "")
         if own == "property":
             self.is_open |= not is_literal(name)
@@ -144,7 +148,7 @@ class Reading:
             namespace = attributes.get("ns", "")
             self.is_open |= not is_literal(namespace)
             filename = attributes.get("filename", "")
-            self.includes.append(Include(element, filename, namespace, conditional or optional))
+            self.includes.append(Include(element, filename, namespace, conditional or optional, optional))
         elif own == "call":
             self.is_open |= not is_literal(attributes.get("macro", ""))
             if is_literal(attributes.get("macro", "")):
@@ -153,7 +157,7 @@ class Reading:
     def _take_values(self, element: Element, macro: Element | None, conditional: bool) -> None:
         self.words |= _words_of(element)
         certain = not conditional and element.name != "xacro:property"
-        for attribute, text in _texts(element):
+        for attribute, text in texts(element):
             for _, code in expressions(text):
                 self.expressions.append(Expression(element, attribute, code, macro))
             for _, command in substitutions(text):
@@ -165,22 +169,22 @@ def reading(document: Document) -> Reading:
     return document.view(Reading)
 
 
-def _texts(element: Element) -> Iterator[tuple[str | None, str]]:
-    """The attribute values and the text that xacro evaluates, those without a dollar sign left out."""
+def texts(element: Element, signs: str = "$") -> Iterator[tuple[str | None, str]]:
+    """The attribute values and the text that xacro evaluates, as far as they have one of the signs."""
     for attribute, value in element.attributes.items():
-        if "$" in value:
+        if any(sign in value for sign in signs):
             yield attribute, value
     for text in (element.text, *(child.tail for child in element)):
-        if text and "$" in text:
+        if text and any(sign in text for sign in signs):
             yield None, str(text)
 
 
 def _words_of(element: Element) -> set[str]:
     """The words in an element's expressions, and the block that it inserts."""
     words = {
-        word for _, text in _texts(element) for _, code in expressions(text) for word in _WORD.findall(code)
+        word for _, text in texts(element) for _, code in expressions(text) for word in _WORD.findall(code)
     }
-    for _, text in _texts(element):
+    for _, text in texts(element):
         words.update(word for _, command in substitutions(text) for word in _WORD.findall(command))
     if element.name == "xacro:insert_block":
         words.add(element.attributes.get("name", ""))

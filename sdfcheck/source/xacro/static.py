@@ -11,6 +11,7 @@ from sdfcheck.source.text import Span
 from sdfcheck.source.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX, Parameter
 from sdfcheck.source.xacro.names import free_names
 from sdfcheck.source.xacro.nearby import nearest, project_names
+from sdfcheck.source.xacro.own_elements import element_problems
 from sdfcheck.source.xacro.problems import (
     Mismatch,
     Problem,
@@ -25,6 +26,7 @@ from sdfcheck.source.xacro.problems import (
 )
 from sdfcheck.source.xacro.reading import Call, Macro, place, reading
 from sdfcheck.source.xacro.world import World, is_robot, world
+from sdfcheck.source.xacro.written import written_problems
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 _BLOCK_MAKERS = frozenset({"xacro:if", "xacro:unless", "xacro:insert_block", "xacro:include"})
@@ -36,6 +38,8 @@ def problems(document: Document) -> Iterator[Problem]:
         return
     yield from _undeclared(document)
     around = world(document)
+    yield from element_problems(document)
+    yield from written_problems(document, around)
     yield from _undefined_macros(document, around)
     yield from _undefined_properties(document, around)
     yield from _wrong_arguments(document, around)
@@ -66,12 +70,12 @@ def _undefined_macros(document: Document, around: World) -> Iterator[Problem]:
     for call in reading(document).calls:
         if call.name in around.macros or call.name.rpartition(".")[2] in around.macros:
             continue
+        near = nearest(call.name, {*around.macros, *KEYWORDS})
         if around.is_open or not is_robot(document):
-            near = nearest(call.name, {*around.macros, *KEYWORDS})
-            if near is None or call.name in project_names(document):
+            elsewhere = project_names(document)
+            near = near or nearest(call.name, elsewhere, 0.85)
+            if near is None or call.name in elsewhere:
                 continue
-        else:
-            near = nearest(call.name, {*around.macros, *KEYWORDS})
         yield UndefinedMacro(_called(call), call.name, near)
 
 
@@ -89,8 +93,10 @@ def _undefined_properties(document: Document, around: World) -> Iterator[Problem
     for found in reading(document).expressions:
         known = everywhere if found.macro is None else everywhere | around.parameters
         for name in sorted(free_names(found.code) - known):
-            near = nearest(name, known - BUILT_IN)
-            if not robot and (near is None or name in project_names(document)):
+            is_function = re.search(rf"(?<![\w.]){name}\s*\(", found.code) is not None
+            near = nearest(name, known if is_function else known - BUILT_IN)
+            # Who includes a library may define properties, but hardly functions.
+            if not robot and ((near is None and not is_function) or name in project_names(document)):
                 continue
             yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)
 
@@ -104,15 +110,17 @@ def _wrong_arguments(document: Document, around: World) -> Iterator[Problem]:
         given = [name for name in call.element.attributes if not name.startswith(PREFIX)]
         taken = {p.name for p in macro.parameters if not p.is_block}
         names = tuple(p.name for p in macro.parameters)
-        for name in given:
-            if name not in taken:
-                span = document.spans.attribute_name(call.element, name)
-                yield WrongMacroArguments(
-                    span, macro.name, Mismatch.UNKNOWN, (name,), names, _definition(macro)
-                )
         missing = tuple(
             p.name for p in macro.parameters if not p.is_block and not p.is_optional and p.name not in given
         )
+        for name in given:
+            if name not in taken:
+                span = document.spans.attribute_name(call.element, name)
+                near = missing[0] if len(missing) == 1 else nearest(name, taken.difference(given))
+                missing = tuple(each for each in missing if each != near)
+                yield WrongMacroArguments(
+                    span, macro.name, Mismatch.UNKNOWN, (name,), names, _definition(macro), near=near
+                )
         if missing:
             span = call.element.span
             yield WrongMacroArguments(span, macro.name, Mismatch.MISSING, missing, names, _definition(macro))

@@ -36,6 +36,8 @@ class World:
         self.readings: list[Reading] = []
         self.cycles: list[Cycle] = []
         self.is_open = False
+        self.missing: list[Include] = []
+        """The includes of the document itself whose file is told for certain and not there."""
         self._done: set[Path] = set()
         self._enter(document, ())
         self.macros: dict[str, list[Macro]] = {}
@@ -58,6 +60,8 @@ class World:
         for include in read.includes:
             targets = self._targets(include, document)
             self.is_open |= not targets
+            if not targets and not way and not include.optional and self._told_path(include, document):
+                self.missing.append(include)
             for target in targets:
                 self._follow(target, include, document, (*way, (path, include)))
 
@@ -83,14 +87,19 @@ class World:
 
     def _targets(self, include: Include, document: Document) -> list[Path]:
         """The files that an include names; none if that cannot be told."""
-        text = self._told(include.filename, document)
-        if not text or document.library is None:
+        path = self._told_path(include, document)
+        if path is None or document.library is None:
             return []
-        path = document.path.parent / text
+        text = str(path)
         if re.search(r"[*?\[]", text):
             return sorted(path.parent.glob(path.name)) if not re.search(r"[*?\[]", str(path.parent)) else []
         path = document.library.packages(document.path).locate(path)
         return [path] if path.is_file() else []
+
+    def _told_path(self, include: Include, document: Document) -> Path | None:
+        """Where an include leads, if that can be told."""
+        text = self._told(include.filename, document)
+        return document.path.parent / text if text and document.library is not None else None
 
     def _told(self, text: str, document: Document) -> str:
         """A text whose substitutions have one possible value each; empty if one of them has not."""

@@ -69,8 +69,6 @@ def test_includes_are_followed_wherever_they_stand() -> None:
     problem = only(found('<sdf version="1.9"><include/></sdf>'), problems.MisplacedElement)
     assert not problem.ignored
     assert problem.places == ("model", "world")
-    merging = found('<sdf version="1.9"><include merge="true"/></sdf>')
-    assert only(merging, problems.MisplacedElement).ignored
 
 
 def test_unknown_elements() -> None:

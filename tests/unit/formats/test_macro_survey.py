@@ -9,11 +9,13 @@ import pytest
 import sdfcheck
 
 HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">'
+INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 
 
 def codes(body: str, tmp_path: Path, *, params: str = "") -> list[tuple[str, str]]:
     """The code and the text at the place of each diagnostic of a library with one macro."""
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
     path = tmp_path / "library.xacro"
     path.write_text(f'{HEAD}<xacro:macro name="m" params="{params}">{body}</xacro:macro></robot>')
     run = sdfcheck.lint(path, isolated=True, ignore=["XAC009"])
@@ -29,6 +31,11 @@ def codes(body: str, tmp_path: Path, *, params: str = "") -> list[tuple[str, str
         ('<link name="a"><inertial><mass value="1kg"/></inertial></link>', ("SCH011", "1kg")),
         ('<joint name="${n}" type="revolut"><parent link="${n}_p"/></joint>', ("SCH015", "revolut")),
         ('<inertial><orign/><mass value="1"/></inertial>', ("URD001", "orign")),
+        (
+            '<joint name="${n}" type="fixed"><xacro:insert_block name="origin"/><parent link="a"/></joint>',
+            ("SCH004", "joint"),
+        ),
+        (f'<link name="a"><inertial><mass value="-1"/>{INERTIA}</inertial></link>', ("INR001", "-1")),
         (f'<link name="a"><visual>{SHAPE}<origin xyz="0 0"/></visual></link>', ("SCH013", "0 0")),
     ],
 )

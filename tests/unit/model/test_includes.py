@@ -215,9 +215,11 @@ def test_a_parameter_may_remove_what_a_world_cannot_take(tmp_path: Path) -> None
     assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", more, merge="true")))) == []
 
 
-def test_a_misplaced_include_is_another_matter(tmp_path: Path) -> None:
+def test_nothing_merges_into_a_frame(tmp_path: Path) -> None:
     text = '<link name="l"/><frame name="f">' + include("arm.sdf", merge="true") + "</frame>"
-    assert kinds(document(tmp_path, MODEL.format(text))) == []
+    (problem,) = problems(document(tmp_path, MODEL.format(text)))
+    assert isinstance(problem, InvalidMerge)
+    assert problem.parent.name == "frame"
 
 
 @pytest.mark.parametrize(

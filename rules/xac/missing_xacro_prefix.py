@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class MissingXacroPrefix(Rule):
+    """An element of xacro's own stands without the prefix `xacro:`.
+
+    Since ROS Noetic xacro leaves it in the description as it is, where no reader knows
+    it: the property is not defined, the macro not called, the block not inserted.
+    """
+
+    code = "XAC012"
+    name = "missing-xacro-prefix"
+    severity = Severity.ERROR
+    explains = (problems.MissingXacroPrefix,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<«property» name="w" value="1"/><link name="a${w}"/>',
+            fixed='<xacro:property name="w" value="1"/><link name="a${w}"/>',
+            unsafe=True,
+            file=FILE,
+            says="`property` without the prefix `xacro:` is left as it is",
+        ),
+        Bad(
+            '<«if» value="1"><link name="a"/></if><xacro:if value="1"><link name="b"/></xacro:if>',
+            fixed='<xacro:if value="1"><link name="a"/></xacro:if><xacro:if value="1"><link name="b"/></xacro:if>',
+            unsafe=True,
+            file=FILE,
+        ),
+    )
+    good = (
+        Good("<include><uri>model://a</uri></include>", why="SDFormat's own", file=FILE),
+        Good(
+            '<plugin name="p" filename="p"><property name="w" value="1"/></plugin>',
+            why="the content of a plugin is the plugin's",
+            file=FILE,
+        ),
+    )
+
+    def check(self, problem: problems.MissingXacroPrefix) -> Iterator[Diagnostic]:
+        name = problem.name
+        edits = tuple(Edit(span, f"xacro:{name}") for span in problem.edits)
+        fix = edit(f"make it `xacro:{name}`", edits, unsafe=True)
+        yield self.diagnostic(problem.span, f"`{name}` without the prefix `xacro:` is left as it is", fix=fix)

@@ -1,0 +1,35 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class UndefinedArgument(Rule):
+    """`$(arg …)` asks for an argument that is not declared, but for a slip in its name.
+
+    xacro stops there unless the caller gives one of that name.
+    """
+
+    code = "XAC013"
+    name = "undefined-argument"
+    severity = Severity.ERROR
+    explains = (problems.UndefinedArgument,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:arg name="prefix" default="x"/><link name="$(arg «prefx»)a"/>',
+            fixed='<xacro:arg name="prefix" default="x"/><link name="$(arg prefix)a"/>',
+            unsafe=True,
+            file=FILE,
+            says="argument `prefx` is not declared; did you mean `prefix`?",
+        ),
+    )
+    good = (Good('<xacro:arg name="prefix" default="x"/><link name="$(arg prefix)a"/>', file=FILE),)
+
+    def check(self, problem: problems.UndefinedArgument) -> Iterator[Diagnostic]:
+        near = problem.near
+        message = f"argument `{problem.name}` is not declared; did you mean `{near}`?"
+        yield self.diagnostic(
+            problem.span, message, fix=replace(problem.span, near, f"rename it to `{near}`", unsafe=True)
+        )

@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class UnevaluatedExpression(Rule):
+    """Something looks like an expression of xacro and is none.
+
+    Braces without a dollar sign stay as they are, so that a link is called `{side}_wheel`
+    in the robot. Of an expression without its end xacro drops all that follows, in silence.
+    """
+
+    code = "XAC010"
+    name = "unevaluated-expression"
+    severity = Severity.ERROR
+    explains = (problems.UnevaluatedExpression,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:macro name="m" params="side"><link name="${side}_a"/><link name="«{side}»_b"/></xacro:macro>'
+            '<xacro:m side="l"/>',
+            fixed='<xacro:macro name="m" params="side"><link name="${side}_a"/><link name="${side}_b"/>'
+            '</xacro:macro><xacro:m side="l"/>',
+            unsafe=True,
+            file=FILE,
+            says="`{side}` is not evaluated; did you mean `${side}`?",
+        ),
+        Bad(
+            '<xacro:property name="w" value="1"/><link name="a${w}"/><link name="«${w_b»"/>',
+            file=FILE,
+            says="has no end",
+        ),
+    )
+    good = (
+        Good('<plugin name="p" filename="p"><format>{side}</format></plugin>', why="no such name", file=FILE),
+        Good('<xacro:property name="w" value="1"/><link name="a$${w"/><link name="${w}"/>', file=FILE),
+    )
+
+    def check(self, problem: problems.UnevaluatedExpression) -> Iterator[Diagnostic]:
+        text = problem.span.text
+        if problem.is_open:
+            yield self.diagnostic(problem.span, f"the expression `{text}` has no end")
+            return
+        message = f"`{text}` is not evaluated; did you mean `{problem.meant}`?"
+        fix = replace(problem.span, problem.meant, f"make it `{problem.meant}`", unsafe=True)
+        yield self.diagnostic(problem.span, message, fix=fix)

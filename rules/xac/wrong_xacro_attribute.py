@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Fix, Good, Rule, Severity, problems, replace
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class WrongXacroAttribute(Rule):
+    """An element of xacro's own lacks an attribute that it needs, or has one that it does not take.
+
+    xacro stops at a missing one, and passes over an unknown one with a warning.
+    """
+
+    code = "XAC011"
+    name = "wrong-xacro-attribute"
+    severity = Severity.ERROR
+    explains = (problems.WrongXacroAttribute,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:property name="w" «vaule»="1"/><link name="a${w}"/>',
+            fixed='<xacro:property name="w" value="1"/><link name="a${w}"/>',
+            unsafe=True,
+            file=FILE,
+            says="`xacro:property` takes no `vaule`; did you mean `value`?",
+        ),
+        Bad('<«xacro:if»><link name="a"/></xacro:if>', file=FILE, says="`xacro:if` has no `value`"),
+        Bad('<«xacro:arg» name="a"/>', file=FILE, says="`xacro:arg` has no `default`"),
+    )
+    good = (
+        Good('<xacro:property name="w" value="1" scope="global"/><link name="a${w}"/>', file=FILE),
+        Good('<xacro:macro name="m"><link name="a"/></xacro:macro><xacro:m/>', file=FILE),
+    )
+
+    def check(self, problem: problems.WrongXacroAttribute) -> Iterator[Diagnostic]:
+        element, name, near = problem.element, problem.attribute, problem.near
+        if problem.is_missing:
+            yield self.diagnostic(problem.span, f"`{element}` has no `{name}`")
+            return
+        message, fix = f"`{element}` takes no `{name}`", None
+        if near is not None:
+            message += f"; did you mean `{near}`?"
+            fix = _rename(problem, near)
+        yield self.diagnostic(problem.span, message, fix=fix)
+
+
+def _rename(problem: problems.WrongXacroAttribute, near: str) -> Fix:
+    return replace(problem.span, near, f"rename it to `{near}`", unsafe=True)

@@ -1,0 +1,66 @@
+"""What the text of a xacro library shows to be wrong, without being expanded."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+
+HEAD = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">'
+QUIET = ["XAC005", "XAC009"]
+
+
+def found(body: str, tmp_path: Path) -> list[tuple[str, str]]:
+    """The code and the text at the place of each diagnostic of a library."""
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    path = tmp_path / "library.xacro"
+    path.write_text(f"{HEAD}{body}</robot>")
+    run = sdfcheck.lint(path, isolated=True, ignore=QUIET)
+    return [(diagnostic.code, diagnostic.span.text) for diagnostic in run.diagnostics]
+
+
+def macro(body: str, params: str = "side") -> str:
+    return f'<xacro:macro name="m" params="{params}">{body}</xacro:macro>'
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        (macro('<link name="${side +}"/>'), ("XAC001", "${side +}")),
+        (macro('<link name="${sine(side)}"/>'), ("XAC004", "sine")),
+        (macro('<link name="${side"/>'), ("XAC010", "${side")),
+        (macro('<link name="${side + 1_${side}"/>'), ("XAC010", "${side + 1_")),
+        (macro('<link name="{side}_a"/>'), ("XAC010", "{side}")),
+        (macro('<link name="$(agr side)"/>'), ("XAC001", "$(agr side)")),
+        (macro('<xacro:if value="maybe"><link name="a"/></xacro:if>'), ("XAC001", "maybe")),
+        (macro('<xacro:insert_block name="orign"/>', "*origin"), ("XAC004", "orign")),
+        (macro('<insert_block name="origin"/>', "*origin"), ("XAC012", "insert_block")),
+        ('<xacro:include filename="nowhere.xacro"/>' + macro(""), ("XAC001", "nowhere.xacro")),
+        ('<xacro:macro nmae="m" params="a"><link name="${a}"/></xacro:macro>', ("XAC011", "nmae")),
+        ('<xacro:arg name="prefix" default=""/>' + macro('<link name="$(arg prefx)"/>'), ("XAC013", "prefx")),
+        ('<xacro:proprety name="long" value="1"/>' + macro('<link name="${long}"/>'), ("XAC003", "proprety")),
+        ('<property name="long" value="1"/>' + macro('<link name="${long}"/>'), ("XAC012", "property")),
+        (macro("") + '<xacro:m sied="left"/>', ("XAC008", "sied")),
+    ],
+)
+def test_one_slip_gives_one_diagnostic(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
+    assert found(body, tmp_path) == [expected]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        macro('<gazebo><plugin name="p" filename="p"><format>{other}</format></plugin></gazebo>'),
+        macro('<link name="${dict(a=side)}"/>'),
+        macro('<link name="$${side"/>'),
+        macro('<link name="${1 // side}"/>'),
+        macro('<xacro:unless value="0"><link name="a"/></xacro:unless>'),
+        macro('<gazebo><property name="long" value="1"/></gazebo>'),
+        macro('<link name="$(arg of_whoever_includes_it)"/>'),
+        '<xacro:include filename="nowhere.xacro" optional="true"/>' + macro(""),
+    ],
+)
+def test_what_may_be_sound_is_left_alone(body: str, tmp_path: Path) -> None:
+    assert not found(body, tmp_path)
