@@ -17,7 +17,8 @@ class UndeclaredPrefix(Rule):
     A declaration holds from its own start tag to the matching end tag, no further. The
     custom-elements proposal asks for declared prefixes and advises to declare them on
     the root element. libsdformat and Drake read prefixes as plain text and do not mind,
-    but every namespace-aware XML parser (Python's among them) refuses the file.
+    but every namespace-aware XML parser (Python's among them) refuses the file: an error,
+    though a simulator may never meet it.
     """
 
     code = "NS003"

@@ -8,7 +8,9 @@ class UnknownAttribute(Rule):
 
     The custom-elements proposal keeps names without prefix for the standard; attributes
     of one's own are given a prefix, those of custom elements are free. libsdformat warns
-    and goes on as if the attribute were not there; Drake refuses the file.
+    and goes on as if the attribute were not there; Drake refuses the file. It is a warning
+    all the same, since what is somebody's own harms nobody in Gazebo, for which most files
+    are written. Who writes for Drake sets it to `error` under `[severity]`.
     """
 
     code = "NS001"

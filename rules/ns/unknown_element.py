@@ -21,7 +21,9 @@ class UnknownElement(Rule):
 
     The custom-elements proposal keeps names without prefix for the standard; elements of
     one's own are given a prefix. libsdformat warns and keeps the element as somebody's
-    own, so that a misspelt one is as good as absent; Drake refuses the file.
+    own, so that a misspelt one is as good as absent; Drake refuses the file. It is a warning
+    all the same, since what is somebody's own harms nobody in Gazebo, for which most files
+    are written. Who writes for Drake sets it to `error` under `[severity]`.
     """
 
     code = "NS002"
