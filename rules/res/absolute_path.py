@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, IN_VISUAL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_ROBOT, IN_URDF_LINK, IN_VISUAL, Bad, Diagnostic, Good, Rule, Severity, problems
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 
@@ -25,6 +25,11 @@ class AbsolutePath(Rule):
             scaffold=IN_URDF_LINK,
         ),
         Bad(MESH.format("«C:/robots/arm.dae»")),
+        Bad(
+            '<gazebo reference="base"><visual><material><pbr><metal><albedo_map>«/home/ann/arm.png»</albedo_map>'
+            "</metal></pbr></material></visual></gazebo>",
+            scaffold=IN_ROBOT,
+        ),
     )
     good = (
         Good(MESH.format("file://meshes/arm.dae"), why="relative all the same"),

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class MissingPluginAttribute(Rule):
@@ -21,6 +21,7 @@ class MissingPluginAttribute(Rule):
     bad = (
         Bad('<«plugin» name="p"/>', says="plugin `p` has no `filename`"),
         Bad('<plugin name="p" «filename»=""/>', says="`filename` of plugin `p` is empty"),
+        Bad('<gazebo><«plugin» name="p"/></gazebo>', scaffold=IN_ROBOT, says="plugin `p` has no `filename`"),
         Bad(
             '<«plugin» filename="libp.so"/>',
             scaffold=IN_MODEL.replace("1.12", "1.9"),

@@ -7,15 +7,16 @@ collides with nothing. Nothing is fetched, and nothing is read.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sdfcheck.formats.survey import survey
 from sdfcheck.model.file_problems import MissingFile, MissingFolder, MissingOwner, UnportableUri
+from sdfcheck.model.gazebo_extensions import extension_parts
 from sdfcheck.model.uri_spelling import absolute, malformed, misspelt
 from sdfcheck.model.uris import Location, locate
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Value
+from sdfcheck.source.element import Element, Value
 
 _MAPS = (
     "albedo_map", "ambient_occlusion_map", "emissive_map", "environment_map", "glossiness_map", "light_map",
@@ -57,17 +58,28 @@ def urdf_problems(document: Document) -> list[object]:
         for element in index.get(kind, ())
         if (value := element.attribute("filename")) is not None
     ]
-    return [*_judge(document, uses), *_unportable([value for value, _ in uses])]
+    # What stands in <gazebo> is for Gazebo alone: it knows all schemes, and where its own pictures are.
+    of_gazebo = [
+        (value, what)
+        for block in index.get("gazebo", ())
+        for value, what in _named_in(extension_parts(block))
+        if "/" in value.text
+    ]
+    return [*_judge(document, [*uses, *of_gazebo]), *_unportable([value for value, _ in uses])]
 
 
 def _references(document: Document) -> Iterator[tuple[Value, str]]:
     index = survey(document).index
-    for name, parents in _PLACES.items():
-        for element in index.get(name, ()):
-            parent = element.parent
-            if parent is not None and parent.tag in parents:
-                default = "texture" if name in _MAPS or parent.tag in {"projector", "sky"} else parent.tag
-                yield element.own_value, _WHAT.get(parent.tag, default)
+    return _named_in(element for name in _PLACES for element in index.get(name, ()))
+
+
+def _named_in(elements: Iterable[Element]) -> Iterator[tuple[Value, str]]:
+    """The files that elements name by their text, and what kind of file each is."""
+    for element in elements:
+        parent, name = element.parent, element.tag
+        if parent is not None and parent.tag in _PLACES.get(name, ()):
+            default = "texture" if name in _MAPS or parent.tag in {"projector", "sky"} else parent.tag
+            yield element.own_value, _WHAT.get(parent.tag, default)
 
 
 def _judge(document: Document, uses: list[tuple[Value, str]]) -> list[object]:

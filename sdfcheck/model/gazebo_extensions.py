@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sdfcheck.formats.problems import MissingAttribute
 from sdfcheck.formats.urdf_survey import survey
 from sdfcheck.model.gazebo_problems import DisabledLumping, ExtensionLostByName, ScriptMaterial
 from sdfcheck.model.urdf_tree import tree
@@ -31,6 +32,7 @@ def extension_problems(document: Document) -> Iterator[object]:
         if any(map(_is_on, block.children("preserveFixedJoint")))
     }
     for block in surveyed.top("gazebo"):
+        yield from _plugins(block)
         reference = block.attributes.get("reference", "")
         link, joint = robot.links.get(reference), robot.joint_named.get(reference)
         if link is not None:
@@ -40,6 +42,14 @@ def extension_problems(document: Document) -> Iterator[object]:
             for element in block.children("disableFixedJointLumping"):
                 if _is_on(element) and reference not in kept:
                     yield DisabledLumping(element, joint.element)
+
+
+def extension_parts(block: Element) -> Iterator[Element]:
+    """The elements in a ``<gazebo>`` block; what stands in plugins is theirs."""
+    for child in block.children():
+        yield child
+        if child.name != "plugin":
+            yield from extension_parts(child)
 
 
 def _lost(block: Element, link: Element, name: str) -> Iterator[ExtensionLostByName]:
@@ -53,6 +63,13 @@ def _lost(block: Element, link: Element, name: str) -> Iterator[ExtensionLostByN
                 hidden.append(value)
         if settings and hidden:
             yield ExtensionLostByName(settings, hidden[0], name, len(hidden))
+
+
+def _plugins(block: Element) -> Iterator[MissingAttribute]:
+    """libsdformat refuses the robot for a plugin without a file."""
+    for element in extension_parts(block):
+        if element.name == "plugin" and not element.attributes.get("filename"):
+            yield MissingAttribute(element, "filename", empty="filename" in element.attributes)
 
 
 def _scripts(block: Element, link: Element) -> Iterator[ScriptMaterial]:

@@ -15,6 +15,9 @@ _NAMING_FILES = (
     "sky", "particle_emitter", "pbr", "shader",
 )  # fmt: skip
 
+_FILE_TAGS = ("<uri", "<filename", "<texture", "_map>", "<diffuse", "<normal")
+"""By these a text may name a file inside of ``<gazebo>``."""
+
 
 def problems(document: Document) -> Iterator[object]:
     """What is wrong with the includes, files and collision references of an SDF document."""
@@ -34,11 +37,16 @@ def problems(document: Document) -> Iterator[object]:
 
 
 def urdf_problems(document: Document) -> Iterator[object]:
-    """What is wrong with the files that a URDF document names."""
+    """What is wrong with the files that a URDF document names, in ``<gazebo>`` blocks too."""
     from sdfcheck.formats import urdf_survey
 
     index = urdf_survey.survey(document).index
-    if "mesh" in index or "texture" in index:
+    text = document.source.text
+    if (
+        "mesh" in index
+        or "texture" in index
+        or ("gazebo" in index and any(tag in text for tag in _FILE_TAGS))
+    ):
         from sdfcheck.model import file_checks
 
         yield from file_checks.urdf_problems(document)
