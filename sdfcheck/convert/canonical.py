@@ -113,7 +113,7 @@ def _without_includes(document: Document) -> tuple[Document, list[str]]:
     root = branch_of(document.root)
     expansion = IncludeExpansion()
     expansion.expand(root, document)
-    if not expansion.count:
+    if not expansion.expanded:
         return document, expansion.notes
     return _reread(document, render(root, document)), expansion.notes
 

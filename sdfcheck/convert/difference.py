@@ -143,7 +143,8 @@ class _Comparison:
             else:
                 gone = [g for g in gone if g is not equal]
         for geometry in list(gone):
-            other = _partner(geometry, gone, new)
+            alike = (g for g in new if same_geometry(geometry, g, self.tolerance))
+            other = next(alike, None) or _partner(geometry, gone, new)
             if other is not None:
                 gone = [g for g in gone if g is not geometry]
                 new = [g for g in new if g is not other]

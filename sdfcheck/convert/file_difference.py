@@ -8,6 +8,7 @@ from sdfcheck.convert.difference import Change, ChangeKind, compare, pose_texts
 from sdfcheck.convert.reframing import shifted_model
 from sdfcheck.convert.renaming import same_pose
 from sdfcheck.convert.verify import TOLERANCE
+from sdfcheck.convert.written_out import needs_writing_out, written_out
 from sdfcheck.model.poses import Poses, written_pose
 from sdfcheck.model.robot import Robot
 from sdfcheck.model.rotations import Array, inverse
@@ -45,6 +46,8 @@ def placed_models(document: Document) -> dict[str, Placed]:
     if document.kind is Kind.URDF:
         robot = _as_sdf_has_it(read_urdf_robot(document))
         return {robot.name: Placed(robot, *_stand(document))}
+    if needs_writing_out(document):
+        document, _ = written_out(document)
     found: dict[str, Placed] = {}
     poses = Poses()
     for root in scopes(document).roots:

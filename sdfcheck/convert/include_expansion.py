@@ -10,11 +10,13 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from sdfcheck.convert.include_parameters import apply_parameters
 from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.model.includes import Included, included, included_element
+from sdfcheck.model.parameters import PARAMETERS, parameters
 from sdfcheck.model.poses import Poses
 from sdfcheck.model.rotations import to_rpy
 from sdfcheck.model.scopes import MODEL_FRAME, scopes
@@ -22,6 +24,7 @@ from sdfcheck.model.uris import locate, scheme_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import SyntaxDefect
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
 _MERGED = frozenset(("frame", "gripper", "joint", "link", "model", "plugin"))
@@ -35,7 +38,8 @@ class IncludeExpansion:
 
     def __init__(self) -> None:
         self.notes: list[str] = []
-        self.count = 0
+        self.expanded: list[Element] = []
+        """The includes that were replaced."""
 
     def expand(self, branch: Branch, document: Document, chain: tuple[Document, ...] = ()) -> None:
         """Replace all includes below a branch that was copied from a document."""
@@ -64,7 +68,11 @@ class IncludeExpansion:
             return [include]
         brought = branch_of(model)
         self.expand(brought, model.document, chain)
-        self.count += 1
+        if model.document is not found.document:
+            for branch in brought.walk():  # its places are in no file
+                branch.origin = include.origin
+        self.expanded.append(include.origin)
+        apply_parameters(brought, include)
         _relocate(brought, found, document)
         _declare(brought, model, include.origin)
         result: list[Branch | Remark | str] = [part for part in include.parts if isinstance(part, Remark)]
@@ -78,12 +86,18 @@ class IncludeExpansion:
     def _in_version(self, found: Included, version: Version) -> Element | None:
         """What an include brings, in the version of the file that includes it; None if it cannot be had."""
         from sdfcheck.convert.migrate.migrate import NotConvertible, sdf_to_sdf
+        from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+        from sdfcheck.convert.urdf_to_sdf.options import Options
 
         assert found.document is not None
-        if survey(found.document).version == version:
+        is_urdf = found.document.kind is Kind.URDF
+        if not is_urdf and survey(found.document).version == version:
             return found.model
         try:
-            conversion = sdf_to_sdf(found.document, version, keep_unknown=True)
+            if is_urdf:
+                conversion = urdf_to_sdf(found.document, Options(version))
+            else:
+                conversion = sdf_to_sdf(found.document, version, keep_unknown=True)
         except NotConvertible as error:
             self.notes.append(f"{_place(found.include)}: the include stays: {error}")
             return None
@@ -95,7 +109,7 @@ class IncludeExpansion:
         for loss in conversion.losses:
             begin = loss.span.begin
             self.notes.append(f"{loss.span.source.path}:{begin.line}: in SDFormat {version}: {loss.message}")
-        converted = Document(Source(found.document.path, conversion.text), found.document.kind, [])
+        converted = Document(Source(found.document.path, conversion.text), Kind.SDF, [])
         converted.library = found.document.library
         return included_element(converted)
 
@@ -108,12 +122,10 @@ def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
     uri = f"`{found.uri.text.strip()}`" if found.uri is not None else "it"
     if found.model is None or found.document is None:
         return f"{uri} brings nothing ({found.obstacle.value if found.obstacle else 'unreadable'})"
-    if found.model.name == "robot":
-        return f"{uri} is URDF, convert it first"
     if any(isinstance(problem, SyntaxDefect) for problem in found.document.problems):
         return f"{uri} is broken; `sdfcheck lint` says how"
-    if found.include.has("experimental:params"):
-        return "it has experimental:params"
+    if found.include.has(PARAMETERS) and parameters(found).problems:
+        return f"its {PARAMETERS} are at fault; `sdfcheck lint` says how"
     if any(os.path.samefile(found.document.path, outer.path) for outer in chain):
         return f"{uri} includes itself"
     if found.name is None:

@@ -41,12 +41,14 @@ class Context:
     """Where the result is going to be."""
     ledger: Ledger
     root: Node
-    root_link: str = ""
-    """The URDF's root, where it is no link of the source."""
-    blobs: list[Node] = field(default_factory=list)
-    """The ``gazebo`` elements, written last."""
+    begins_in_world: bool = False
+    """Is the URDF's root a link for the world?"""
+    blobs: dict[str, Node] = field(default_factory=dict)
+    """The ``gazebo`` elements by what they refer to, written last."""
     parts: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Source joint → the joints for each of its axes."""
+    kept: set[str] = field(default_factory=set)
+    """Source joints that are kept as SDFormat, with all that is in them."""
     floating: set[str] = field(default_factory=set)
     """Source joints whose positions have no equal in the result."""
     unmimicked: set[str] = field(default_factory=set)
@@ -57,8 +59,8 @@ class Context:
     def link_name(self, name: str) -> str:
         return self.links.get(name, name)
 
-    def add_blob(self, reference: str = "") -> Node:
-        """A new ``gazebo`` element, for a link or joint or for the whole robot."""
-        blob = Node("gazebo", reference=reference) if reference else Node("gazebo")
-        self.blobs.append(blob)
-        return blob
+    def blob(self, reference: str = "") -> Node:
+        """The ``gazebo`` element for a link or joint, or for the whole robot."""
+        if reference not in self.blobs:
+            self.blobs[reference] = Node("gazebo", reference=reference) if reference else Node("gazebo")
+        return self.blobs[reference]

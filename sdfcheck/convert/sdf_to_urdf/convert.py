@@ -14,7 +14,7 @@ from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, arrange
 from sdfcheck.convert.sdf_to_urdf.choose import choose, others
 from sdfcheck.convert.sdf_to_urdf.comments import around_root
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.extensions import keep_place, keep_static
+from sdfcheck.convert.sdf_to_urdf.extensions import keep_base, keep_place, keep_static
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
 from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
 from sdfcheck.convert.sdf_to_urdf.layout import is_same, lay_out, tidy
@@ -22,11 +22,12 @@ from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.links import add_link
 from sdfcheck.convert.sdf_to_urdf.materials import define_colors
 from sdfcheck.convert.sdf_to_urdf.meaning import coupling, understood
-from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames_below
+from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames_below, include_title
 from sdfcheck.convert.sdf_to_urdf.naming import named
 from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render
+from sdfcheck.convert.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.poses import PoseError, Poses, model_around, written_pose
 from sdfcheck.model.robot import Robot
@@ -49,6 +50,8 @@ def convert(
         NotConvertible: URDF cannot say it, or it cannot be worked out.
     """
     options = options or Options()
+    if needs_writing_out(document):
+        document, _ = written_out(document)
     scope = choose(document, options.model)
     try:
         context = _prepare(scope, options, folder or document.path.parent)
@@ -61,6 +64,10 @@ def convert(
     for other in others(document, scope):
         context.ledger.lose(
             LossKind.DROPPED_ELEMENT, other, f"{other.title} is no part of model `{scope.name}`"
+        )
+    for include in document.expanded if isinstance(document, WrittenOut) else ():
+        context.ledger.note(
+            LossKind.EXPANDED_INCLUDE, include, f"{include_title(include)} is written out", Severity.INFO
         )
     return conversion(text, context.ledger.losses, [comparison], verified=verified)
 
@@ -122,7 +129,7 @@ def _write(context: Context) -> None:
     """Write the robot: colours, links, joints, frames, extensions."""
     define_colors(context)
     _add_root(context)
-    for name in context.robot.links:
+    for name in _in_order(context):
         add_link(context, name)
         _tell_name(context, "link", name, context.links[name])
         _tell_shift(context, name)
@@ -134,7 +141,19 @@ def _write(context: Context) -> None:
     add_frames(context)
     for element in enter_models(context):
         context.ledger.close(element)
-    context.root.children.extend(context.blobs)
+    context.root.children.extend(context.blobs.values())
+
+
+def _in_order(context: Context) -> list[str]:
+    """The links; the canonical one first, as readers that count on that expect it."""
+    names = list(context.robot.links)
+    canonical = canonical_link(context.scope)
+    first = next((name for name in names if context.frames[name] is canonical), "")
+    if not context.scope.element.attributes.get("canonical_link") or first in {"", names[0]}:
+        return names
+    message = f"link `{first}` goes first: a URDF does not say which link is the canonical one"
+    context.ledger.note(LossKind.REORDERED, context.robot.links[first].element, message, Severity.INFO)
+    return [first, *(name for name in names if name != first)]
 
 
 def _add_root(context: Context) -> None:
@@ -153,7 +172,7 @@ def _add_root(context: Context) -> None:
     elif len(made.tops) > (0 if made.has_world else 1):
         _tell_forest(context)
     if made.has_world or scope.is_static or len(made.tops) > 1:
-        context.root_link = WORLD
+        context.begins_in_world = True
         context.root.add("link", name=WORLD)
     else:
         _keep_place(context, pose)
@@ -188,15 +207,16 @@ def _tell_forest(context: Context) -> None:
 
 
 def _tie_tops(context: Context) -> None:
-    if not context.root_link:
+    if not context.begins_in_world:
         return
-    is_static = context.scope.is_static
-    kind = "fixed" if is_static else context.options.forest.value
+    policy = Unsupported.FIXED if context.scope.is_static else context.options.forest
     start = context.layout.frames[WORLD]
     for name in context.made.tops:
         own = context.links[name]
         pose = inverse(start) @ context.layout.frames[name]
-        add_fixed(context, f"{own}_base", context.root_link, own, pose, kind)
+        joint = add_fixed(context, f"{own}_base", WORLD, own, pose, policy.value)
+        if policy is Unsupported.FLOATING:
+            keep_base(context, joint, pose)
 
 
 def _leave_out(context: Context) -> None:
@@ -237,7 +257,7 @@ def _tell_shift(context: Context, name: str) -> None:
     distance = float(np.linalg.norm(frame[:3, 3] - link.pose[:3, 3]))
     how = f"by {distance:.3g} m" if distance > 1e-9 else "in place"
     message = (
-        f"the frame of {link.element.title} moves {how} to its joint `{edge.joint.name}`; "
+        f"the frame of link `{name}` moves {how} to its joint `{edge.joint.name}`; "
         "--keep-link-frames keeps it"
     )
     context.ledger.note(LossKind.SHIFTED_LINK_FRAME, link.element, message)

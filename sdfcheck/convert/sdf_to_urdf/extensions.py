@@ -56,19 +56,23 @@ def model_extensions(context: Context, model: Element, scope: str) -> None:
 
 def keep_place(context: Context, pose: Array) -> None:
     """Keep where the robot stands, which a URDF cannot say."""
-    context.add_blob().add("pose", pose_text(pose))
+    context.blob().add("pose", pose_text(pose))
 
 
 def keep_static(context: Context, static: Element) -> None:
     """Keep that the model does not move."""
-    context.add_blob().add("static", "true")
+    context.blob().add("static", "true")
     context.ledger.take(static)
+
+
+def keep_base(context: Context, joint: str, pose: Array) -> None:
+    """Keep where a floating joint is: libsdformat drops the joint, and places its child by it all the same."""
+    context.blob().add("frame", name=joint, attached_to="__model__").add("pose", pose_text(pose))
 
 
 def keep_frame(context: Context, name: str, link: str, pose: Array, frame: Frame) -> None:
     """Keep a frame by this name, on a link of the URDF in whose frame it has this pose."""
-    holder = next((blob for blob in context.blobs if blob.find("frame") is not None), None)
-    holder = holder or context.add_blob()
+    holder = context.blob()
     carry_comments(context, holder, frame.element)
     node = holder.add("frame", name=name, attached_to=link)
     text = pose_text(pose)
@@ -89,12 +93,10 @@ def _keep(
     reference: str,
     pose: Callable[[Element], str | None] | None,
 ) -> None:
-    kept = [
-        child for child in element.children() if child.name in names and not context.ledger.is_done(child)
-    ]
+    kept = [child for child in element.children() if child.name in names]
     if not kept:
         return
-    holder = context.add_blob(reference)
+    holder = context.blob(reference)
     for child in kept:
         carry_comments(context, holder, child)
         copy = copied(child)
@@ -123,20 +125,17 @@ def _pose(context: Context, part: Element, frame: Frame, shift: Array) -> str | 
 
 def _keep_springs(context: Context, axis: Element, reference: str) -> None:
     dynamics, limit = axis.find("dynamics"), axis.find("limit")
-    holder = Node("gazebo", reference=reference)
     for name, spelled in (("spring_reference", "springReference"), ("spring_stiffness", "springStiffness")):
         value = dynamics.find(name) if dynamics is not None else None
         if value is None:
             continue
         context.ledger.take(value)
         if value.own_value.number != 0:
-            holder.add(spelled, value.content)
+            context.blob(reference).add(spelled, value.content)
             message = (
                 f"`{name}` ({value.content}) is kept as a gazebo extension, which libsdformat alone reads"
             )
             context.ledger.note(LossKind.KEPT_AS_EXTENSION, value, message, Severity.INFO)
-    if holder.children:
-        context.blobs.append(holder)
     for name, default in (("stiffness", 1e8), ("dissipation", 1.0)):
         value = limit.find(name) if limit is not None else None
         if value is not None and value.own_value.number == default:
@@ -150,6 +149,7 @@ def of_frame(context: Context, link: str, pose: Array) -> Array:
 
 __all__ = [
     "joint_extensions",
+    "keep_base",
     "keep_frame",
     "keep_place",
     "keep_static",

@@ -19,6 +19,7 @@ from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.robot import Axis, Joint
 from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.source.element import Element
 
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
 
@@ -42,7 +43,7 @@ def add_edge(context: Context, edge: Edge) -> None:
         written = _add_plain(context, edge, joint, parent, carried)
     else:
         written = _add_unsupported(context, edge, joint, parent, carried)
-    carry_custom(context, written, element)
+    carry_custom(context, written, element, joint.name.rpartition("::")[0])
     if below is not None:
         context.root.add("link", name=below[0])
         add_fixed(
@@ -52,32 +53,40 @@ def add_edge(context: Context, edge: Edge) -> None:
             child,
             inverse(below[1]) @ context.layout.frames[edge.child],
         )
-    joint_extensions(context, joint.name, context.joints[joint.name])
+    if joint.name not in context.kept:
+        joint_extensions(context, joint.name, context.joints[joint.name])
     carry_inside(context, written, element)
 
 
-def add_fixed(context: Context, name: str, parent: str, child: str, pose: Array, kind: str = "fixed") -> None:
-    """A joint that the source does not have."""
-    node = context.root.add("joint", name=context.naming.unique(name), type=kind)
+def add_fixed(context: Context, name: str, parent: str, child: str, pose: Array, kind: str = "fixed") -> str:
+    """A joint that the source does not have; returns its name."""
+    name = context.naming.unique(name)
+    node = context.root.add("joint", name=name, type=kind)
     _connect(node, parent, child, pose)
+    return name
 
 
-def _connect(node: Node, parent: str, child: str, pose: Array | None) -> None:
+def _connect(
+    node: Node, parent: str, child: str, pose: Array | None, authors: tuple[Element | None, ...] = ()
+) -> None:
     if pose is not None:
-        add_origin(node, pose)
+        add_origin(node, pose, *authors)
     node.add("parent", link=parent)
     node.add("child", link=child)
 
 
-def _start(context: Context, edge: Edge) -> Array:
-    """The pose of the joint in its parent."""
-    return context.layout.within(edge.parent, edge.joint.pose)
+def _start(context: Context, edge: Edge) -> tuple[Array, tuple[Element | None, ...]]:
+    """The pose of the joint in its parent, and the elements that may say the same."""
+    child = context.robot.links.get(edge.child)
+    places = (edge.joint.element, child.element if child is not None else None)
+    authors = tuple(None if place is None else place.find("pose") for place in places)
+    return context.layout.within(edge.parent, edge.joint.pose), authors
 
 
 def _add_plain(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
     name = context.joints[joint.name]
     node = context.root.add("joint", name=name, type=joint.kind)
-    _connect(node, parent, child, _start(context, edge))
+    _connect(node, parent, child, *_start(context, edge))
     if joint.kind == "fixed":
         _enter_fixed(context, joint, name)
         return node
@@ -102,9 +111,7 @@ def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
                 message = f"the mimic of {joint.element.title} is left out: the joint is fixed"
                 context.ledger.lose(LossKind.DROPPED_MIMIC, mimic, message)
             context.ledger.take_whole(axis)
-    holder = Node("gazebo", reference=name)
-    holder.add("preserveFixedJoint", "true")
-    context.blobs.append(holder)
+    context.blob(name).add("preserveFixedJoint", "true")
 
 
 def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
@@ -119,7 +126,7 @@ def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child
     for (above, below), which in zip(ends, order, strict=True):
         axis = joint.axes[which]
         node = context.root.add("joint", name=names[which], type=_turning(axis))
-        _connect(node, above, below, _start(context, edge) if above == parent else None)
+        _connect(node, above, below, *(_start(context, edge) if above == parent else (None,)))
         _add_axis(context, node, joint, axis, edge)
         made.append(node)
         enter_axis(context, joint, which)
@@ -139,7 +146,7 @@ def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: s
     axis = joint.axes[0]
     context.root.add("link", name=between)
     node = context.root.add("joint", name=name, type=_turning(axis))
-    _connect(node, parent, between, _start(context, edge))
+    _connect(node, parent, between, *_start(context, edge))
     _add_axis(context, node, joint, axis, edge)
     enter_axis(context, joint, 0)
     slide = context.root.add("joint", name=travel, type="prismatic")
@@ -177,7 +184,7 @@ def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, ch
     context.floating.add(joint.name)
     name = context.joints[joint.name]
     node = context.root.add("joint", name=name, type=policy.value)
-    _connect(node, parent, child, _start(context, edge))
+    _connect(node, parent, child, *_start(context, edge))
     message = f"{what}: {joint.element.title} is written as {policy.value}"
     if policy is Unsupported.FLOATING:
         keep_joint(context, joint, in_parent=True)

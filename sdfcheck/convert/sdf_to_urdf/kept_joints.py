@@ -38,7 +38,6 @@ def keep_joint(context: Context, joint: Joint, *, in_parent: bool = False) -> No
                 part for part in node.children if not (isinstance(part, Node) and part.name in _DIRECTION)
             ]
             node.children.insert(0, Node("xyz", shortened(axis.direction)))
-    holder = Node("gazebo")
-    holder.append(copy)
-    context.blobs.append(holder)
+    context.blob().append(copy)
+    context.kept.add(joint.name)
     context.ledger.cover(joint.element)

@@ -33,7 +33,7 @@ def add_link(context: Context, name: str) -> None:
     _add_inertial(context, node, link)
     for role in ("visual", "collision"):
         _add_parts(context, node, link, role)
-    carry_custom(context, node, link.element)
+    carry_custom(context, node, link.element, name.rpartition("::")[0])
     link_extensions(context, name)
     carry_inside(context, node, link.element)
 
@@ -84,7 +84,7 @@ def _write(
     inertial = node.add("inertial")
     if source is not None:
         carry_inside(context, inertial, source)
-    add_origin(inertial, pose)
+    add_origin(inertial, pose, None if source is None else source.find("pose"))
     inertial.add("mass", value=number(mass))
     inertial.add("inertia", **{name: number(tensor[name]) for name in _COMPONENTS})
 
@@ -99,18 +99,20 @@ def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
     for part in parts:
         context.ledger.take(part, part.find("pose"), part.find("geometry"))
         if len(shapes[part]) > 1:
-            message = f"the capsule of {part.title} is written as a cylinder and two spheres"
+            whose = f"{part.title} of {link.element.title}"
+            message = f"the capsule of {whose} is written as a cylinder and two spheres"
             context.ledger.note(LossKind.UNSUPPORTED_GEOMETRY, part, message, Severity.INFO)
         for geometry in shapes[part]:
             carry_comments(context, node, part)
             written = node.add(role)
             if geometry.name and not nameless:
                 written.attributes["name"] = geometry.name
-            add_origin(written, context.layout.within(link.name, link.pose @ geometry.pose))
+            pose = context.layout.within(link.name, link.pose @ geometry.pose)
+            add_origin(written, pose, part.find("pose"))
             add_shape(context, written, geometry)
             if role == "visual":
                 add_color(context, written, part)
-            carry_custom(context, written, part)
+            carry_custom(context, written, part, link.name.rpartition("::")[0])
             carry_inside(context, written, part)
 
 

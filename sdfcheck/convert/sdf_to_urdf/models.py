@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.comments import carry_around, carry_comments
 from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import keep_frame, model_extensions, of_frame
 from sdfcheck.convert.sdf_to_urdf.joints import add_fixed
 from sdfcheck.lint.diagnostic import Severity
@@ -47,8 +48,13 @@ def _enter(context: Context, model: Element, scope: str) -> None:
     pose = model.find("pose")
     context.ledger.take(model)
     if model is not context.scope.element:
-        context.ledger.take(pose, model.find("static"))
+        static = model.find("static")
+        context.ledger.take(pose, static)
+        if static is not None and static.content.lower() in {"true", "1"} and not context.scope.is_static:
+            message = f"{model.title} is static, and what it is part of is not: it moves with it"
+            context.ledger.note(LossKind.DROPPED_ELEMENT, static, message)
     model_extensions(context, model, scope)
+    carry_custom(context, context.root, model, scope)
     carry_around(context, context.root, model)
 
 
@@ -57,13 +63,14 @@ def _enter_include(context: Context, include: Element, scope: str) -> None:
     context.ledger.take_parts(
         include, "uri", "name", "pose", "static", "placement_frame", "experimental:params"
     )
-    message = f"what {_uri(include)} brings is written out"
+    message = f"{include_title(include)} is written out"
     context.ledger.note(LossKind.EXPANDED_INCLUDE, include, message, Severity.INFO)
 
 
-def _uri(include: Element) -> str:
+def include_title(include: Element) -> str:
+    """What to call what an include brings."""
     uri = include.find("uri")
-    return f"`{uri.content}`" if uri is not None else "the include"
+    return f"what `{uri.content}` brings" if uri is not None else "what is included"
 
 
 def add_frames(context: Context) -> None:

@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from sdfcheck.convert.writer import Node, numbers
+from sdfcheck.model.poses import written_pose
 from sdfcheck.model.rotations import Array, to_rpy
+from sdfcheck.source.element import Element
 
+_ROUNDING = 1e-14
 _SHORT = 12
 """A number that reads the same to 15 digits with so few characters was meant to be written so."""
 
@@ -21,9 +24,10 @@ def _shorter(value: float) -> float:
     return float(short) if len(short) <= _SHORT else value
 
 
-def add_origin(node: Node, pose: Array) -> None:
-    """Write a pose; that of the parent itself is not written."""
-    position, angles = shortened(pose[:3, 3]), shortened(to_rpy(pose[:3, :3]))
+def add_origin(node: Node, pose: Array, *authors: Element | None) -> None:
+    """Write a pose, in the words of an author who wrote the same; that of the parent itself is not written."""
+    found = (texts for element in authors if (texts := _in_words(element, pose)) is not None)
+    position, angles = next(found, None) or (shortened(pose[:3, 3]), shortened(to_rpy(pose[:3, :3])))
     attributes = {}
     if position != "0 0 0":
         attributes["xyz"] = position
@@ -31,6 +35,16 @@ def add_origin(node: Node, pose: Array) -> None:
         attributes["rpy"] = angles
     if attributes:
         node.add("origin", **attributes)
+
+
+def _in_words(element: Element | None, pose: Array) -> tuple[str, str] | None:
+    """Position and angles as a ``pose`` element has them, if it is this pose in plain numbers."""
+    if element is None or element.attributes.get("rotation_format") or element.attributes.get("degrees"):
+        return None
+    words = ["0" if float(word) == 0 else word for word in element.content.split()]
+    if len(words) != 6 or np.abs(written_pose(element) - pose).max() > _ROUNDING:
+        return None
+    return " ".join(words[:3]), " ".join(words[3:])
 
 
 def pose_text(pose: Array) -> str:

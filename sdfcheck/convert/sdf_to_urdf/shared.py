@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.writer import Node, copied
+from sdfcheck.convert.writer import copied
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.robot import Link
 from sdfcheck.source.element import Element
@@ -29,10 +29,8 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
     meant = [[_canonical(extra) for extra in extras] for extras in each]
     if any(other != meant[0] for other in meant[1:]):
         return False
-    holder = Node("gazebo", reference=context.links[link.name])
-    blob = holder.add(role)
+    blob = context.blob(context.links[link.name]).add(role)
     blob.children.extend(copied(extra) for extra in each[0])
-    context.blobs.append(holder)
     for extra in (extra for extras in each for extra in extras):
         context.ledger.cover(extra)
     names = ", ".join(f"`{extra.name}`" for extra in each[0])

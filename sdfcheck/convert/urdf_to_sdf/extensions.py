@@ -104,6 +104,9 @@ class Extensions:
 
     def _native(self, entry: Element, model: Node) -> None:
         """What is SDFormat already; its name must not be one that the robot uses."""
+        joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
+        if entry.name == "frame" and joint is not None and joint.kind == "floating":
+            return  # it stands in for the joint, in whose place it is, for libsdformat
         made = copied(entry)
         model.append(made)
         if entry.name not in {"link", "joint", "frame", "model"}:

@@ -28,6 +28,9 @@ class Names:
                 )
         for name, joint in robot.joints.items():
             wished = legal(name)
+            if joint.kind == "floating":  # it is not written: its name is free, also for a block's own joint
+                self.joints[name] = wished
+                continue
             if wished in self._taken:
                 wished = f"{wished}_joint"
             self.joints[name] = self._settle(wished)

@@ -1,0 +1,109 @@
+"""Real SDF models as URDF: other readers accept them and place links where we do, and they come back the same."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.independent import differences
+from sdfcheck.convert.loss import NotConvertible
+from sdfcheck.convert.result import Conversion
+from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.convert.sdf_to_urdf.choose import models
+from sdfcheck.source.document import Document
+from sdfcheck.source.library import Library, SearchPaths
+from sdfcheck.source.sniff import Kind
+from tests.peers.findings import SHARED
+from tests.there_and_back import there_and_back, untold
+
+CORPUS = SHARED / "corpus"
+REFUSED = {
+    "four_bar_loop.sdf": "leads to no link",  # its frames are attached to `world`, which a model does not have
+    "four_bar_weld.sdf": "leads to no link",
+    "graph_four_bar.sdf": "closes a loop",
+    "graph_loop.sdf": "closes a loop",
+    "joint_revolute_two_joints_two_links.sdf": "closes a loop",
+}
+LEAST = 180
+INDEPENDENT = 40
+"""So many are also read by yourdfpy, which takes its time: the ones with the most joints."""
+
+pytestmark = [
+    pytest.mark.peers,
+    pytest.mark.skipif(not CORPUS.is_dir(), reason="the files to convert are not here"),
+]
+
+
+def single_models() -> Iterator[Document]:
+    """The files with one model, nothing else in which they look for others."""
+    library = Library(SearchPaths((CORPUS / "PX4-gazebo-models" / "models",), (CORPUS,)))
+    for path in sorted((*CORPUS.rglob("*.sdf"), *CORPUS.rglob("*.world"))):
+        document = library.document(path)
+        if document is None or document.kind is not Kind.SDF or document.root is None:
+            continue
+        document.library = library
+        if len(models(document)) == 1:
+            yield document
+
+
+@cache
+def outcomes() -> list[tuple[Document, Conversion | NotConvertible]]:
+    return [(document, outcome(document)) for document in single_models()]
+
+
+def outcome(document: Document) -> Conversion | NotConvertible:
+    try:
+        return convert(document)
+    except NotConvertible as error:
+        return error
+
+
+def conversions() -> list[tuple[Document, Conversion]]:
+    return [(document, done) for document, done in outcomes() if isinstance(done, Conversion)]
+
+
+def test_what_is_refused_is_no_tree() -> None:
+    refused = {
+        document.path.name: done.loss.message
+        for document, done in outcomes()
+        if isinstance(done, NotConvertible)
+    }
+    assert set(refused) == set(REFUSED)
+    for name, message in refused.items():
+        assert REFUSED[name] in message
+
+
+def test_every_tree_is_converted_and_verified() -> None:
+    found = conversions()
+    assert len(found) >= LEAST
+    for document, done in found:
+        assert done.verification is not None
+        assert done.verification.is_equal, (document.path, done.verification.differences)
+
+
+def test_urdfdom_accepts_them(tmp_path: Path) -> None:
+    if shutil.which("check_urdf") is None:
+        pytest.skip("check_urdf is not installed")
+    for document, done in conversions():
+        target = tmp_path / "robot.urdf"
+        target.write_text(done.text)
+        child = subprocess.run(["check_urdf", target], capture_output=True, text=True, check=False)
+        assert child.returncode == 0, (document.path, child.stderr)
+
+
+def test_yourdfpy_places_their_links_alike() -> None:
+    pytest.importorskip("yourdfpy")
+    moving = sorted(conversions(), key=lambda pair: -len(pair[1].comparisons[0].source.joints))
+    for document, done in moving[:INDEPENDENT]:
+        assert not differences(done, document), document.path
+
+
+def test_they_come_back_the_same() -> None:
+    for document, _ in conversions():
+        changes, losses = there_and_back(document)
+        assert not list(untold(changes, losses)), document.path

@@ -1,0 +1,30 @@
+"""A model that becomes URDF and SDF again is the robot that it was, but for what was told to be lost."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.model.scopes import scopes
+from sdfcheck.source.document import read
+from sdfcheck.source.library import Library
+from tests.there_and_back import there_and_back, untold
+
+FIXTURES = Path(__file__).parents[1] / "fixtures"
+MODELS = [
+    *sorted((FIXTURES / "convert" / "sdf-to-urdf").glob("*/input.sdf")),
+    *(
+        path
+        for path in sorted((FIXTURES / "robots").rglob("*.sdf"))
+        if len(scopes(read(path.read_bytes(), path)).roots) == 1 and "with_mistakes" not in path.parts
+    ),
+]
+
+
+@pytest.mark.parametrize("path", MODELS, ids=lambda path: f"{path.parent.name}/{path.name}")
+def test_every_change_is_told(path: Path) -> None:
+    document = read(path.read_bytes(), path)
+    document.library = Library()
+    changes, losses = there_and_back(document)
+    assert not list(untold(changes, losses))

@@ -1,0 +1,62 @@
+"""From SDF to URDF and back: what has changed in the robot, and which loss told of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from sdfcheck.convert.difference import Change, ChangeKind
+from sdfcheck.convert.file_difference import compare_files
+from sdfcheck.convert.loss import Loss, LossKind
+from sdfcheck.convert.sdf_to_urdf import Loops, Options, convert
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import Options as BackOptions
+from sdfcheck.source.document import Document, read
+
+_TOLD_BY = (
+    ("link: (visual|collision)( `.*` shape)?", {LossKind.UNSUPPORTED_GEOMETRY}),
+    ("link: name of a (visual|collision)", {LossKind.KEPT_AS_EXTENSION, LossKind.RENAMED}),
+    ("link: (visual|collision)( `.*`)? file", {LossKind.CHANGED_URI}),
+    ("link: frame", {LossKind.SHIFTED_LINK_FRAME}),
+    ("link: inertial", {LossKind.MASSLESS_LINK}),
+    ("(link|joint|frame) renamed", {LossKind.MERGED_MODEL, LossKind.RENAMED}),
+    ("(link|joint) (added|removed)", {LossKind.APPROXIMATED_JOINT}),
+    ("joint: (type|child|parent|pitch|mimic|pose in the child)", {LossKind.APPROXIMATED_JOINT}),
+    ("joint: parent and child", {LossKind.REVERSED_JOINT}),
+)
+"""What a change looks like, and the losses that tell of such changes."""
+
+
+def there_and_back(document: Document) -> tuple[list[Change], list[Loss]]:
+    """The differences between a model and what it is after being URDF, and the losses of both ways.
+
+    Raises NotConvertible where the model is no tree.
+    """
+    there = convert(document, Options(loops=Loops.CUT))
+    back = urdf_to_sdf(read(there.text.encode(), Path("there.urdf")), BackOptions())
+    for done in (there, back):
+        assert done.verification is not None
+        assert done.verification.is_equal, done.verification.differences
+    found = compare_files(document, read(back.text.encode(), Path("back.sdf")))
+    changes = [change for _, group in found.changes for change in group]
+    return changes, [*there.losses, *back.losses]
+
+
+def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
+    """The changes of which no loss has told."""
+    for change in changes:
+        looks = change.part
+        looks += f": {change.what}" if change.kind is ChangeKind.CHANGED else f" {change.kind.value}"
+        kinds: set[LossKind] = set()
+        kinds = kinds.union(*(told for pattern, told in _TOLD_BY if re.fullmatch(pattern, looks)))
+        names = {
+            name for text in (change.name, change.before) for name in (text, *re.split("::|__|/+", text))
+        }
+        if not any(loss.kind in kinds and _mentions(loss, names - {""}) for loss in losses):
+            yield f"{looks}: {change.name} {change.before} → {change.after}"
+
+
+def _mentions(loss: Loss, names: set[str]) -> bool:
+    words = set(re.split(r"[`:/]+", loss.message))
+    return bool(words & names)
