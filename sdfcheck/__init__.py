@@ -30,7 +30,17 @@ if TYPE_CHECKING:
         Good,
     )
     from sdfcheck.lint.fix import Applicability, Edit, Fix
-    from sdfcheck.lint.rule import Consumer, Rule, Target, edit, replace
+    from sdfcheck.lint.reaction import (
+        REFUSES,
+        Consumer,
+        Reaction,
+        Verdict,
+        accepts,
+        by_effect,
+        refuses,
+        warns,
+    )
+    from sdfcheck.lint.rule import Rule, Target, edit, replace
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
@@ -51,7 +61,8 @@ _HOMES = {
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
     ),
     "sdfcheck.lint.fix": "Applicability Edit Fix",
-    "sdfcheck.lint.rule": "Consumer Rule Target edit replace",
+    "sdfcheck.lint.reaction": "REFUSES Consumer Reaction Verdict accepts by_effect refuses warns",
+    "sdfcheck.lint.rule": "Rule Target edit replace",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
@@ -74,6 +85,7 @@ __all__ = [
     "IN_URDF_LINK",
     "IN_VISUAL",
     "IN_WORLD",
+    "REFUSES",
     "SDF",
     "Applicability",
     "Bad",
@@ -94,6 +106,7 @@ __all__ = [
     "NotFound",
     "Origin",
     "Position",
+    "Reaction",
     "Root",
     "Rule",
     "Run",
@@ -104,9 +117,12 @@ __all__ = [
     "Unreadable",
     "Value",
     "VendorRule",
+    "Verdict",
     "World",
     "WrongUsage",
     "__version__",
+    "accepts",
+    "by_effect",
     "convert",
     "edit",
     "lint",
@@ -115,8 +131,10 @@ __all__ = [
     "named",
     "parse",
     "problems",
+    "refuses",
     "replace",
     "used",
+    "warns",
 ]
 
 

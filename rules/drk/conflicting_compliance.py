@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, MODEL, SPHERE
 
 RIGID = "<drake:rigid_hydroelastic/>"
@@ -15,7 +15,7 @@ class ConflictingCompliance(VendorRule):
     code = "DRK005"
     name = "conflicting-compliance"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file, or ignores an element"}
+    affects = {Consumer.DRAKE: refuses("refuses the file, or ignores an element")}
     prefix = "drake"
     explains = (problems.ConflictingTags, problems.UnmetTag, problems.IdleTag)
     scaffold = BOX

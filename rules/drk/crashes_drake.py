@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
-from sdfcheck_rules.drk.effect import consequence
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck_rules.drk.effect import affects, consequence
 from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT, ROBOT_JOINT
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
@@ -18,7 +18,7 @@ class CrashesDrake(Rule):
     name = "crashes-drake"
     severity = Severity.ERROR
     default = False
-    affects = {Consumer.DRAKE: "crashes or aborts"}
+    affects = {Consumer.DRAKE: refuses("crashes or aborts")}
     explains = (problems.CrashesDrake,)
     scaffold = COLLISION
 
@@ -53,4 +53,5 @@ class CrashesDrake(Rule):
     )
 
     def check(self, problem: problems.CrashesDrake) -> Iterator[Diagnostic]:
-        yield self.diagnostic(problem.target, f"{problem.what}: {consequence(problem.effect)}")
+        message = f"{problem.what}: {consequence(problem.effect)}"
+        yield self.diagnostic(problem.target, message, affects=affects(problem.effect))

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from sdfcheck import Severity
+from sdfcheck import Consumer, Reaction, Severity, by_effect
 
 _WORDS = {
     "error": "Drake refuses the file",
@@ -15,6 +15,11 @@ _WORDS = {
 def consequence(effect: Any) -> str:
     """What Drake does, as the second half of a sentence."""
     return _WORDS[effect.outcome.value]
+
+
+def affects(effect: Any) -> dict[Consumer, Reaction]:
+    """The same, for a verdict on the file."""
+    return {Consumer.DRAKE: by_effect(effect)}
 
 
 def severity(effect: Any) -> Severity:

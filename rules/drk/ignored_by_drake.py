@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, problems, used
+from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, problems, used, warns
 from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
 
 
@@ -15,7 +15,7 @@ class IgnoredByDrake(Rule):
     name = "ignored-by-drake"
     severity = Severity.INFO
     default = False
-    affects = {Consumer.DRAKE: "ignores it"}
+    affects = {Consumer.DRAKE: warns("ignores it")}
     explains = (problems.IgnoredByDrake,)
     scaffold = LINK
 

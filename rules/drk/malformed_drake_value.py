@@ -1,6 +1,6 @@
 from typing import Any
 
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, LINK, MODEL, ROBOT
 
 
@@ -16,7 +16,7 @@ class MalformedDrakeValue(VendorRule):
     code = "DRK003"
     name = "malformed-drake-value"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "reads another value, or refuses the file"}
+    affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
     explains = (problems.MalformedTag, problems.MiscarriedTag, problems.UnknownTagChoice)
     scaffold = BOX

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 from sdfcheck_rules.drk.scaffolds import ROBOT
 
 LEAF = '<link name="c"/><joint name="k" type="{}"><parent link="b"/><child link="c"/></joint>'
@@ -18,7 +18,7 @@ class MasslessLeaf(Rule):
     name = "massless-leaf"
     severity = Severity.ERROR
     default = False
-    affects = {Consumer.DRAKE: "stops at the first step of the simulation"}
+    affects = {Consumer.DRAKE: warns("stops at the first step of the simulation")}
     explains = (problems.MasslessLeaf,)
     scaffold = ROBOT
 

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses, warns
 from sdfcheck_rules.drk.scaffolds import AXIS, JOINT, LINK, ROBOT, ROBOT_LINK
 
 
@@ -13,7 +13,9 @@ class MisplacedDrakeTag(VendorRule):
     code = "DRK002"
     name = "misplaced-drake-tag"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file (SDF), or ignores the element"}
+    affects = {
+        Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
+    }
     prefix = "drake"
     explains = (problems.MisplacedTag,)
     scaffold = LINK

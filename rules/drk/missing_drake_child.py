@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 PLANAR = '<drake:joint name="j" type="planar"><drake:parent>a</drake:parent><drake:child>b</drake:child>'
@@ -13,7 +13,7 @@ class MissingDrakeChild(VendorRule):
     code = "DRK004"
     name = "missing-drake-child"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file, or aborts"}
+    affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     explains = (problems.MissingTag,)
     scaffold = MODEL

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
 from sdfcheck_rules.drk.scaffolds import COLLISION, JOINT, MODEL, ROBOT
 
 
@@ -12,7 +12,7 @@ class MissingDrakeValue(VendorRule):
     code = "DRK020"
     name = "missing-drake-value"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     explains = (problems.MissingTagValue,)
     scaffold = JOINT

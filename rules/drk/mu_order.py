@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, problems
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION
 
 ODE = (
@@ -20,7 +20,7 @@ class MuOrder(VendorRule):
     code = "DRK014"
     name = "mu-order"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     explains = (problems.UnorderedTags, problems.FrictionOrder)
     scaffold = BOX

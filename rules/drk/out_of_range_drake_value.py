@@ -1,6 +1,6 @@
 from typing import Any
 
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
 from sdfcheck_rules.drk.scaffolds import AXIS, BOX, JOINT, MODEL
 
 TENDON = (
@@ -22,7 +22,7 @@ class OutOfRangeDrakeValue(VendorRule):
     code = "DRK019"
     name = "out-of-range-drake-value"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file, or aborts"}
+    affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     explains = (problems.TagOutOfRange, problems.UnorderedTags)
     scaffold = BOX

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, ROBOT_LINK
 
 
@@ -12,7 +12,7 @@ class OutdatedDrakeTag(VendorRule):
     code = "DRK017"
     name = "outdated-drake-tag"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file where the element has gone"}
+    affects = {Consumer.DRAKE: refuses("refuses the file where the element has gone")}
     prefix = "drake"
     explains = (problems.OutdatedTag,)
     scaffold = BOX

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, warns
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, MODEL, ROBOT
 
 
@@ -11,7 +11,7 @@ class RepeatedDrakeTag(VendorRule):
     code = "DRK016"
     name = "repeated-drake-tag"
     severity = Severity.WARNING
-    affects = {Consumer.DRAKE: "reads the first only, or refuses the file"}
+    affects = {Consumer.DRAKE: warns("reads the first only, or refuses the file")}
     prefix = "drake"
     explains = (problems.RepeatedTag, problems.RepeatedTagName)
     scaffold = BOX

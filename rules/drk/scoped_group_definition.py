@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
 from sdfcheck_rules.drk.scaffolds import MODEL
 
 
@@ -12,7 +12,7 @@ class ScopedGroupDefinition(VendorRule):
     code = "DRK006"
     name = "scoped-group-definition"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     explains = (problems.ScopedTagName,)
     scaffold = MODEL

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
 from sdfcheck_rules.drk.scaffolds import MODEL
 
 BALL = (
@@ -18,7 +18,7 @@ class SelfTiedConstraint(VendorRule):
     code = "DRK021"
     name = "self-tied-constraint"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     explains = (problems.SelfTiedTag,)
     scaffold = MODEL.replace("{}", BALL)

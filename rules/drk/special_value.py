@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 from sdfcheck_rules.drk.scaffolds import ROBOT, ROBOT_JOINT
 
 JOINT = '<joint name="j" type="{}"><parent link="a"/><child link="b"/>{}</joint>'
@@ -18,7 +18,7 @@ class SpecialValue(Rule):
     name = "special-value"
     severity = Severity.WARNING
     default = False
-    affects = {Consumer.DRAKE: "takes the value in its own way"}
+    affects = {Consumer.DRAKE: warns("takes the value in its own way")}
     explains = (problems.SpecialValue,)
     scaffold = ROBOT_JOINT
 

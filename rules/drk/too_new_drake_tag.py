@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, warns
 from sdfcheck_rules.drk.scaffolds import LINK, ROBOT_LINK
 
 
@@ -12,7 +12,12 @@ class TooNewDrakeTag(VendorRule):
     code = "DRK018"
     name = "too-new-drake-tag"
     severity = Severity.INFO
-    affects = {Consumer.DRAKE: "refuses the file in older releases (SDF), or ignores the element"}
+    affects = {
+        Consumer.DRAKE: {
+            "sdf": warns("older releases refuse the file"),
+            "urdf": warns("older releases ignore it"),
+        }
+    }
     prefix = "drake"
     explains = (problems.TooNewTag,)
     scaffold = LINK

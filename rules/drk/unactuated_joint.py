@@ -1,10 +1,13 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
-from sdfcheck_rules.drk.effect import consequence
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck_rules.drk.effect import affects, consequence
 from sdfcheck_rules.drk.scaffolds import AXIS, JOINT, ROBOT
 
 DRIVE = '<transmission><type>{}</type><joint name="j"/><actuator name="m"/></transmission>'
+
+
+NO_ACTUATOR = {Consumer.DRAKE: warns("makes no actuator")}
 
 
 class UnactuatedJoint(Rule):
@@ -19,7 +22,7 @@ class UnactuatedJoint(Rule):
     name = "unactuated-joint"
     severity = Severity.ERROR
     default = False
-    affects = {Consumer.DRAKE: "makes no actuator, or refuses the file"}
+    affects = {Consumer.DRAKE: warns("makes no actuator, or refuses the file")}
     explains = (problems.UnactuatedJoint,)
     scaffold = ROBOT
 
@@ -63,7 +66,7 @@ class UnactuatedJoint(Rule):
         if problem.effect.refused:
             who = f"joint `{problem.joint}`: " if problem.joint else ""
             message = f"{who}{problem.reason}: {consequence(problem.effect)}"
-            yield self.diagnostic(problem.target, message)
+            yield self.diagnostic(problem.target, message, affects=affects(problem.effect))
             return
         more = f" (and {problem.others} more)" if problem.others else ""
         who = f"`{problem.joint}`{more} has" if problem.joint else "this makes"
@@ -72,4 +75,4 @@ class UnactuatedJoint(Rule):
             message += f", so `{idle.name}` is not read"
         deliberate = idle is None and problem.reason in {"no transmission names it", "its effort is 0"}
         level = Severity.INFO if deliberate else Severity.WARNING
-        yield self.diagnostic(problem.target, message, severity=level)
+        yield self.diagnostic(problem.target, message, severity=level, affects=NO_ACTUATOR)

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT
 
 NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
@@ -15,7 +15,7 @@ class UnknownDrakeReference(VendorRule):
     code = "DRK007"
     name = "unknown-drake-reference"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     explains = (problems.UnknownTagReference,)
     scaffold = MODEL

@@ -1,4 +1,4 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems
+from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses, warns
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 
@@ -13,7 +13,9 @@ class UnknownDrakeTag(VendorRule):
     code = "DRK001"
     name = "unknown-drake-tag"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file (SDF), or ignores the element"}
+    affects = {
+        Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
+    }
     prefix = "drake"
     explains = (problems.UnknownTag,)
     scaffold = MODEL

@@ -1,8 +1,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, problems
-from sdfcheck_rules.drk.effect import consequence, severity
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, problems
+from sdfcheck_rules.drk.effect import affects, consequence, severity
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT, ROBOT_JOINT
 
 ENDS = '<parent link="a"/><child link="b"/>'
@@ -20,7 +20,7 @@ class UnsupportedJointType(VendorRule):
     code = "DRK008"
     name = "unsupported-joint-type"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     explains = (problems.UnsupportedJoint, problems.UnknownTagChoice)
     scaffold = ROBOT_JOINT
@@ -74,7 +74,8 @@ class UnsupportedJointType(VendorRule):
             message = f"a joint of type `{word}` is not supported: {does}"
         if problem.instead is not None:
             message += f"; write it as {problem.instead}"
-        yield self.diagnostic(problem.type, message, severity=severity(problem.effect))
+        effect = problem.effect
+        yield self.diagnostic(problem.type, message, severity=severity(effect), affects=affects(effect))
 
     def is_about(self, problem: Any) -> bool:
         """Choices of other elements are not this rule's."""

@@ -1,8 +1,10 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems
-from sdfcheck_rules.drk.effect import consequence
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems, refuses, warns
+from sdfcheck_rules.drk.effect import affects, consequence
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, LINK, ROBOT_LINK
+
+NOT_SHOWN = {Consumer.DRAKE: warns("does not show it")}
 
 
 class UnsupportedMeshFormat(Rule):
@@ -17,7 +19,7 @@ class UnsupportedMeshFormat(Rule):
     name = "unsupported-mesh-format"
     severity = Severity.ERROR
     default = False
-    affects = {Consumer.DRAKE: "refuses a collision mesh, does not show a visual one"}
+    affects = {Consumer.DRAKE: refuses("refuses a collision mesh, does not show a visual one")}
     explains = (problems.UnsupportedMesh,)
     scaffold = COLLISION
 
@@ -52,10 +54,11 @@ class UnsupportedMeshFormat(Rule):
         suffix = "." + problem.value.text.strip().rpartition(".")[2].lower()
         if problem.role == "visual":
             message = f"a `{suffix}` file is not shown by Drake's renderers, which take {formats}"
-            yield self.diagnostic(problem.value, message, severity=Severity.INFO)
+            yield self.diagnostic(problem.value, message, severity=Severity.INFO, affects=NOT_SHOWN)
             return
         yield self.diagnostic(
             problem.value,
             f"a `{suffix}` file cannot be a {problem.role}: {consequence(problem.effect)}; "
             f"it reads {formats}",
+            affects=affects(problem.effect),
         )

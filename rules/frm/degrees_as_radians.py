@@ -1,7 +1,21 @@
 import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, edit, listed, problems
+from sdfcheck import (
+    IN_LINK,
+    IN_ROBOT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    listed,
+    problems,
+    warns,
+)
 
 
 class DegreesAsRadians(Rule):
@@ -14,6 +28,7 @@ class DegreesAsRadians(Rule):
     code = "FRM006"
     name = "degrees-as-radians"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("takes it for radians"))
     explains = (problems.DegreesAsRadians,)
     scaffold = IN_LINK
 

@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 
 
 class DetachedFrame(Rule):
@@ -14,7 +25,7 @@ class DetachedFrame(Rule):
     code = "FRM008"
     name = "detached-frame"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file", Consumer.GAZEBO: "refuses the file in some versions"}
+    affects = {Consumer.DRAKE: REFUSES, Consumer.GAZEBO: warns("refuses the file in some versions")}
     explains = (problems.DetachedFrame,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 _SHOWN = 6
 
@@ -16,7 +16,7 @@ class FrameCycle(Rule):
     code = "FRM002"
     name = "frame-cycle"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.FrameCycle,)
     scaffold = IN_MODEL
 

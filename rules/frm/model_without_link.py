@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class ModelWithoutLink(Rule):
@@ -13,7 +13,7 @@ class ModelWithoutLink(Rule):
     code = "FRM005"
     name = "model-without-link"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.ModelWithoutLink,)
     scaffold = SDF
 

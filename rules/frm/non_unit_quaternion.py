@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import (
+    IN_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    problems,
+    warns,
+)
 
 _ROUNDED = 0.01
 """So far from 1 the length is a matter of rounding, and everybody means the same rotation."""
@@ -17,7 +29,10 @@ class NonUnitQuaternion(Rule):
     code = "FRM007"
     name = "non-unit-quaternion"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "takes it as it is", Consumer.DRAKE: "normalizes it, and refuses zero"}
+    affects = {
+        Consumer.GAZEBO: warns("takes it as it is"),
+        Consumer.DRAKE: warns("normalizes it, and refuses zero"),
+    }
     explains = (problems.NonUnitQuaternion,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import SDF, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
 
 
 class RelativeTopLevelPose(Rule):
@@ -13,7 +13,7 @@ class RelativeTopLevelPose(Rule):
     code = "FRM009"
     name = "relative-top-level-pose"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.TopLevelPose,)
     scaffold = SDF
 

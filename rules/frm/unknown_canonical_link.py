@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
 
 
 class UnknownCanonicalLink(Rule):
@@ -14,7 +14,7 @@ class UnknownCanonicalLink(Rule):
     code = "FRM003"
     name = "unknown-canonical-link"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.UnknownCanonicalLink,)
     scaffold = SDF
 

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import (
+    IN_MODEL,
+    REFUSES,
+    SDF,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    replace,
+)
 
 
 class UnknownFrame(Rule):
@@ -16,7 +28,7 @@ class UnknownFrame(Rule):
     code = "FRM001"
     name = "unknown-frame"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.UnknownFrame,)
     scaffold = IN_MODEL
 

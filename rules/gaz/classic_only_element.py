@@ -12,6 +12,7 @@ from sdfcheck import (
     Severity,
     problems,
     used,
+    warns,
 )
 
 
@@ -27,7 +28,7 @@ class ClassicOnlyElement(Rule):
     name = "classic-only-element"
     severity = Severity.WARNING
     default = False
-    affects = {Consumer.GAZEBO: "ignores it"}
+    affects = {Consumer.GAZEBO: warns("ignores it")}
     explains = (problems.ClassicOnlyElement,)
     scaffold = IN_MODEL
 

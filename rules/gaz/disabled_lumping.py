@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
 
 LINKS = '<link name="a"/><link name="b"/>'
 ENDS = '<parent link="a"/><child link="b"/>'
@@ -17,7 +17,7 @@ class DisabledLumping(Rule):
     code = "GAZ005"
     name = "disabled-lumping"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "makes a revolute joint"}
+    affects = {Consumer.GAZEBO: warns("makes a revolute joint")}
     explains = (problems.DisabledLumping,)
     scaffold = ROBOT
 

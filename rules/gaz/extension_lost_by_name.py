@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems, warns
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 ROBOT = f'<robot name="r"><link name="base"><collision name="hull">{BOX}</collision></link>{{}}</robot>'
@@ -17,7 +17,7 @@ class ExtensionLostByName(Rule):
     code = "GAZ004"
     name = "extension-lost-by-name"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "drops the settings"}
+    affects = {Consumer.GAZEBO: warns("drops the settings")}
     explains = (problems.ExtensionLostByName,)
     scaffold = ROBOT
 

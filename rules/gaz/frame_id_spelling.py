@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
 
 SENSOR = (
     '<sdf version="1.9"><model name="m"><link name="base"><sensor name="s" type="imu"><imu/>{}</sensor>'
@@ -24,7 +24,7 @@ class FrameIdSpelling(Rule):
     code = "GAZ007"
     name = "frame-id-spelling"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "warns, and may ignore it", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: warns("warns, and may ignore it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.FrameIdSpelling,)
     scaffold = SENSOR
 

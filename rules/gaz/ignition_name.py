@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    problems,
+    warns,
+)
 
 OLD, NEW = "http://ignitionrobotics.org/schema", "http://gazebosim.org/schema"
 
@@ -15,7 +28,7 @@ class IgnitionName(Rule):
     code = "GAZ001"
     name = "ignition-name"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "does not find it, from Harmonic on"}
+    affects = {Consumer.GAZEBO: warns("does not find it, from Harmonic on")}
     explains = (problems.IgnitionName,)
     scaffold = IN_MODEL
 

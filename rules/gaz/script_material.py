@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 SHAPE = "<geometry><box><size>1 1 1</size></box></geometry>"
@@ -19,7 +19,10 @@ class ScriptMaterial(Rule):
     code = "GAZ006"
     name = "script-material"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "shows the default colour", Consumer.DRAKE: "shows the default colour"}
+    affects = {
+        Consumer.GAZEBO: warns("shows the default colour"),
+        Consumer.DRAKE: {"sdf": warns("shows the default colour")},
+    }
     explains = (problems.ScriptMaterial,)
     scaffold = IN_VISUAL
 

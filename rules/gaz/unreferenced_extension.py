@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class UnreferencedExtension(Rule):
@@ -14,7 +14,7 @@ class UnreferencedExtension(Rule):
     code = "GAZ003"
     name = "unreferenced-extension"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "drops the block"}
+    affects = {Consumer.GAZEBO: warns("drops the block")}
     explains = (problems.UnreferencedExtension,)
     scaffold = IN_ROBOT
 

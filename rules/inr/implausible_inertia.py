@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class ImplausibleInertia(Rule):
@@ -15,9 +15,9 @@ class ImplausibleInertia(Rule):
     severity = Severity.WARNING
     explains = (problems.ImplausibleInertia,)
     affects = {
-        Consumer.GAZEBO: "takes it: the link turns too easily or hardly at all",
-        Consumer.DRAKE: "takes it: the link turns too easily or hardly at all",
-        Consumer.MUJOCO: "takes it: the link turns too easily or hardly at all",
+        Consumer.GAZEBO: warns("has a link that turns too easily or hardly at all"),
+        Consumer.DRAKE: warns("has a link that turns too easily or hardly at all"),
+        Consumer.MUJOCO: warns("has a link that turns too easily or hardly at all"),
     }
     scaffold = IN_LINK
 

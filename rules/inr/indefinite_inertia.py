@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class IndefiniteInertia(Rule):
@@ -15,9 +15,9 @@ class IndefiniteInertia(Rule):
     severity = Severity.ERROR
     explains = (problems.IndefiniteInertia,)
     affects = {
-        Consumer.GAZEBO: "refuses the model",
-        Consumer.DRAKE: "refuses the model",
-        Consumer.MUJOCO: "refuses the model",
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: warns("takes a solid sphere in its place"),
+        Consumer.MUJOCO: REFUSES,
     }
     scaffold = IN_LINK
 

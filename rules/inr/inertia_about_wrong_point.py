@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class InertiaAboutWrongPoint(Rule):
@@ -16,9 +16,9 @@ class InertiaAboutWrongPoint(Rule):
     severity = Severity.WARNING
     explains = (problems.InertiaAboutWrongPoint,)
     affects = {
-        Consumer.GAZEBO: "takes it: the link turns too slowly",
-        Consumer.DRAKE: "takes it: the link turns too slowly",
-        Consumer.MUJOCO: "takes it: the link turns too slowly",
+        Consumer.GAZEBO: warns("has a link that turns too slowly"),
+        Consumer.DRAKE: warns("has a link that turns too slowly"),
+        Consumer.MUJOCO: warns("has a link that turns too slowly"),
     }
     scaffold = IN_LINK
 

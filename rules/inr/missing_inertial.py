@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class MissingInertial(Rule):
@@ -16,8 +16,8 @@ class MissingInertial(Rule):
     severity = Severity.WARNING
     explains = (problems.MissingInertial,)
     affects = {
-        Consumer.GAZEBO: "takes 1 kg and unit inertia",
-        Consumer.DRAKE: "takes 1 kg and unit inertia",
+        Consumer.GAZEBO: warns("takes 1 kg and unit inertia"),
+        Consumer.DRAKE: warns("takes 1 kg and unit inertia"),
     }
     scaffold = IN_MODEL
 

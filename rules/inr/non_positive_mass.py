@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, warns
 
 
 class NonPositiveMass(Rule):
@@ -16,10 +16,9 @@ class NonPositiveMass(Rule):
     severity = Severity.ERROR
     explains = (problems.NonPositiveMass,)
     affects = {
-        Consumer.GAZEBO: "refuses the model; a zero mass passes",
-        Consumer.DRAKE: "aborts",
-        Consumer.URDFDOM: "takes it",
-        Consumer.MUJOCO: "refuses the model",
+        Consumer.GAZEBO: refuses("refuses a negative mass"),
+        Consumer.DRAKE: warns("takes a solid sphere in its place"),
+        Consumer.MUJOCO: refuses("refuses it for a link that moves"),
     }
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class PlaceholderInertia(Rule):
@@ -15,9 +15,9 @@ class PlaceholderInertia(Rule):
     severity = Severity.WARNING
     explains = (problems.PlaceholderInertia,)
     affects = {
-        Consumer.GAZEBO: "takes it: the link hardly turns",
-        Consumer.DRAKE: "takes it: the link hardly turns",
-        Consumer.MUJOCO: "takes it: the link hardly turns",
+        Consumer.GAZEBO: warns("has a link that hardly turns"),
+        Consumer.DRAKE: warns("has a link that hardly turns"),
+        Consumer.MUJOCO: warns("has a link that hardly turns"),
     }
     scaffold = IN_LINK
 

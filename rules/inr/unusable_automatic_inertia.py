@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class UnusableAutomaticInertia(Rule):
@@ -15,7 +15,7 @@ class UnusableAutomaticInertia(Rule):
     name = "unusable-automatic-inertia"
     severity = Severity.ERROR
     explains = (problems.UnusableAutomaticInertia,)
-    affects = {Consumer.GAZEBO: "refuses the model"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     scaffold = IN_LINK
 
     bad = (

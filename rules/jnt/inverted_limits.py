@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_JOINT,
     IN_URDF_JOINT,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -12,6 +13,7 @@ from sdfcheck import (
     Severity,
     edit,
     problems,
+    warns,
 )
 
 
@@ -25,7 +27,12 @@ class InvertedLimits(Rule):
     code = "JNT005"
     name = "inverted-limits"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file", Consumer.GAZEBO: "exchanges them in URDF"}
+    affects = {
+        Consumer.GAZEBO: {"sdf": warns("takes them as they are"), "urdf": warns("exchanges them")},
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("takes them as they are"),
+        Consumer.MUJOCO: warns("drops the limits"),
+    }
     explains = (problems.InvertedLimits,)
     scaffold = IN_JOINT
 

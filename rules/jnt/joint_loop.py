@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 _SHOWN = 6
 
@@ -16,7 +16,12 @@ class JointLoop(Rule):
     code = "JNT008"
     name = "joint-loop"
     severity = Severity.WARNING
-    affects = {Consumer.URDFDOM: "refuses the file"}
+    affects = {
+        Consumer.GAZEBO: {"urdf": REFUSES},
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: REFUSES,
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.JointLoop,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_JOINT,
+    IN_URDF_JOINT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    refuses,
+    warns,
+)
 
 _SHOWN = 6
 _LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
@@ -16,6 +28,12 @@ class MimicCycle(Rule):
     code = "JNT012"
     name = "mimic-cycle"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: refuses("refuses a joint that mimics itself"),
+        Consumer.DRAKE: refuses("refuses a joint that mimics itself"),
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: refuses("refuses a joint that mimics itself"),
+    }
     explains = (problems.MimicCycle,)
     scaffold = IN_JOINT
 

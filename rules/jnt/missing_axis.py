@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 _ENDS = "<parent>base</parent><child>arm</child>"
 
@@ -15,7 +15,7 @@ class MissingAxis(Rule):
     code = "JNT004"
     name = "missing-axis"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file", Consumer.GAZEBO: "takes a default"}
+    affects = {Consumer.GAZEBO: warns("takes a default"), Consumer.DRAKE: REFUSES}
     explains = (problems.MissingAxis,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_JOINT,
+    IN_URDF_JOINT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    refuses,
+    warns,
+)
 
 
 class NegativeLimit(Rule):
@@ -15,8 +27,10 @@ class NegativeLimit(Rule):
     name = "negative-limit"
     severity = Severity.WARNING
     affects = {
-        Consumer.DRAKE: "refuses negative damping",
-        Consumer.GAZEBO: "takes it as no limit, or as it is",
+        Consumer.GAZEBO: warns("takes it as no limit, or as it is"),
+        Consumer.DRAKE: refuses("refuses negative damping"),
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: warns("takes it as it is"),
     }
     explains = (problems.NegativeLimit,)
     scaffold = IN_JOINT

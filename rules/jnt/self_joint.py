@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class SelfJoint(Rule):
@@ -13,6 +13,7 @@ class SelfJoint(Rule):
     code = "JNT002"
     name = "self-joint"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.SelfJoint,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    named,
+    problems,
+    refuses,
+    warns,
+)
 
 
 class SeveralParents(Rule):
@@ -13,7 +27,12 @@ class SeveralParents(Rule):
     code = "JNT007"
     name = "several-parents"
     severity = Severity.WARNING
-    affects = {Consumer.URDFDOM: "refuses the file", Consumer.DRAKE: "cuts the link in two"}
+    affects = {
+        Consumer.GAZEBO: {"urdf": REFUSES},
+        Consumer.DRAKE: refuses("refuses the loop"),
+        Consumer.URDFDOM: warns("keeps one of the joints only"),
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.SeveralParents,)
     scaffold = IN_MODEL
 

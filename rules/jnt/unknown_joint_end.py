@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    problems,
+)
 
 _ARM = '<link name="arm"/>'
 
@@ -17,6 +30,7 @@ class UnknownJointEnd(Rule):
     code = "JNT001"
     name = "unknown-joint-end"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnknownJointEnd,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import (
+    IN_JOINT,
+    IN_URDF_JOINT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    replace,
+    warns,
+)
 
 _LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
 
@@ -15,6 +28,12 @@ class UnknownMimicLeader(Rule):
     code = "JNT009"
     name = "unknown-mimic-leader"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: warns("ignores it"),
+    }
     explains = (problems.UnknownMimicLeader,)
     scaffold = IN_JOINT
 

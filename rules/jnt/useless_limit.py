@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 _ENDS = "<parent>base</parent><child>arm</child>"
 _URDF_ENDS = '<parent link="base"/><child link="arm"/>'
@@ -16,6 +16,7 @@ class UselessLimit(Rule):
     code = "JNT011"
     name = "useless-limit"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("has a joint that cannot be driven"))
     explains = (problems.UselessLimit,)
     scaffold = IN_MODEL
 

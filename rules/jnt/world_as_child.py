@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, SDF, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class WorldAsChild(Rule):
@@ -13,6 +13,12 @@ class WorldAsChild(Rule):
     code = "JNT003"
     name = "world-as-child"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: {"sdf": REFUSES},
+        Consumer.URDFDOM: REFUSES,
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.WorldAsChild,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_JOINT,
+    IN_URDF_JOINT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 
 
 class ZeroAxis(Rule):
@@ -12,6 +24,12 @@ class ZeroAxis(Rule):
     code = "JNT006"
     name = "zero-axis"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.ZeroAxis,)
     scaffold = IN_JOINT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 
@@ -17,6 +17,7 @@ class ClashingName(Rule):
     code = "NAM002"
     name = "clashing-name"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.ClashingName,)
     scaffold = IN_MODEL
 

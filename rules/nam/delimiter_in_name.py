@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, Value, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems
 
 
 class DelimiterInName(Rule):
@@ -14,6 +14,7 @@ class DelimiterInName(Rule):
     code = "NAM004"
     name = "delimiter-in-name"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.DelimiterInName,)
     scaffold = IN_MODEL
 

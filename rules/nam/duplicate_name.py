@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class DuplicateName(Rule):
@@ -14,6 +14,7 @@ class DuplicateName(Rule):
     code = "NAM001"
     name = "duplicate-name"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.DuplicateName,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class EmptyName(Rule):
@@ -12,6 +12,7 @@ class EmptyName(Rule):
     code = "NAM006"
     name = "empty-name"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES, Consumer.URDFDOM: REFUSES}
     explains = (problems.EmptyName,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class MalformedScopedName(Rule):
@@ -13,6 +13,7 @@ class MalformedScopedName(Rule):
     code = "NAM005"
     name = "malformed-scoped-name"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.MalformedScopedName,)
     scaffold = IN_MODEL
 

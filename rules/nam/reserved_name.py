@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 IMU = (
     '<sensor name="s" type="imu"><imu><orientation_reference_frame><localization>CUSTOM</localization>'
@@ -18,6 +18,7 @@ class ReservedName(Rule):
     code = "NAM003"
     name = "reserved-name"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.ReservedName,)
     scaffold = IN_MODEL
 

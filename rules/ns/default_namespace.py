@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
 
 
 class DefaultNamespace(Rule):
@@ -14,6 +14,10 @@ class DefaultNamespace(Rule):
     code = "NS005"
     name = "default-namespace"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: {"sdf": warns("warns and reads it all the same")},
+        Consumer.DRAKE: {"sdf": REFUSES},
+    }
     explains = (problems.DefaultNamespace,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class EmptyNamespaceName(Rule):
@@ -13,6 +13,7 @@ class EmptyNamespaceName(Rule):
     code = "NS012"
     name = "empty-namespace-name"
     severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("older versions refuse the file")}
     explains = (problems.EmptyNamespaceName,)
 
     bad = (

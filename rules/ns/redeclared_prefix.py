@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class RedeclaredPrefix(Rule):
@@ -14,6 +14,7 @@ class RedeclaredPrefix(Rule):
     code = "NS004"
     name = "redeclared-prefix"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.RedeclaredPrefix,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, IN_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class ReplacedElement(Rule):
@@ -14,7 +14,7 @@ class ReplacedElement(Rule):
     code = "NS010"
     name = "replaced-element"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "takes the default", Consumer.DRAKE: "takes the default"}
+    affects = {Consumer.GAZEBO: warns("takes the default"), Consumer.DRAKE: warns("takes the default")}
     explains = (problems.ReplacedElement,)
     scaffold = IN_COLLISION
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class TopologyChanged(Rule):
@@ -15,7 +15,10 @@ class TopologyChanged(Rule):
     code = "NS009"
     name = "topology-changed"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "does not see the element", Consumer.DRAKE: "does not see the element"}
+    affects = {
+        Consumer.GAZEBO: warns("does not see the element"),
+        Consumer.DRAKE: warns("does not see the element"),
+    }
     explains = (problems.TopologyChanged,)
     scaffold = IN_MODEL
 

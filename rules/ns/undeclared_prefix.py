@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems, used
+from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems, used
 
 # Prefixes whose namespace names their vendors have settled.
 WELL_KNOWN = {
@@ -24,7 +24,6 @@ class UndeclaredPrefix(Rule):
     code = "NS003"
     name = "undeclared-prefix"
     severity = Severity.ERROR
-    affects = dict.fromkeys(Consumer, "reads it all the same; XML tools refuse the file")
     explains = (problems.UndeclaredPrefix,)
 
     bad = (

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, problems, replace
+from sdfcheck import (
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    replace,
+    warns,
+)
 
 
 class UnknownAttribute(Rule):
@@ -16,7 +29,7 @@ class UnknownAttribute(Rule):
     code = "NS001"
     name = "unknown-attribute"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "warns and ignores it", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: warns("warns and ignores it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownAttribute,)
     scaffold = IN_MODEL
 

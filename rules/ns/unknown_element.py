@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_LINK,
     IN_MODEL,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -13,6 +14,7 @@ from sdfcheck import (
     Severity,
     edit,
     problems,
+    warns,
 )
 
 
@@ -29,7 +31,7 @@ class UnknownElement(Rule):
     code = "NS002"
     name = "unknown-element"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "warns and ignores it", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: warns("warns and ignores it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownElement,)
     scaffold = IN_MODEL
 

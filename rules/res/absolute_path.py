@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, IN_URDF_LINK, IN_VISUAL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_ROBOT,
+    IN_URDF_LINK,
+    IN_VISUAL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 
@@ -15,6 +27,10 @@ class AbsolutePath(Rule):
     code = "RES006"
     name = "absolute-path"
     severity = Severity.WARNING
+    affects = {
+        Consumer.GAZEBO: warns("does not find the file on another computer"),
+        Consumer.DRAKE: warns("refuses the file on another computer"),
+    }
     explains = (problems.AbsolutePath,)
     scaffold = IN_VISUAL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 
 SELF = (
     '<sdf version="1.12"><model name="{}"><link name="l"/>'
@@ -18,7 +18,7 @@ class IncludeCycle(Rule):
     code = "RES003"
     name = "include-cycle"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "crashes", Consumer.DRAKE: "crashes"}
+    affects = {Consumer.GAZEBO: refuses("crashes"), Consumer.DRAKE: refuses("crashes")}
     explains = (problems.IncludeCycle,)
 
     bad = (

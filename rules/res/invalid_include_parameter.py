@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, Span, Value, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, Span, Value, problems
 from sdfcheck.problems import ParameterFault
 
 ARM = {
@@ -23,7 +23,7 @@ class InvalidIncludeParameter(Rule):
     code = "RES010"
     name = "invalid-include-parameter"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.InvalidParameter,)
     scaffold = (
         '<sdf version="1.12" xmlns:experimental="http://sdformat.org/schemas/experimental"><world name="w">'

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems
+from sdfcheck import (
+    IN_MODEL,
+    IN_WORLD,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    listed,
+    problems,
+)
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 LAMP = '<sdf version="1.12"><light name="lamp" type="point"/></sdf>'
@@ -18,7 +30,7 @@ class InvalidMergeInclude(Rule):
     code = "RES009"
     name = "invalid-merge-include"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the file", Consumer.DRAKE: "refuses the file"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.InvalidMerge,)
     scaffold = IN_WORLD
 

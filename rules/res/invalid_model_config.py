@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems
+from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems, refuses
 
 CONFIG = "model.config"
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
@@ -29,7 +29,7 @@ class InvalidModelConfig(Rule):
     code = "RES007"
     name = "invalid-model-config"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the model"}
+    affects = {Consumer.GAZEBO: refuses("refuses the model"), Consumer.DRAKE: refuses("refuses the model")}
     explains = (problems.InvalidModelConfig, problems.OldManifest)
     scaffold = "<model><name>arm</name>{}</model>"
 

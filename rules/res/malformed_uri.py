@@ -4,13 +4,16 @@ from sdfcheck import (
     IN_URDF_LINK,
     IN_VISUAL,
     IN_WORLD,
+    REFUSES,
     Bad,
+    Consumer,
     Diagnostic,
     Good,
     Rule,
     Severity,
     problems,
     replace,
+    warns,
 )
 from sdfcheck_rules.res.places import needs_no_escape
 
@@ -29,6 +32,7 @@ class MalformedUri(Rule):
     code = "RES004"
     name = "malformed-uri"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: warns("does not find the file"), Consumer.DRAKE: REFUSES}
     explains = (problems.MalformedUri,)
     scaffold = IN_VISUAL
 

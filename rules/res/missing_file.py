@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_URDF_LINK,
+    IN_VISUAL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 from sdfcheck_rules.res.places import looked_for, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
@@ -20,7 +32,7 @@ class MissingFile(Rule):
     code = "RES001"
     name = "missing-file"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "shows nothing in its place", Consumer.DRAKE: "fails on the mesh"}
+    affects = {Consumer.GAZEBO: warns("shows nothing in its place"), Consumer.DRAKE: REFUSES}
     explains = (problems.MissingFile, problems.MissingFolder, problems.MissingOwner)
     scaffold = IN_VISUAL
 

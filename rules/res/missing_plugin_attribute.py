@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class MissingPluginAttribute(Rule):
@@ -14,7 +14,7 @@ class MissingPluginAttribute(Rule):
     code = "RES008"
     name = "missing-plugin-attribute"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the document"}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.MissingAttribute,)
     scaffold = IN_MODEL
 

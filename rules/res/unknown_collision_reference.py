@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    IN_WORLD,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 
 SENSOR = '<sensor name="s" type="contact"><contact><collision>{}</collision></contact></sensor>'
 SHELL = '<collision name="shell"><geometry><sphere><radius>1</radius></sphere></geometry></collision>'
@@ -16,6 +28,7 @@ class UnknownCollisionReference(Rule):
     code = "RES011"
     name = "unknown-collision-reference"
     severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("senses nothing")}
     explains = (problems.UnknownReference,)
     scaffold = IN_LINK
 

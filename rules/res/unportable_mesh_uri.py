@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 
@@ -16,7 +16,7 @@ class UnportableMeshUri(Rule):
     code = "RES013"
     name = "unportable-mesh-uri"
     severity = Severity.INFO
-    affects = {Consumer.URDFDOM: "hands the address on to programs that do not resolve it"}
+    affects = {Consumer.URDFDOM: warns("hands the address on to programs that do not resolve it")}
     explains = (problems.UnportableUri,)
     scaffold = IN_URDF_LINK
 

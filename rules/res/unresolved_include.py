@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_WORLD, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.res.places import looked_for
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
@@ -19,6 +19,7 @@ class UnresolvedInclude(Rule):
     code = "RES002"
     name = "unresolved-include"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.UnresolvedInclude, problems.FolderWithoutConfig)
     scaffold = IN_WORLD
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_WORLD, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck.problems import Obstacle
 
 ARM = {"arm.sdf": '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'}
@@ -18,6 +18,7 @@ class UnusableInclude(Rule):
     code = "RES012"
     name = "unusable-include"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.UnusableInclude, problems.EmptyIncludeSetting)
     scaffold = IN_WORLD
 

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_VISUAL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import (
+    IN_VISUAL,
+    IN_WORLD,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    replace,
+    warns,
+)
 from sdfcheck_rules.res.places import needs_no_escape, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
@@ -17,6 +29,10 @@ class WrongCasePath(Rule):
     code = "RES005"
     name = "wrong-case-path"
     severity = Severity.WARNING
+    affects = {
+        Consumer.GAZEBO: warns("does not find the file where the case of letters counts"),
+        Consumer.DRAKE: warns("refuses the file where the case of letters counts"),
+    }
     explains = (problems.WrongCase,)
     scaffold = IN_VISUAL
 

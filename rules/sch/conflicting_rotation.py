@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class ConflictingRotation(Rule):
@@ -13,6 +13,7 @@ class ConflictingRotation(Rule):
     code = "SCH017"
     name = "conflicting-rotation"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.ConflictingRotation,)
     scaffold = IN_LINK
 

@@ -14,6 +14,7 @@ from sdfcheck import (
     Severity,
     edit,
     problems,
+    warns,
 )
 
 SCAN = (
@@ -34,7 +35,7 @@ class DeprecatedElement(Rule):
     code = "SCH009"
     name = "deprecated-element"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "warns", Consumer.DRAKE: "warns"}
+    affects = {Consumer.GAZEBO: warns("warns"), Consumer.DRAKE: warns("warns")}
     explains = (problems.DeprecatedElement,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 INERTIAL = (
     '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
@@ -32,6 +32,7 @@ class MalformedValue(Rule):
     code = "SCH011"
     name = "malformed-value"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MalformedValue,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 SCAN = (
     "<scan><horizontal><samples>9</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan>"
@@ -18,7 +18,7 @@ class MismatchedSensor(Rule):
     code = "SCH018"
     name = "mismatched-sensor"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "takes defaults"}
+    affects = {Consumer.GAZEBO: warns("takes defaults")}
     explains = (problems.MismatchedSensor,)
     scaffold = IN_LINK
 

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    SDF,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    named,
+    problems,
+    warns,
+)
 
 
 class MisplacedElement(Rule):
@@ -14,7 +27,10 @@ class MisplacedElement(Rule):
     code = "SCH003"
     name = "misplaced-element"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "ignores the element", Consumer.DRAKE: "ignores the element"}
+    affects = {
+        Consumer.GAZEBO: warns("ignores the element"),
+        Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores the element")},
+    }
     explains = (problems.MisplacedElement,)
     scaffold = IN_LINK
 

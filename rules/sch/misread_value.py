@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 INERTIAL = (
     '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
@@ -23,6 +23,12 @@ class MisreadValue(Rule):
     code = "SCH012"
     name = "misread-value"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: warns("reads another value"),
+        Consumer.DRAKE: warns("reads another value"),
+        Consumer.URDFDOM: REFUSES,
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.MisreadValue, problems.CutText)
     scaffold = INERTIAL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class MissingAttribute(Rule):
@@ -14,6 +14,7 @@ class MissingAttribute(Rule):
     code = "SCH005"
     name = "missing-attribute"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MissingAttribute,)
     scaffold = IN_LINK
 

@@ -5,7 +5,9 @@ from sdfcheck import (
     IN_LINK,
     IN_MODEL,
     IN_VISUAL,
+    REFUSES,
     Bad,
+    Consumer,
     Diagnostic,
     Good,
     Rule,
@@ -26,6 +28,7 @@ class MissingElement(Rule):
     code = "SCH004"
     name = "missing-element"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MissingElement,)
     scaffold = IN_COLLISION
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class MissingShape(Rule):
@@ -13,7 +13,10 @@ class MissingShape(Rule):
     code = "SCH016"
     name = "missing-shape"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "shows and collides with nothing", Consumer.DRAKE: "leaves it out"}
+    affects = {
+        Consumer.GAZEBO: warns("shows and collides with nothing"),
+        Consumer.DRAKE: warns("leaves it out"),
+    }
     explains = (problems.MissingShape,)
     scaffold = IN_COLLISION
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
 
 
 class MissingVersion(Rule):
@@ -13,6 +13,7 @@ class MissingVersion(Rule):
     code = "SCH001"
     name = "missing-version"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.MissingVersion,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 CAMERA = (
     '<sdf version="1.12"><model name="m"><link name="base"><sensor name="s" type="camera">'
@@ -19,6 +19,7 @@ class OutOfRange(Rule):
     code = "SCH014"
     name = "out-of-range"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("takes another value"))
     explains = (problems.ValueOutOfRange, problems.ReversedRange)
     scaffold = CAMERA
 

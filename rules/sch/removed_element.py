@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_JOINT,
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 
 
 class RemovedElement(Rule):
@@ -14,7 +26,7 @@ class RemovedElement(Rule):
     code = "SCH008"
     name = "removed-element"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "ignores it", Consumer.DRAKE: "ignores it"}
+    affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.DRAKE: REFUSES}
     explains = (problems.RemovedElement,)
     scaffold = IN_JOINT.replace("1.12", "1.7")
 

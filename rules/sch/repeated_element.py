@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, SDF, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class RepeatedElement(Rule):
@@ -14,6 +14,12 @@ class RepeatedElement(Rule):
     code = "SCH006"
     name = "repeated-element"
     severity = Severity.WARNING
+    affects = {
+        Consumer.GAZEBO: warns("reads the first only"),
+        Consumer.DRAKE: warns("reads the first only"),
+        Consumer.URDFDOM: warns("reads the first only"),
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.RepeatedElement,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 POLYLINE = "<polyline><height>1</height><point>0 0</point><point>0 1</point><point>1 1</point></polyline>"
 
@@ -17,7 +17,7 @@ class SeveralShapes(Rule):
     code = "SCH020"
     name = "several-shapes"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "drops all but one", Consumer.DRAKE: "drops all but one"}
+    affects = dict.fromkeys(Consumer, warns("drops all but one"))
     explains = (problems.SeveralShapes,)
     scaffold = IN_COLLISION
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 from sdfcheck_rules.sch.newer import report
 
 
@@ -16,8 +16,8 @@ class TooNewElement(Rule):
     name = "too-new-element"
     severity = Severity.WARNING
     affects = {
-        Consumer.GAZEBO: "ignores it in older releases",
-        Consumer.DRAKE: "ignores it in older releases",
+        Consumer.GAZEBO: warns("ignores it in older releases"),
+        Consumer.DRAKE: warns("ignores it in older releases"),
     }
     explains = (problems.TooNewElement,)
 

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, listed, problems
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    IN_WORLD,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    listed,
+    problems,
+)
 
 MANY = 8
 """More choices than this are not worth a list beside a good guess."""
@@ -17,6 +30,7 @@ class UnknownChoice(Rule):
     code = "SCH015"
     name = "unknown-choice"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnknownChoice,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
 
 
 class UnknownVersion(Rule):
@@ -14,6 +14,7 @@ class UnknownVersion(Rule):
     code = "SCH002"
     name = "unknown-version"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}, Consumer.URDFDOM: REFUSES}
     explains = (problems.UnknownVersion,)
     scaffold = '<sdf version="{}"><model name="m"><link name="base"/></model></sdf>'
 

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_LINK, IN_VISUAL, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_COLLISION,
+    IN_LINK,
+    IN_VISUAL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+)
 
 
 class WrongComponentCount(Rule):
@@ -14,6 +26,7 @@ class WrongComponentCount(Rule):
     code = "SCH013"
     name = "wrong-component-count"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.WrongComponentCount,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 
 
 class DelimiterInExtension(Rule):
@@ -14,7 +14,7 @@ class DelimiterInExtension(Rule):
     code = "URD017"
     name = "delimiter-in-extension"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "refuses the robot"}
+    affects = {Consumer.GAZEBO: refuses("refuses the robot")}
     explains = (problems.DelimiterInExtension,)
     scaffold = IN_ROBOT
 

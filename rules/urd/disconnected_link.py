@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class DisconnectedLink(Rule):
@@ -14,9 +14,10 @@ class DisconnectedLink(Rule):
     name = "disconnected-link"
     severity = Severity.ERROR
     affects = {
-        Consumer.URDFDOM: "refuses the file",
-        Consumer.GAZEBO: "refuses the file",
-        Consumer.DRAKE: "makes a free body of it",
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: warns("makes a free body of it"),
+        Consumer.URDFDOM: REFUSES,
+        Consumer.MUJOCO: warns("fixes it to the world"),
     }
     explains = (problems.DisconnectedLink, problems.MisnamedLink)
     scaffold = IN_ROBOT

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems, warns
 
 ROBOT = '<robot name="r"{}><link name="a"><visual>{{}}</visual></link></robot>'
 CAPSULE = '<geometry><capsule radius="1" length="2"/></geometry>'
@@ -18,7 +18,7 @@ class FeatureAboveVersion(Rule):
     code = "URD019"
     name = "feature-above-version"
     severity = Severity.ERROR
-    affects = {Consumer.URDFDOM: "passes over it", Consumer.GAZEBO: "passes over it"}
+    affects = {Consumer.GAZEBO: warns("passes over it"), Consumer.URDFDOM: warns("passes over it")}
     explains = (problems.FeatureAboveVersion,)
     scaffold = ROBOT.format("")
 

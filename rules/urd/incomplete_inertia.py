@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    named,
+    problems,
+    warns,
+)
 
 
 class IncompleteInertia(Rule):
@@ -15,9 +27,10 @@ class IncompleteInertia(Rule):
     name = "incomplete-inertia"
     severity = Severity.ERROR
     affects = {
-        Consumer.URDFDOM: "drops the rest of the link",
-        Consumer.GAZEBO: "drops the rest of the link",
-        Consumer.DRAKE: "takes zero",
+        Consumer.GAZEBO: warns("drops the rest of the link"),
+        Consumer.DRAKE: warns("takes zero"),
+        Consumer.URDFDOM: warns("drops the rest of the link"),
+        Consumer.MUJOCO: REFUSES,
     }
     explains = (problems.IncompleteInertial,)
     scaffold = IN_URDF_LINK

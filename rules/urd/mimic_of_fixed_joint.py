@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, warns
 
 ROBOT = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
@@ -21,7 +21,12 @@ class MimicOfFixedJoint(Rule):
     code = "URD018"
     name = "mimic-of-fixed-joint"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: "refuses the robot", Consumer.DRAKE: "refuses the file"}
+    affects = {
+        Consumer.GAZEBO: refuses("refuses the robot"),
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: warns("ignores it"),
+    }
     explains = (problems.MimicOfFixedJoint,)
 
     bad = (Bad(ROBOT.replace("{}", "fixed"), says="joint `k` follows joint `j`, which is fixed"),)

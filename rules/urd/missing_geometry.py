@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    refuses,
+    warns,
+)
 
 
 class MissingGeometry(Rule):
@@ -15,9 +27,10 @@ class MissingGeometry(Rule):
     name = "missing-geometry"
     severity = Severity.ERROR
     affects = {
-        Consumer.URDFDOM: "drops the rest of the link",
-        Consumer.GAZEBO: "drops the rest of the link",
-        Consumer.DRAKE: "refuses the file",
+        Consumer.GAZEBO: warns("drops the rest of the link"),
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("drops the rest of the link"),
+        Consumer.MUJOCO: refuses("refuses it in a collision"),
     }
     explains = (problems.MissingGeometry, problems.UnknownShape)
     scaffold = IN_URDF_LINK

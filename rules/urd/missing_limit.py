@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems
+from sdfcheck import (
+    IN_URDF_JOINT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    listed,
+    problems,
+    warns,
+)
 
 
 class MissingLimit(Rule):
@@ -14,7 +26,12 @@ class MissingLimit(Rule):
     code = "URD005"
     name = "missing-limit"
     severity = Severity.ERROR
-    affects = {Consumer.URDFDOM: "refuses the file", Consumer.GAZEBO: "refuses the file"}
+    affects = {
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: warns("takes no limits"),
+        Consumer.URDFDOM: REFUSES,
+        Consumer.MUJOCO: warns("takes no limits"),
+    }
     explains = (problems.MissingLimit, problems.LockedByDefault)
     scaffold = IN_URDF_JOINT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 TREES = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>{}'
@@ -20,9 +20,10 @@ class SeveralRoots(Rule):
     name = "several-roots"
     severity = Severity.ERROR
     affects = {
-        Consumer.URDFDOM: "refuses the file",
-        Consumer.GAZEBO: "refuses the file",
-        Consumer.DRAKE: "makes free bodies of them",
+        Consumer.GAZEBO: REFUSES,
+        Consumer.DRAKE: warns("makes free bodies of them"),
+        Consumer.URDFDOM: REFUSES,
+        Consumer.MUJOCO: warns("fixes all of them to the world"),
     }
     explains = (problems.SeveralRoots,)
     scaffold = TREES

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 VISUAL = '<visual><origin rpy="{}"/><geometry><sphere radius="1"/></geometry></visual>'
 
@@ -16,7 +16,7 @@ class SingularPitch(Rule):
     code = "URD016"
     name = "singular-pitch"
     severity = Severity.INFO
-    affects = {Consumer.GAZEBO: "turns the shape to 90°"}
+    affects = {Consumer.GAZEBO: warns("turns the shape to 90°")}
     explains = (problems.SingularPitch,)
     scaffold = IN_URDF_LINK
 

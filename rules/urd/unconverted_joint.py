@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 
 
 class UnconvertedJoint(Rule):
@@ -14,7 +14,7 @@ class UnconvertedJoint(Rule):
     code = "URD020"
     name = "unconverted-joint"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "refuses the robot"}
+    affects = {Consumer.GAZEBO: refuses("refuses the robot")}
     explains = (problems.UnconvertedJoint,)
     scaffold = (
         '<robot name="r"><link name="a"/><link name="b"/>'

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used, warns
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 LINK = f'<robot name="r">{{}}<link name="a"><visual>{SHAPE}<material name="grey"/></visual></link></robot>'
@@ -19,9 +19,9 @@ class UndefinedMaterial(Rule):
     name = "undefined-material"
     severity = Severity.ERROR
     affects = {
-        Consumer.URDFDOM: "leaves out the material",
-        Consumer.GAZEBO: "leaves out the material",
-        Consumer.DRAKE: "refuses the file",
+        Consumer.GAZEBO: warns("leaves out the material"),
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("leaves out the material"),
     }
     explains = (problems.UndefinedMaterial, problems.EmptyMaterial, problems.DifferentMaterial)
     scaffold = LINK

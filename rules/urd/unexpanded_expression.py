@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 
 
 class UnexpandedExpression(Rule):
@@ -14,6 +14,12 @@ class UnexpandedExpression(Rule):
     code = "URD009"
     name = "unexpanded-expression"
     severity = Severity.ERROR
+    affects = {
+        Consumer.GAZEBO: refuses("refuses the file, or drops parts of links"),
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: refuses("refuses the file, or drops parts of links"),
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.UnexpandedExpression,)
     scaffold = IN_URDF_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 CONTROL = (
@@ -20,6 +20,7 @@ class UnknownControlJoint(Rule):
     code = "URD012"
     name = "unknown-control-joint"
     severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: warns("does not drive the joint")}
     explains = (problems.UnknownControlJoint,)
     scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_URDF_JOINT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 TRANSMISSION = (
@@ -20,7 +20,7 @@ class UnknownTransmissionJoint(Rule):
     code = "URD011"
     name = "unknown-transmission-joint"
     severity = Severity.ERROR
-    affects = {Consumer.DRAKE: "refuses the file", Consumer.GAZEBO: "does not drive the joint"}
+    affects = {Consumer.GAZEBO: warns("does not drive the joint"), Consumer.DRAKE: REFUSES}
     explains = (problems.UnknownTransmissionJoint,)
     scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')
 

@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems, used
+from sdfcheck import (
+    IN_URDF_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    problems,
+    used,
+    warns,
+)
 
 
 class UnknownUrdfAttribute(Rule):
@@ -14,6 +28,7 @@ class UnknownUrdfAttribute(Rule):
     code = "URD002"
     name = "unknown-urdf-attribute"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.UnknownUrdfAttribute,)
     scaffold = IN_URDF_LINK
 

@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_URDF_LINK,
     Bad,
+    Consumer,
     Diagnostic,
     Edit,
     Fix,
@@ -13,6 +14,7 @@ from sdfcheck import (
     named,
     problems,
     used,
+    warns,
 )
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
@@ -30,6 +32,7 @@ class UnknownUrdfElement(Rule):
     code = "URD001"
     name = "unknown-urdf-element"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.UnknownUrdfElement,)
     scaffold = IN_URDF_LINK
 

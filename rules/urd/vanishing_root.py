@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 LINKS = f'<link name="b">{MASS}</link>'
@@ -19,7 +19,7 @@ class VanishingRoot(Rule):
     code = "URD013"
     name = "vanishing-root"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: "loads an empty model"}
+    affects = {Consumer.GAZEBO: refuses("loads an empty model")}
     explains = (problems.VanishingRoot,)
     scaffold = '<robot name="r">{}</robot>'
 

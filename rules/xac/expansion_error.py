@@ -1,6 +1,6 @@
 from collections.abc import Iterator, Mapping
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, refuses
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 _HELP: Mapping[str, str] = {
@@ -27,7 +27,7 @@ class ExpansionError(Rule):
     name = "expansion-error"
     severity = Severity.ERROR
     explains = (problems.ExpansionFailure,)
-    affects = dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO), "gets no robot description")
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     scaffold = IN_XACRO
 
     bad = (

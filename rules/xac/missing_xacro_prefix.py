@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -14,6 +14,7 @@ class MissingXacroPrefix(Rule):
     code = "XAC012"
     name = "missing-xacro-prefix"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.MissingXacroPrefix,)
     scaffold = IN_XACRO
 

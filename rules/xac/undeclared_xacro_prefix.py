@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems, used
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, refuses, used
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -15,6 +15,7 @@ class UndeclaredXacroPrefix(Rule):
     code = "XAC002"
     name = "undeclared-xacro-prefix"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndeclaredXacroPrefix,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -13,6 +13,7 @@ class UndefinedArgument(Rule):
     code = "XAC013"
     name = "undefined-argument"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedArgument,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
@@ -16,6 +16,7 @@ class UndefinedMacro(Rule):
     code = "XAC003"
     name = "undefined-macro"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedMacro,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
@@ -17,6 +17,7 @@ class UndefinedProperty(Rule):
     code = "XAC004"
     name = "undefined-property"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedProperty, problems.UndefinedBlock)
     scaffold = IN_XACRO
 

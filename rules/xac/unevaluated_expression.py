@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -14,6 +14,7 @@ class UnevaluatedExpression(Rule):
     code = "XAC010"
     name = "unevaluated-expression"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, warns("reads what is left"))
     explains = (problems.UnevaluatedExpression,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -17,6 +17,7 @@ class UnknownPackage(Rule):
     code = "XAC007"
     name = "unknown-package"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("gets no robot description where the package is not found"))
     explains = (problems.UnknownPackage,)
     scaffold = IN_XACRO
 

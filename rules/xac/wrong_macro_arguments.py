@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, named, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, named, problems, refuses
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 _MACRO = '<xacro:macro name="leg" params="side length:=1 *origin"><link name="${side}${length}">'
@@ -17,6 +17,7 @@ class WrongMacroArguments(Rule):
     code = "XAC008"
     name = "wrong-macro-arguments"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.WrongMacroArguments,)
     scaffold = IN_XACRO.replace("{}", _MACRO + "{}")
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Fix, Good, Rule, Severity, problems, replace
+from sdfcheck import Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, problems, refuses, replace
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -13,6 +13,7 @@ class WrongXacroAttribute(Rule):
     code = "XAC011"
     name = "wrong-xacro-attribute"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.WrongXacroAttribute,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, refuses
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -14,6 +14,7 @@ class XacroIncludeCycle(Rule):
     code = "XAC006"
     name = "xacro-include-cycle"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.XacroIncludeCycle,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class ContentAfterRoot(Rule):
@@ -14,6 +14,7 @@ class ContentAfterRoot(Rule):
     code = "XML008"
     name = "content-after-root"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.ContentAfterRoot,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems, warns
 
 
 class DocumentType(Rule):
@@ -14,6 +14,7 @@ class DocumentType(Rule):
     code = "XML007"
     name = "document-type"
     severity = Severity.WARNING
+    affects = {Consumer.URDFDOM: warns("some versions refuse the file")}
     explains = (problems.DocumentType,)
 
     bad = (

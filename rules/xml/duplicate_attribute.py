@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class DuplicateAttribute(Rule):
@@ -13,6 +13,7 @@ class DuplicateAttribute(Rule):
     code = "XML003"
     name = "duplicate-attribute"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.RepeatedAttribute,)
 
     bad = (

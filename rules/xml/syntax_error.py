@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Fix, Good, Rule, Severity, Span, problems, replace
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, Span, problems, replace
 
 Kind = problems.SyntaxKind
 
@@ -86,6 +86,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
     code = "XML001"
     name = "syntax-error"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.SyntaxDefect,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class TooDeep(Rule):
@@ -13,6 +13,7 @@ class TooDeep(Rule):
     code = "XML010"
     name = "too-deep"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.TooDeep,)
 
     bad = (

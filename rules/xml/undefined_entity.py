@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
 
 
 class UndefinedEntity(Rule):
@@ -14,6 +14,7 @@ class UndefinedEntity(Rule):
     code = "XML006"
     name = "undefined-entity"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("keeps it as it is written"))
     explains = (problems.UnknownEntity,)
 
     bad = (

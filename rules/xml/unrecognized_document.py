@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
 
 
 class UnrecognizedDocument(Rule):
@@ -13,6 +13,7 @@ class UnrecognizedDocument(Rule):
     code = "XML009"
     name = "unrecognized-document"
     severity = Severity.ERROR
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnrecognizedDocument,)
 
     bad = (

@@ -109,5 +109,5 @@ class Reader:
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file))
         errors = [one for one in found if one.severity is Severity.ERROR]
-        stopping = obstacles(errors, self._book.rules(settings), document.kind, self._mended)
+        stopping = obstacles(errors, document.kind, self._mended)
         return Input(file, document, errors, not stopping)

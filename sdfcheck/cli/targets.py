@@ -10,9 +10,9 @@ import click
 from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.config import Configuration
-from sdfcheck.lint.rule import Consumer
+from sdfcheck.lint.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run
-from sdfcheck.lint.targets import Reason, Row, Verdict, matrix
+from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.source.sniff import sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -53,7 +53,7 @@ def targets_command(
         told = {"version": VERSION, "file": file.as_posix(), "readers": [record(row) for row in rows]}
         emit(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
     else:
-        emit(text(rows))
+        emit(text(rows, file))
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 
@@ -75,32 +75,42 @@ def verdicts(file: Path, readers: Sequence[Consumer], configuration: Configurati
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    return matrix(done, sniff(file.read_bytes(), file), readers)
+    return matrix(done, sniff(file.read_bytes(), file), file, readers)
 
 
-def text(rows: Sequence[Row]) -> str:
+def text(rows: Sequence[Row], file: Path) -> str:
     """A line a reader, and below it the reasons."""
     width = max(len(row.reader.value) for row in rows)
     lines = []
     for row in rows:
-        lines.append(f"{row.reader.value:{width}}  {row.verdict.value}")
-        lines += [f"{'':{width}}    {line}" for line in _reasons(row)]
+        note = f": {row.note}" if row.note else ""
+        lines.append(f"{row.reader.value:{width}}  {row.verdict.value}{note}")
+        lines += [f"{'':{width}}    {line}" for line in _reasons(row, file)]
     return "\n".join(lines) + "\n"
 
 
 _SHOWN = 5
 
 
-def _reasons(row: Row) -> list[str]:
+def _reasons(row: Row, file: Path) -> list[str]:
     told = []
     for reason in row.reasons[:_SHOWN]:
         diagnostic = reason.diagnostic
-        effect = f" ({reason.effect})" if reason.effect else ""
-        line = diagnostic.span.begin.line
-        told.append(f"line {line}: {diagnostic.message} [{diagnostic.code}]{effect}")
+        verdict, words = reason.reaction
+        told.append(
+            f"{verdict.value:6} {_place(reason, file)}: {diagnostic.message} [{diagnostic.code}] ({words})"
+        )
     if len(row.reasons) > _SHOWN:
         told.append(f"and {len(row.reasons) - _SHOWN} more")
     return told
+
+
+def _place(reason: Reason, file: Path) -> str:
+    """Line and column; behind the name of the file if that is another one."""
+    span = reason.diagnostic.span
+    line, column = span.begin
+    path = span.source.path
+    return f"{line}:{column}" if path == file else f"{path.as_posix()}:{line}:{column}"
 
 
 def record(row: Row) -> dict[str, object]:
@@ -108,6 +118,7 @@ def record(row: Row) -> dict[str, object]:
     return {
         "reader": row.reader.value,
         "verdict": row.verdict.value,
+        "note": row.note or None,
         "reasons": [_reason(reason) for reason in row.reasons],
     }
 
@@ -116,12 +127,12 @@ def _reason(reason: Reason) -> dict[str, object]:
     diagnostic = reason.diagnostic
     line, column = diagnostic.span.begin
     return {
-        "verdict": reason.verdict.value,
+        "verdict": reason.reaction.verdict.value,
         "code": diagnostic.code,
         "name": diagnostic.name,
         "severity": diagnostic.severity.value,
         "message": diagnostic.message,
-        "effect": reason.effect,
+        "effect": reason.reaction.words,
         "file": diagnostic.span.source.path.as_posix(),
         "line": line,
         "column": column,

@@ -39,7 +39,7 @@ def _property(field: Field) -> dict[str, Any]:
 
 
 def _shapes() -> Mapping[Shape, dict[str, Any]]:
-    from sdfcheck.lint.rule import Consumer
+    from sdfcheck.lint.reaction import Consumer
 
     targets = sorted(consumer.value for consumer in Consumer)
     return {

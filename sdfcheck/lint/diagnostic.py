@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from enum import Enum
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.fix import Fix
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.reaction import Reaction
 
 
 class Severity(Enum):
@@ -64,6 +68,13 @@ class Diagnostic(NamedTuple):
     fix: Fix | None = None
     help: str | None = None
     origins: tuple[Origin, ...] = ()
+    affects: tuple[tuple[str, Reaction], ...] = ()
+    """What each reader that is concerned does, sorted by reader."""
+
+    @property
+    def concerned(self) -> frozenset[str]:
+        """The readers that do not take the file as it is meant."""
+        return frozenset(reader for reader, reaction in self.affects if not reaction.is_harmless)
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:

@@ -11,7 +11,7 @@ from lxml import etree
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.packs import RuleIndex
-from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.run import RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.document import problems as text_problems
@@ -106,6 +106,7 @@ class Dispatch:
     def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
         self.index = index
         self.severities = active.severities
+        self.targets = active.targets
         waiting = (facts for facts in active.facts if not facts.default)
         self.readers = active.targets.union(*(facts.affects for facts in waiting))
         """The readers that somebody asks about: as a target, or by a rule that is off by default."""
@@ -255,9 +256,16 @@ def _check(facts: RuleFacts, subject: Any, document: Document, dispatch: Dispatc
         diagnostics = list(rule.check(subject))
     except Exception as error:
         return [_internal_error(facts, error, document)]
+    if not diagnostics:
+        return diagnostics
     severity = dispatch.severities.get(facts.code)
     if severity is not None:
-        return [diagnostic._replace(severity=severity) for diagnostic in diagnostics]
+        diagnostics = [diagnostic._replace(severity=severity) for diagnostic in diagnostics]
+    if facts.affects:
+        dialect = "sdf" if document.kind in (Kind.SDF, Kind.MODEL_CONFIG) else "urdf"
+        diagnostics = [d._replace(affects=reactions(facts, dialect, d.affects)) for d in diagnostics]
+        if dispatch.targets:
+            return [d for d in diagnostics if dispatch.targets.intersection(d.concerned)]
     return diagnostics
 
 

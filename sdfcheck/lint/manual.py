@@ -9,6 +9,7 @@ from typing import Any
 
 from sdfcheck.lint.example import MARK_END, MARK_START, Bad, Good
 from sdfcheck.lint.packs import RuleIndex
+from sdfcheck.lint.reaction import lines
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress_rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.source.record import NamedTuple
@@ -59,7 +60,7 @@ def facts_record(facts: RuleFacts) -> Mapping[str, Any]:
         "summary": markdown(facts.summary),
         "fix": facts.fixable or None,
         "default": facts.default,
-        "affects": dict(facts.affects),
+        "affects": {reader: dict(reactions) for reader, reactions in facts.affects.items()},
     }
 
 
@@ -78,7 +79,7 @@ def _sections(page: Manual) -> Iterator[str]:
     yield page.documentation
     if facts.affects:
         yield "## Who is affected"
-        yield "\n".join(f"- {consumer}: {effect}" for consumer, effect in sorted(facts.affects.items()))
+        yield "\n".join(f"- {line}" for line in lines(facts.affects))
     if page.bad:
         yield "## Reported"
         yield from _reported(page.bad)

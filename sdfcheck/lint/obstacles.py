@@ -11,9 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.rule import Consumer
-from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.targets import Verdict, reason
+from sdfcheck.lint.reaction import Consumer, Verdict
 from sdfcheck.source.sniff import Kind
 
 OWN_READER: Mapping[Kind, Consumer] = {
@@ -24,20 +22,22 @@ OWN_READER: Mapping[Kind, Consumer] = {
 
 
 def obstacles(
-    found: Iterable[Diagnostic], rules: Iterable[RuleFacts], kind: Kind, mended: frozenset[str] = frozenset()
+    found: Iterable[Diagnostic], kind: Kind, mended: frozenset[str] = frozenset()
 ) -> list[Diagnostic]:
     """The errors among ``found`` that stop a conversion from a kind of file.
 
     Those of the families ``mended`` do not: the converter deals with them itself.
     """
-    facts = {one.code: one for one in rules}
     reader = OWN_READER.get(kind)
-    stopping = []
-    for diagnostic in found:
-        rule = facts.get(diagnostic.code)
-        if diagnostic.severity is not Severity.ERROR or (rule is not None and rule.family in mended):
-            continue
-        affects = rule.affects if rule is not None else {}
-        if reader is None or reason(diagnostic, affects, reader).verdict is Verdict.REJECT:
-            stopping.append(diagnostic)
-    return stopping
+    return [
+        diagnostic
+        for diagnostic in found
+        if diagnostic.severity is Severity.ERROR
+        and diagnostic.code.rstrip("0123456789") not in mended
+        and (reader is None or _refused(diagnostic, reader))
+    ]
+
+
+def _refused(diagnostic: Diagnostic, reader: Consumer) -> bool:
+    reaction = dict(diagnostic.affects).get(reader.value)
+    return reaction is not None and reaction.verdict is Verdict.REJECT

@@ -172,6 +172,8 @@ def rule_classes(module: ModuleType) -> list[type[Rule]]:
 
 def describe(rule: type[Rule]) -> RuleFacts:
     """The facts of a rule, from its class."""
+    from sdfcheck.lint.reaction import by_dialect
+
     fixed = [bad for bad in rule.bad if bad.fixed is not None]
     fixable = "" if not fixed else "safe" if any(not bad.unsafe for bad in fixed) else "unsafe"
     return RuleFacts(
@@ -184,10 +186,7 @@ def describe(rule: type[Rule]) -> RuleFacts:
         rule.default,
         rule.selects,
         tuple(kind.__name__ for kind in rule.explains),
-        {
-            consumer.value: effect
-            for consumer, effect in sorted(rule.affects.items(), key=lambda i: i[0].value)
-        },
+        by_dialect(rule.affects),
         rule.__module__,
     )
 

@@ -3,26 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from enum import Enum
 from typing import Any, ClassVar
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
 from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.lint.reaction import Affects, Consumer, Reaction
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
 
 Target = Span | Value | Element
 """What a diagnostic may point at: a span, the text of an attribute or element, or an element's name."""
-
-
-class Consumer(Enum):
-    """Who reads robot descriptions."""
-
-    GAZEBO = "gazebo"
-    DRAKE = "drake"
-    URDFDOM = "urdfdom"
-    MUJOCO = "mujoco"
 
 
 class Rule:
@@ -39,8 +30,8 @@ class Rule:
     severity: ClassVar[Severity]
     selects: ClassVar[tuple[str, ...]] = ()
     explains: ClassVar[tuple[type, ...]] = ()
-    affects: ClassVar[Mapping[Consumer, str]] = {}
-    """Which readers are concerned, and what they do; empty: all of them."""
+    affects: ClassVar[Affects] = {}
+    """Which readers are concerned, and what they do; empty: none, the file itself is at fault."""
     default: ClassVar[bool] = True
     """False: runs only when selected."""
     scaffold: ClassVar[str] = "{}"
@@ -61,10 +52,12 @@ class Rule:
         help: str | None = None,
         severity: Severity | None = None,
         origins: tuple[Origin, ...] = (),
+        affects: Mapping[Consumer, Reaction] | None = None,
     ) -> Diagnostic:
         """A diagnostic of this rule; ``labels`` are further targets and what they have to do with it.
 
-        ``severity`` is given only where it depends on the case.
+        ``severity`` is given only where it depends on the case; so is what readers do in
+        ``affects``, for some of those that the rule names.
         """
         return Diagnostic(
             self.code,
@@ -76,6 +69,7 @@ class Rule:
             fix,
             help,
             origins,
+            tuple((reader.value, reaction) for reader, reaction in (affects or {}).items()),
         )
 
 

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.reaction import Reaction
 
 
 class RuleFacts(NamedTuple):
@@ -26,10 +30,22 @@ class RuleFacts(NamedTuple):
     """Selectors of the elements that the rule looks at."""
     explains: tuple[str, ...]
     """Names of the kinds of problem that the rule puts into words."""
-    affects: Mapping[str, str]
-    """Consumer → what it does."""
+    affects: Mapping[str, Mapping[str, str]]
+    """Reader → dialect → what it does: a :class:`~sdfcheck.lint.reaction.Reaction` as text."""
     module: str
     """Module that holds the rule's class."""
+
+
+def reactions(
+    facts: RuleFacts, dialect: str, special: Iterable[tuple[str, Reaction]] = ()
+) -> tuple[tuple[str, Reaction], ...]:
+    """What each reader does about a rule's defect in a document, sorted by reader; ``special`` comes first."""
+    from sdfcheck.lint.reaction import Reaction
+
+    told = {reader: by[dialect] for reader, by in facts.affects.items() if dialect in by}
+    found = {reader: Reaction.of(said) for reader, said in told.items()}
+    found.update(special)
+    return tuple(sorted(found.items(), key=lambda item: item[0]))
 
 
 class Run(NamedTuple):

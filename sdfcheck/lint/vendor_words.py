@@ -10,6 +10,7 @@ from sdfcheck.formats.vendor import Outcome
 from sdfcheck.formats.vendor_problems import TagFault, TagProblem
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.reaction import by_effect
 from sdfcheck.lint.rule import Rule, Target, edit
 from sdfcheck.lint.wording import named, used
 from sdfcheck.source.element import Element, Value
@@ -34,7 +35,18 @@ def report(rule: Rule, problem: TagProblem) -> Diagnostic:
         severity = Severity.WARNING
         if isinstance(problem, problems.OutdatedTag) and not problem.removed:
             severity = Severity.INFO
-    return rule.diagnostic(said.target, said.message, labels=said.labels, fix=said.fix, severity=severity)
+    reaction = by_effect(problem.effect)
+    affects = dict.fromkeys(rule.affects, reaction)
+    if isinstance(problem, problems.TooNewTag):
+        affects = {}  # the effect is that of older releases
+    return rule.diagnostic(
+        said.target,
+        said.message,
+        labels=said.labels,
+        fix=said.fix,
+        severity=severity,
+        affects=affects,
+    )
 
 
 def consequence(problem: TagProblem, it: str = "it") -> str:

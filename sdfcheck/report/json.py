@@ -37,11 +37,7 @@ def render(run: Run) -> str:
 
 def diagnostic_lines(run: Run, paths: Paths) -> list[str]:
     """The diagnostics, each as JSON without a line end."""
-    affects = {facts.code: dict(sorted(facts.affects.items())) for facts in run.rules}
-    return [
-        json.dumps(_diagnostic(diagnostic, affects.get(diagnostic.code, {}), paths))
-        for diagnostic in run.diagnostics
-    ]
+    return [json.dumps(_diagnostic(diagnostic, paths)) for diagnostic in run.diagnostics]
 
 
 def _lines(items: Iterable[str]) -> str:
@@ -49,7 +45,7 @@ def _lines(items: Iterable[str]) -> str:
     return f"[\n{lines}\n]" if lines else "[]"
 
 
-def _diagnostic(diagnostic: Diagnostic, affects: dict[str, str], paths: Paths) -> dict[str, Any]:
+def _diagnostic(diagnostic: Diagnostic, paths: Paths) -> dict[str, Any]:
     return {
         "code": diagnostic.code,
         "name": diagnostic.name,
@@ -61,7 +57,10 @@ def _diagnostic(diagnostic: Diagnostic, affects: dict[str, str], paths: Paths) -
         "origins": [_place(origin, paths) for origin in diagnostic.origins],
         "help": diagnostic.help,
         "fix": _fix(diagnostic.fix, paths) if diagnostic.fix is not None else None,
-        "affects": affects,
+        "affects": {
+            reader: {"verdict": reaction.verdict.value, "effect": reaction.words}
+            for reader, reaction in diagnostic.affects
+        },
     }
 
 

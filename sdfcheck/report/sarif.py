@@ -11,6 +11,7 @@ from urllib.parse import quote
 from sdfcheck import __version__
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.reaction import lines
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.report.line_hash import line_hashes
 from sdfcheck.report.paths import Paths
@@ -52,7 +53,7 @@ def render(run: Run) -> str:
 
 def _rule(facts: RuleFacts) -> dict[str, Any]:
     summary = facts.summary[:_LONGEST]
-    consumers = "".join(f"\n- {consumer}: {what}" for consumer, what in sorted(facts.affects.items()))
+    consumers = "".join(f"\n- {line}" for line in lines(facts.affects))
     affects = f"\n\nAffects:\n{consumers}" if consumers else ""
     return {
         "id": facts.code,

@@ -9,8 +9,7 @@ import pytest
 
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.lint.config import Configuration
-from sdfcheck.lint.rule import Consumer
-from sdfcheck.lint.targets import Verdict
+from sdfcheck.lint.reaction import Consumer, Verdict
 from tests.peers.findings import SHARED
 
 pytestmark = [

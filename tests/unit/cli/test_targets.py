@@ -19,8 +19,8 @@ def test_a_sound_file(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out.splitlines() == [
         "drake    accept",
         "gazebo   accept",
-        "mujoco   not read",
-        "urdfdom  not read",
+        "mujoco   not read: it does not know SDFormat",
+        "urdfdom  not read: it does not know SDFormat",
     ]
 
 
@@ -28,7 +28,10 @@ def test_reasons(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", BROKEN, "--isolated"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert "drake    reject" in lines
-    assert any("mass -20 is negative [INR001] (refuses the model" in line for line in lines)
+    assert any(
+        "reject 5:" in line and "mass -20 is negative [INR001] (refuses a negative mass)" in line
+        for line in lines
+    )
     assert any(line.strip().startswith("and ") for line in lines)
 
 

@@ -30,7 +30,7 @@ RULES = (
         True,
         (),
         (),
-        {"drake": "aborts"},
+        {"drake": {"sdf": "reject: aborts"}},
         "",
     ),
     RuleFacts("CCC001", "style-flaw", "CCC", Severity.INFO, "Not nice.", "safe", False, (), (), {}, ""),

@@ -8,10 +8,9 @@ import pytest
 
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.lint.config import Configuration
-from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.packs import load_index
-from sdfcheck.lint.rule import Consumer
-from sdfcheck.lint.targets import Verdict, judge
+from sdfcheck.lint.reaction import READS, REFUSES, Affects, Consumer, Reaction, by_dialect, lines, warns
+from sdfcheck.lint.session import Options, run
 
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 
@@ -23,31 +22,34 @@ def told(text: str, name: str, folder: Path, *readers: Consumer) -> dict[str, st
     return {row.reader.value: row.verdict.value for row in rows}
 
 
-@pytest.mark.parametrize(
-    ("effect", "severity", "verdict"),
-    [
-        ("", Severity.ERROR, Verdict.REJECT),
-        ("", Severity.WARNING, Verdict.WARN),
-        ("", Severity.INFO, Verdict.ACCEPT),
-        ("refuses the file", Severity.INFO, Verdict.REJECT),
-        ("refuses the file, or ignores it", Severity.WARNING, Verdict.WARN),
-        ("refuses the file, or ignores it", Severity.ERROR, Verdict.REJECT),
-        ("crashes", Severity.WARNING, Verdict.REJECT),
-        ("refuses a collision mesh", Severity.ERROR, Verdict.WARN),
-        ("ignores it", Severity.ERROR, Verdict.WARN),
-        ("takes it", Severity.ERROR, Verdict.ACCEPT),
-        ("takes it: the link hardly turns", Severity.WARNING, Verdict.WARN),
-    ],
-)
-def test_effects(effect: str, severity: Severity, verdict: Verdict) -> None:
-    assert judge(effect, severity) is verdict
-
-
-def test_readers_in_the_rules_are_known() -> None:
-    known = {reader.value for reader in Consumer}
+def test_what_rules_say_of_readers_is_well_formed() -> None:
     for facts in load_index().facts:
-        assert facts.affects.keys() <= known, facts.code
-        assert all(effect == effect.strip() and effect for effect in facts.affects.values()), facts.code
+        for reader, reactions in facts.affects.items():
+            assert reactions.keys() <= set(READS[Consumer(reader)]), facts.code
+            for said in reactions.values():
+                reaction = Reaction.of(said)
+                assert str(reaction) == said, facts.code
+                assert reaction.words == reaction.words.strip() != "", facts.code
+
+
+def test_a_pack_s_rules_say_it_in_short() -> None:
+    affects: Affects = {
+        Consumer.URDFDOM: REFUSES,
+        Consumer.GAZEBO: warns("ignores it"),
+        Consumer.DRAKE: {"urdf": REFUSES, "sdf": warns("ignores it")},
+    }
+    told = by_dialect(affects)
+    assert told == {
+        "drake": {"sdf": "warn: ignores it", "urdf": "reject: refuses the file"},
+        "gazebo": {"sdf": "warn: ignores it", "urdf": "warn: ignores it"},
+        "urdfdom": {"urdf": "reject: refuses the file"},
+    }
+    assert list(lines(told)) == [
+        "drake, SDF: ignores it",
+        "drake, URDF: refuses the file",
+        "gazebo: ignores it",
+        "urdfdom: refuses the file",
+    ]
 
 
 def test_a_sound_file(tmp_path: Path) -> None:
@@ -88,3 +90,39 @@ def test_an_undeclared_prefix_is_no_reason(tmp_path: Path) -> None:
         '<sdf version="1.9"><model name="m"><static>true</static><link name="l"><p:a/></link></model></sdf>'
     )
     assert told(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "accept"}
+
+
+def test_drake_goes_by_the_name_of_the_file(tmp_path: Path) -> None:
+    text = '<sdf version="1.9"><world name="w"/></sdf>'
+    assert told(text, "w.world", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
+        "drake": "not read",
+        "gazebo": "accept",
+    }
+
+
+TWO_NAMES = (
+    f'<robot name="r"><link name="base">{INERTIAL}</link><link name="arm">{INERTIAL}</link>'
+    '<joint name="arm" type="fixed"><parent link="base"/><child link="arm"/></joint></robot>'
+)
+
+
+def test_the_dialect_decides(tmp_path: Path) -> None:
+    sdf = (
+        '<sdf version="1.9"><model name="m"><link name="base"/><link name="arm"/>'
+        '<joint name="arm" type="fixed"><parent>base</parent><child>arm</child></joint></model></sdf>'
+    )
+    assert told(sdf, "m.sdf", tmp_path, Consumer.DRAKE) == {"drake": "reject"}
+    assert told(TWO_NAMES, "r.urdf", tmp_path) == {
+        "drake": "accept",
+        "gazebo": "reject",
+        "mujoco": "accept",
+        "urdfdom": "accept",
+    }
+
+
+@pytest.mark.parametrize(("reader", "codes"), [("gazebo", {"NAM002"}), ("drake", set())])
+def test_a_target_leaves_out_what_it_takes(reader: str, codes: set[str], tmp_path: Path) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text(TWO_NAMES, encoding="utf-8")
+    done = run([file], Options(Configuration(isolated=True), target=(reader,)))
+    assert {d.code for d in done.diagnostics if d.code.startswith("NAM")} == codes

@@ -9,6 +9,7 @@ from typing import Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.lint.reaction import refuses, warns
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.source.text import Source, Span
@@ -68,7 +69,10 @@ def facts(code: str = "NAM901", name: str = "taken-name", **fields: Any) -> Rule
             "default": True,
             "selects": (),
             "explains": (),
-            "affects": {"gazebo": "rejects it", "drake": "aborts"},
+            "affects": {
+                "gazebo": {"sdf": "reject: rejects it", "urdf": "reject: rejects it"},
+                "drake": {"sdf": "reject: aborts"},
+            },
             "module": "pack.taken_name",
             **fields,
         }
@@ -86,7 +90,8 @@ def rich_diagnostic() -> Diagnostic:
     """One with everything; characters of several bytes stand before the defect."""
     call, _ = marked("«call»", "world.xacro")
     found = fixed(diagnostic("<é>\n\t<𐐀>«a»</𐐀>{b}\n", "here"), "c")
-    return found._replace(help="rename it", origins=(Origin(call, "included from"),))
+    affects = (("drake", refuses("aborts")), ("gazebo", warns("ignores it")))
+    return found._replace(help="rename it", origins=(Origin(call, "included from"),), affects=affects)
 
 
 def parsed(format: OutputFormat, *diagnostics: Diagnostic, **fields: Any) -> Any:

@@ -32,7 +32,10 @@ def test_json_of_a_diagnostic() -> None:
         "origins": [{**origin, "message": "included from"}],
         "help": "rename it",
         "fix": {"applicability": "safe", "message": "write `c`", "edits": [{**here, "text": "c"}]},
-        "affects": {"drake": "aborts", "gazebo": "rejects it"},
+        "affects": {
+            "drake": {"verdict": "reject", "effect": "aborts"},
+            "gazebo": {"verdict": "warn", "effect": "ignores it"},
+        },
     }
 
 

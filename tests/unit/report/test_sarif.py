@@ -76,7 +76,7 @@ def test_sarif_rules() -> None:
     assert rule["name"] == "TakenName"
     assert rule["shortDescription"]["text"] == rule["fullDescription"]["text"] == "s" * 1024
     assert rule["help"]["text"].endswith(
-        "\n- drake: aborts\n- gazebo: rejects it\n\nMore: sdfcheck rule taken-name"
+        "\n- drake, SDF: aborts\n- gazebo: rejects it\n\nMore: sdfcheck rule taken-name"
     )
     assert rule["defaultConfiguration"] == {"enabled": False, "level": "note"}
     assert rule["properties"]["problem.severity"] == "recommendation"
