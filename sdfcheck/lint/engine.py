@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,6 +21,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
+    from sdfcheck.lint.comments import Comment
     from sdfcheck.lint.rule import Rule
     from sdfcheck.source.library import Library
     from sdfcheck.source.xacro.expansion import Expander
@@ -80,17 +81,12 @@ _ANALYSES_FOR = {
 """Reader → analyses of what it does not support; they run for those who ask about the reader."""
 
 
-class Comment(NamedTuple):
-    """A comment, and what the element behind it covers: its start tag, and all of it if it is a leaf."""
-
-    span: Span
-    target: Span | None
-
-
 class FileResult(NamedTuple):
     diagnostics: list[Diagnostic]
-    comments: list[Comment]
+    comments: Sequence[Comment] = ()
     """Those that speak to sdfcheck."""
+    outward: Sequence[Span] = ()
+    """Where comments may be for what other files bring out."""
 
 
 class Xacro(NamedTuple):
@@ -140,10 +136,13 @@ def lint_source(
     document.library, document.included_by = library, ()
     if document.kind is Kind.XACRO:
         from sdfcheck.lint.expanded import lint_xacro
+        from sdfcheck.source.xacro.world import is_robot
 
         expander, sets = xacro or Xacro(None)
-        return FileResult(lint_xacro(document, dispatch, expander, sets), directives(document))
-    return FileResult(lint_document(document, dispatch), directives(document))
+        # Who includes the file calls its macros, and brings out what is wrong in them.
+        is_open = expander is None or not is_robot(document)
+        return result(lint_xacro(document, dispatch, expander, sets), document, open=is_open)
+    return result(lint_document(document, dispatch), document)
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
@@ -195,25 +194,16 @@ def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) 
             yield from _check(rule, problem, document, dispatch)
 
 
-def directives(document: Document) -> list[Comment]:
-    """The comments that hold a word for sdfcheck, with the element that each stands before."""
-    text = document.source.text
-    if "sdfcheck:" not in text or document.root is None:
-        return []
-    scan = document.scan
-    comments = []
-    for start, end in scan.comments:
-        if "sdfcheck:" not in text[start:end]:
-            continue
-        span = document.source.span(start, end)
-        number = next((n for n, at in enumerate(scan.starts) if at >= end), None)
-        target = None
-        if number is not None:
-            place = scan.place(number)
-            is_leaf = number + 1 == len(scan.starts) or scan.starts[number + 1] >= place.close_end
-            target = document.source.span(place.start, place.close_end if is_leaf else place.end)
-        comments.append(Comment(span, target))
-    return comments
+def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = False) -> FileResult:
+    """The diagnostics with what the document's comments tell; all of it if it is ``open`` to others."""
+    source = document.source
+    if "sdfcheck:" not in source.text or document.root is None:
+        return FileResult(diagnostics)
+    from sdfcheck.lint.comments import comments, includes
+
+    whole = [source.span(0, len(source.text))]
+    outward = whole if open else includes(source, document.scan)
+    return FileResult(diagnostics, comments(source, document.scan), outward)
 
 
 def _selected(document: Document, by_name: dict[str, Any]) -> Iterator[tuple[str, Element]]:

@@ -14,6 +14,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.lint.comments import Comment
     from sdfcheck.lint.config_read import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import FileResult, Xacro
@@ -110,37 +111,59 @@ def lint_included(
     It is somebody else's file: its warnings are theirs, and it is not mended.
     """
     from sdfcheck.lint.diagnostic import Origin, Severity
-    from sdfcheck.lint.engine import FileResult, directives, lint_document
+    from sdfcheck.lint.engine import lint_document, result
 
     path = document.path
     settings = configuration.settings_for(path)
     if settings.excludes(path):
         return (), 0
-    result = FileResult(lint_document(document, book.dispatch(settings, path)), directives(document))
-    kept, silenced = _silence(result, book, settings, path)
     steps = tuple(Origin(uri.span, "included here") for uri in reversed(document.included_by))
-    errors = [
+    found = [
         diagnostic._replace(origins=(*diagnostic.origins, *steps), fix=None)
-        for diagnostic in kept
-        if diagnostic.severity is Severity.ERROR
+        for diagnostic in lint_document(document, book.dispatch(settings, path))
     ]
-    return errors, silenced
+    kept, silenced = _silence(result(found, document), book, settings, path)
+    return [diagnostic for diagnostic in kept if diagnostic.severity is Severity.ERROR], silenced
 
 
 def _silence(
     result: FileResult, book: RuleBook, settings: Settings, path: Path
 ) -> tuple[Sequence[Diagnostic], int]:
-    """What the comments in a file let through, and how many diagnostics they silence."""
-    if not result.comments:
+    """What the comments in a file, and in those that its diagnostics come from, let through; how many not."""
+    foreign = _foreign(result.diagnostics, path)
+    if not result.comments and not foreign:
         return result.diagnostics, 0
-    from sdfcheck.lint.suppress import suppressions
+    from sdfcheck.lint.directives import directives
+    from sdfcheck.lint.suppress import suppress
 
-    active = book.active(settings, path)
-    found = suppressions(result.comments, book.rules(settings))
-    kept, silenced, unused = found.filter(result.diagnostics, active.codes)
-    own = [
+    active, rules = book.active(settings, path), book.rules(settings)
+    own = directives(result.comments, rules)
+    filtered = suppress(
+        result.diagnostics,
+        own.known,
+        active.codes,
+        foreign=directives(foreign, rules).known,
+        outward=result.outward,
+    )
+    told = [
         report._replace(severity=active.severities.get(report.code, report.severity))
-        for report in (*found.malformed, *unused)
+        for report in (*own.malformed, *filtered.unused)
         if report.code in active.codes
     ]
-    return [*kept, *own], silenced
+    return [*filtered.kept, *told], filtered.suppressed
+
+
+def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
+    """The comments for sdfcheck in the other files that diagnostics point at or come through."""
+    sources = {
+        span.source
+        for diagnostic in diagnostics
+        for span in (diagnostic.span, *(origin.span for origin in diagnostic.origins))
+        if span.source.path != path and "sdfcheck:" in span.source.text
+    }
+    if not sources:
+        return []
+    from sdfcheck.lint.comments import comments
+    from sdfcheck.source.scan import scan
+
+    return [comment for source in sources for comment in comments(source, scan(source))]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.example import IN_URDF_JOINT, Bad, Good
+from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.text import Span
 
 
 class UnusedSuppression:
@@ -49,6 +51,13 @@ class MalformedSuppression:
 
 
 OwnRule = type[UnusedSuppression] | type[MalformedSuppression]
+
+
+def report(
+    rule: OwnRule, span: Span, message: str, *, fix: Fix | None = None, help: str | None = None
+) -> Diagnostic:
+    """A diagnostic of one of these."""
+    return Diagnostic(rule.code, rule.name, rule.severity, message, span, fix=fix, help=help)
 
 
 def _facts(rule: OwnRule, fixable: str) -> RuleFacts:

@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 import pytest
 
+from sdfcheck.lint.comments import Comment
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import Comment, FileResult
+from sdfcheck.lint.engine import FileResult
 from sdfcheck.lint.packs import PackError, RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules

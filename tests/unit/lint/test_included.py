@@ -102,3 +102,12 @@ def test_a_model_without_links_may_be_included_as_static(
     found = of_arm(lint("one.sdf"))
     assert [d.name for d in found] == ["model-without-link"] * refused
     assert all(d.origins[0].span.begin.column > 100 * (len(flags) > 1) for d in found)
+
+
+@pytest.mark.parametrize("file", ["one.sdf", "parts/arm.sdf"])
+def test_it_can_be_silenced_where_it_is_included_and_where_it_stands(folder: Path, file: str) -> None:
+    text = (folder / file).read_text()
+    mark = "<include>" if file == "one.sdf" else "<static>"
+    (folder / file).write_text(text.replace(mark, f"<!-- sdfcheck: ignore[malformed-value] -->{mark}"))
+    done = lint("one.sdf")
+    assert (done.diagnostics, done.suppressed) == ((), 1)

@@ -3,11 +3,12 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.lint.comments import Comment
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
-from sdfcheck.lint.engine import Comment
+from sdfcheck.lint.directives import directives
 from sdfcheck.lint.example import Bad, unmark
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.suppress import Filtered, suppressions
+from sdfcheck.lint.suppress import Filtered, suppress
 from sdfcheck.lint.suppress_rules import FACTS, MalformedSuppression, OwnRule, UnusedSuppression
 from sdfcheck.source.text import Source
 
@@ -42,7 +43,7 @@ def diagnostics(source: Source) -> list[Diagnostic]:
 def silence(text: str, active: frozenset[str] = CODES) -> tuple[str, Filtered]:
     """The flaws that are kept, as characters, and all of the result."""
     source = Source(Path("a.sdf"), text)
-    result = suppressions(comments(source), RULES).filter(diagnostics(source), active)
+    result = suppress(diagnostics(source), directives(comments(source), RULES).known, active)
     return "".join(diagnostic.message for diagnostic in result.kept), result
 
 
@@ -83,7 +84,7 @@ def test_a_macro_call_answers_for_what_it_brings() -> None:
         Diagnostic("AAA001", "", Severity.ERROR, "", body.span(6, 7), origins=(Origin(call, "called from"),))
         for call in calls
     ]
-    result = suppressions(comments(caller), RULES).filter(found, CODES)
+    result = suppress(found, directives(comments(caller), RULES).known, CODES)
     assert [diagnostic.origins[0].span for diagnostic in result.kept] == calls[1:]
 
 
@@ -178,9 +179,35 @@ def test_words_for_rules_that_did_not_run_are_not_judged() -> None:
 )
 def test_what_is_not_understood_is_reported(text: str, place: str, message: str) -> None:
     source = Source(Path("a.sdf"), text + "<a/>")
-    (report,) = suppressions(comments(source), RULES).malformed
+    (report,) = directives(comments(source), RULES).malformed
     assert (report.code, report.span.text) == (MalformedSuppression.code, place)
     assert message in report.message
+
+
+def test_directives_of_other_files_silence_and_are_not_judged() -> None:
+    library = Source(
+        Path("library.xacro"), "<!-- sdfcheck: ignore[AAA] --><a !></a><!-- sdfcheck: ignore[BBB] --><b/>"
+    )
+    foreign = directives(comments(library), RULES).known
+    result = suppress(diagnostics(library), [], CODES, foreign=foreign)
+    assert (result.kept, result.suppressed, result.unused) == ((), 1, ())
+
+
+@pytest.mark.parametrize(
+    ("text", "unused"),
+    [
+        ("<!-- sdfcheck: ignore[AAA] --><include></include><a></a>", 0),
+        ("<!-- sdfcheck: ignore[AAA] --><a></a><include></include>", 1),
+        ("<!-- sdfcheck: disable[AAA] --><a></a><include></include>", 0),
+        ("<!-- sdfcheck: disable[AAA] --><a></a><!-- sdfcheck: enable --><include></include>", 1),
+        ("<!-- sdfcheck: ignore-file[AAA] --><a></a><include></include>", 0),
+    ],
+)
+def test_what_includes_bring_out_is_seen_elsewhere(text: str, unused: int) -> None:
+    source = Source(Path("a.sdf"), text)
+    include = source.span(text.index("<include>"), text.index("</include>"))
+    result = suppress([], directives(comments(source), RULES).known, CODES, outward=[include])
+    assert len(result.unused) == unused
 
 
 def test_the_understood_words_still_count() -> None:
@@ -205,8 +232,8 @@ def test_the_documented_examples_hold(code: str, example: Bad) -> None:
     text, start, end = unmark(example.text)
     source = Source(Path("a.urdf"), text)
     rules = (*RULES, rule("INT001", "internal-error"))
-    found = suppressions(comments(source), rules)
-    (report,) = (*found.malformed, *found.filter([], CODES | {"INT001"}).unused)
+    found = directives(comments(source), rules)
+    (report,) = (*found.malformed, *suppress([], found.known, CODES | {"INT001"}).unused)
     assert (report.code, report.span.start, report.span.end) == (code, start, end)
     assert example.says in report.message
 
