@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
+from sdfcheck.cli.main import run
 
-from sdfcheck.cli.main import main
-
-sys.exit(main())
+run()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from sdfcheck.cli.options import PATH
 from sdfcheck.cli.output import FORMATS, Output, outputs, write
 from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
 from sdfcheck.lint.config import Configuration
@@ -79,16 +79,15 @@ def _listing(flag: str, help: str, metavar: str = "RULES") -> Callable[[Any], An
 
 
 def _path(flag: str, help: str) -> Callable[[Any], Any]:
-    return click.option(flag, type=click.Path(path_type=Path), metavar="FILE", help=help)
+    return click.option(flag, type=PATH, metavar="FILE", help=help)
 
 
 def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
-    kind = click.Path(path_type=Path)
-    return click.option(flag, name, multiple=True, type=kind, metavar="FOLDER", help=help)
+    return click.option(flag, name, multiple=True, type=PATH, metavar="FOLDER", help=help)
 
 
 @click.command()
-@click.argument("paths", nargs=-1, type=click.Path(path_type=Path, allow_dash=True))
+@click.argument("paths", nargs=-1, type=PATH)
 @_listing("--select", "The rules to run: codes, names, families or ALL, parted by commas.")
 @_listing("--extend-select", "Rules to run besides those that are selected.")
 @_listing("--ignore", "Rules not to run.")
@@ -143,8 +142,6 @@ def lint(**given: Any) -> int:
     PATHS are files, folders to walk (default: the current one), or - for stdin; NAME:=VALUE
     among them is an argument for the expansion of xacro files.
     """
-    # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
-    gc.set_threshold(100_000, 50, 100)
     request = Request(given)
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())

@@ -8,14 +8,14 @@ from typing import Any, TypeVar
 
 import click
 
+PATH = click.Path(path_type=Path)
 F = TypeVar("F", bound=Callable[..., Any])
 
 
 def configured(command: F) -> F:
     """``--config`` and ``--isolated``: by which configuration to go."""
-    kind = click.Path(path_type=Path)
     command = click.option("--isolated", is_flag=True, help="Use no configuration file.")(command)
-    return click.option("--config", type=kind, metavar="FILE", help="Use this configuration file.")(command)
+    return click.option("--config", type=PATH, metavar="FILE", help="Use this configuration file.")(command)
 
 
 def colored(help: str = "When to colour.") -> Callable[[F], F]:
