@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin
 from sdfcheck.lint.fix import Fix
 from sdfcheck.source.text import Source, Span
-from sdfcheck.source.xacro.origins import ExpandedDocument
+
+if TYPE_CHECKING:
+    from sdfcheck.source.xacro.origins import ExpandedDocument
 
 
 def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument) -> list[Diagnostic]:
