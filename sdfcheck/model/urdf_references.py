@@ -40,8 +40,11 @@ def problems(document: Document) -> Iterator[object]:
     yield from _joints_in(robot, surveyed)
     # A name that joints give to a link, too, is reported with them.
     known = {*robot.links, *robot.joint_named, *robot.unknown_ends}
+    delimited = "::" in document.source.text
     for block in surveyed.top("gazebo"):
         yield from _extension(known, surveyed, block)
+        if delimited:
+            yield from _delimiters(block)
     for origin in surveyed.index.get("origin", ()):
         yield from _pitch(origin)
 
@@ -136,8 +139,9 @@ def _extension(known: set[str], surveyed: UrdfSurvey, block: Element) -> Iterato
     value = block.attribute("reference")
     if value is not None and value.text and value.text not in known and not is_expression(value.text):
         yield UnreferencedExtension(value, suggest(value.text, known), _kind(surveyed, value.text))
-    if "::" not in block.document.source.text:
-        return
+
+
+def _delimiters(block: Element) -> Iterator[DelimiterInExtension]:
     for element in cast("Iterable[Element]", block.iterdescendants("*")):
         value = element.attribute("name") if element.tag != "plugin" else None
         if value is not None and "::" in value.text:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from sdfcheck.source.document import Document
@@ -82,20 +82,22 @@ def _locate(document: Document, text: str) -> Location:
     scheme = match[1].lower() if match else ""
     if scheme and scheme not in LOCAL_SCHEMES:
         return Location(scheme, None)
+    listings = document.view(_Listings)
     rest = text[match.end() :] if match else text
     folder = document.path.parent
     if scheme == "file":
-        return _first(scheme, [folder / file_path(text)])
+        return _first(listings, scheme, [folder / file_path(text)])
     name, _, inside = rest.partition("/")
     if scheme:
         owners = _owners(document, scheme, name)
-        found = _first(scheme, [owner / inside if inside else owner for owner in owners.there or owners.near])
+        inner = [owner / inside if inside else owner for owner in owners.there or owners.near]
+        found = _first(listings, scheme, inner)
         if not owners.there:
             # Only the case of letters can be wrong then.
             near = found.path or found.near
             return Location(scheme, None, tuple(owner / inside for owner in owners.tried), near, name)
         return found._replace(name=name, owner=owners.there[0])
-    return _first("", [folder / rest, *(models / inside for models in _models(document, name))])
+    return _first(listings, "", [folder / rest, *(models / inside for models in _models(document, name))])
 
 
 class _Owners(NamedTuple):
@@ -118,7 +120,8 @@ def _owners(document: Document, scheme: str, name: str) -> _Owners:
         candidates = _models(document, name) if scheme == "model" else _packages(document, name)
         tried = tuple(dict.fromkeys(Path(os.path.normpath(path)) for path in candidates))
         there = tuple(path for path in tried if os.path.isdir(path))
-        near = () if there else tuple(filter(None, map(_ignoring_case, tried)))
+        listings = document.view(_Listings)
+        near = () if there else tuple(found for path in tried if (found := _ignoring_case(path, listings)))
         known[scheme, name] = _Owners(tried, there, near)
     return known[scheme, name]
 
@@ -129,12 +132,12 @@ def file_path(uri: str) -> str:
     return rest[2:] if rest[:2] == "//" else rest
 
 
-def _first(scheme: str, candidates: list[Path]) -> Location:
+def _first(listings: _Listings, scheme: str, candidates: list[Path]) -> Location:
     for path in candidates:
         if os.path.exists(path):
             return Location(scheme, path)
     tried = tuple(dict.fromkeys(Path(os.path.normpath(path)) for path in candidates))
-    near = next((found for path in tried if (found := _ignoring_case(path)) is not None), None)
+    near = next((found for path in tried if (found := _ignoring_case(path, listings)) is not None), None)
     return Location(scheme, None, tried, near)
 
 
@@ -167,7 +170,22 @@ def _above(document: Document) -> list[Path]:
     return [above for above in (folder, *folder.parents)[:_CLIMB] if above not in shared]
 
 
-def _ignoring_case(path: Path) -> Path | None:
+class _Listings(dict[Path, Mapping[str, str]]):
+    """What folders hold: names in lower case → names; none for what is no folder. Each is read once."""
+
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+
+    def __missing__(self, folder: Path) -> Mapping[str, str]:
+        try:
+            names = sorted(os.listdir(folder), reverse=True)
+        except OSError:
+            names = []
+        listed = self[folder] = {name.lower(): name for name in names}
+        return listed
+
+
+def _ignoring_case(path: Path, listings: _Listings) -> Path | None:
     """A path that exists and differs from this one only in the case of letters."""
     missing: list[str] = []
     at = path
@@ -177,11 +195,7 @@ def _ignoring_case(path: Path) -> Path | None:
         missing.insert(0, at.name)
         at = at.parent
     for name in missing:
-        try:
-            names = sorted(os.listdir(at))
-        except OSError:
-            return None
-        same = next((entry for entry in names if entry.lower() == name.lower()), None)
+        same = listings[at].get(name.lower())
         if same is None:
             return None
         at = at / same

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, cast, overload
 
 from lxml import etree
 
@@ -159,9 +159,10 @@ class Element(etree.ElementBase):
 
     def children(self, name: str | None = None) -> Iterator[Element]:
         """The child elements, or those of one name; comments are passed over."""
-        for child in self:
-            if isinstance(child.tag, str) and (name is None or child.name == name):
-                yield child
+        if name is None or ":" not in name:
+            # What has no colon is in no namespace: lxml compares such names itself.
+            return cast("Iterator[Element]", self.iterchildren(name or "*"))
+        return (child for child in self.children() if child.name == name)
 
     def find(self, name: str) -> Element | None:  # type: ignore[override]
         """The first child element of that name (as written, prefix included)."""
