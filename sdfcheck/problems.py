@@ -55,5 +55,6 @@ def __getattr__(name: str) -> Any:
         for home in _HOMES:
             value = vars(import_module(home)).get(name)
             if value is not None:
+                globals()[name] = value
                 return value
     raise AttributeError(f"no kind of problem is called {name!r}")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
+from importlib import import_module
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -170,15 +172,19 @@ def analyses(
     document: Document, readers: frozenset[str] = frozenset()
 ) -> Iterator[Callable[[Document], Iterable[object]]]:
     """The analyses that fit a document's kind; each yields problems for rules to explain."""
-    from importlib import import_module
-
     of_text = () if document.is_expanded else _ANALYSES_OF_ALL
     of_readers = [
         _ANALYSES_FOR[reader].get(document.kind, ()) for reader in sorted(readers & _ANALYSES_FOR.keys())
     ]
     for path in (*of_text, *_ANALYSES.get(document.kind, ()), *chain.from_iterable(of_readers)):
-        module, _, function = path.partition(":")
-        yield getattr(import_module(module), function)
+        yield _analysis(path)
+
+
+@cache
+def _analysis(path: str) -> Callable[[Document], Iterable[object]]:
+    module, _, function = path.partition(":")
+    found: Callable[[Document], Iterable[object]] = getattr(import_module(module), function)
+    return found
 
 
 def _tables(document: Document, dispatch: Dispatch) -> list[Path]:

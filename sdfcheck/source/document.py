@@ -133,6 +133,9 @@ class Document:
             try:
                 return etree.fromstring(_encoded(text), parser)  # type: ignore[return-value]
             except etree.XMLSyntaxError:
+                if _lacks_only_prefixes(parser):
+                    # Then names are kept as they are written, colon and all.
+                    return etree.fromstring(_encoded(text), self._parser(recover=True))  # type: ignore[return-value]
                 fault = _first_fault(parser)
         from sdfcheck.source.scan import scan
 
@@ -180,6 +183,10 @@ def problems(document: Document) -> list[Problem]:
 
 def _encoded(text: str) -> bytes:
     return text.encode("utf-8", "surrogatepass")
+
+
+def _lacks_only_prefixes(parser: etree.XMLParser) -> bool:
+    return all(entry.type == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE for entry in parser.error_log)
 
 
 def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:
