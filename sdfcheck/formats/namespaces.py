@@ -69,9 +69,21 @@ class _Declaration:
 
 def problems(document: Document) -> list[Problem]:
     """Everything about prefixes that is wrong in a document, in no particular order."""
-    if document.root is None or not document.is_recognized or not _has_prefixes(document.source.text):
+    if document.root is None or not document.is_recognized or _is_plain(document):
         return []
-    return _Analysis(document).run()
+    return _Analysis(document).run() if _has_prefixes(document.source.text) else []
+
+
+def _is_plain(document: Document) -> bool:
+    """A quick look, wrong only to the safe side: are all prefixes declared on the root, unlike, and used?"""
+    root = document.root
+    if root is None or not document.is_wellformed or document.source.text.count("xmlns") != len(root.nsmap):
+        return False
+    spaces = set(root.nsmap.values())
+    if len(spaces) < len(root.nsmap) or any(p is None or _is_reserved(p, n) for p, n in root.nsmap.items()):
+        return False
+    used = "boolean(//*[namespace-uri() = $space] | //@*[namespace-uri() = $space])"
+    return all(space.strip() and root.xpath(used, space=space) for space in spaces)
 
 
 def _has_prefixes(text: str) -> bool:

@@ -84,28 +84,30 @@ def _locate(document: Document, text: str) -> Location:
         return Location(scheme, None)
     listings = document.view(_Listings)
     rest = text[match.end() :] if match else text
-    folder = document.path.parent
+    folder = document.view(_above)[0]
     if scheme == "file":
-        return _first(listings, scheme, [folder / file_path(text)])
+        return _first(listings, scheme, [os.path.join(folder, file_path(text))])
     name, _, inside = rest.partition("/")
     if scheme:
         owners = _owners(document, scheme, name)
-        inner = [owner / inside if inside else owner for owner in owners.there or owners.near]
+        inner = [os.path.join(owner, inside) for owner in owners.there or owners.near]
         found = _first(listings, scheme, inner)
         if not owners.there:
             # Only the case of letters can be wrong then.
             near = found.path or found.near
-            return Location(scheme, None, tuple(owner / inside for owner in owners.tried), near, name)
-        return found._replace(name=name, owner=owners.there[0])
-    return _first(listings, "", [folder / rest, *(models / inside for models in _models(document, name))])
+            tried = tuple(Path(owner, inside) for owner in owners.tried)
+            return Location(scheme, None, tried, near, name)
+        return found._replace(name=name, owner=Path(owners.there[0]))
+    models = _models(document, name)
+    return _first(listings, "", [os.path.join(folder, rest), *(os.path.join(m, inside) for m in models)])
 
 
 class _Owners(NamedTuple):
     """Where the folder of a model or package was looked for, where it is, and where it is but for case."""
 
-    tried: tuple[Path, ...]
-    there: tuple[Path, ...]
-    near: tuple[Path, ...]
+    tried: tuple[str, ...]
+    there: tuple[str, ...]
+    near: tuple[str, ...]
 
 
 class _KnownOwners(dict[tuple[str, str], _Owners]):
@@ -118,7 +120,7 @@ def _owners(document: Document, scheme: str, name: str) -> _Owners:
     known = document.view(_KnownOwners)
     if (scheme, name) not in known:
         candidates = _models(document, name) if scheme == "model" else _packages(document, name)
-        tried = tuple(dict.fromkeys(Path(os.path.normpath(path)) for path in candidates))
+        tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
         there = tuple(path for path in tried if os.path.isdir(path))
         listings = document.view(_Listings)
         near = () if there else tuple(found for path in tried if (found := _ignoring_case(path, listings)))
@@ -132,51 +134,52 @@ def file_path(uri: str) -> str:
     return rest[2:] if rest[:2] == "//" else rest
 
 
-def _first(listings: _Listings, scheme: str, candidates: list[Path]) -> Location:
+def _first(listings: _Listings, scheme: str, candidates: list[str]) -> Location:
     for path in candidates:
         if os.path.exists(path):
-            return Location(scheme, path)
-    tried = tuple(dict.fromkeys(Path(os.path.normpath(path)) for path in candidates))
+            return Location(scheme, Path(path))
+    tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
     near = next((found for path in tried if (found := _ignoring_case(path, listings)) is not None), None)
-    return Location(scheme, None, tried, near)
+    return Location(scheme, None, tuple(map(Path, tried)), None if near is None else Path(near))
 
 
-def _models(document: Document, name: str) -> Iterator[Path]:
+def _models(document: Document, name: str) -> Iterator[str]:
     if document.library is not None:
         for folder in document.library.model_folders:
-            yield folder / name
+            yield os.path.join(folder, name)
     # The usual layout needs no setting: models side by side, or in a `models` folder near by.
-    for folder in _above(document):
-        yield folder / name
-        yield folder / "models" / name
+    for above in document.view(_above)[1:]:
+        yield os.path.join(above, name)
+        yield os.path.join(above, "models", name)
 
 
-def _packages(document: Document, name: str) -> Iterator[Path]:
+def _packages(document: Document, name: str) -> Iterator[str]:
     if document.library is not None:
         found = document.library.packages(document.path).find(name)
         if found is not None:
-            yield found
-    for folder in _above(document):
-        if folder.name == name:
-            yield folder
-        yield folder / name
+            yield str(found)
+    for above in document.view(_above)[1:]:
+        if os.path.basename(above) == name:
+            yield above
+        yield os.path.join(above, name)
 
 
-def _above(document: Document) -> list[Path]:
-    """The folder of the document and those above it, up to where everybody's files begin."""
-    folder = Path(os.path.abspath(document.path.parent))  # resolve() would follow links
+def _above(document: Document) -> list[str]:
+    """The document's folder as it is known; that folder and those above, up to where everybody's files begin."""
+    given = os.path.dirname(document.path) or "."
+    folder = Path(os.path.abspath(given))  # resolve() would follow links
     home = Path(os.path.expanduser("~"))
     shared = {home, *home.parents, Path(folder.anchor)} - {folder}
-    return [above for above in (folder, *folder.parents)[:_CLIMB] if above not in shared]
+    return [given, *(str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared)]
 
 
-class _Listings(dict[Path, Mapping[str, str]]):
+class _Listings(dict[str, Mapping[str, str]]):
     """What folders hold: names in lower case → names; none for what is no folder. Each is read once."""
 
     def __init__(self, document: Document) -> None:
         super().__init__()
 
-    def __missing__(self, folder: Path) -> Mapping[str, str]:
+    def __missing__(self, folder: str) -> Mapping[str, str]:
         try:
             names = sorted(os.listdir(folder), reverse=True)
         except OSError:
@@ -185,18 +188,19 @@ class _Listings(dict[Path, Mapping[str, str]]):
         return listed
 
 
-def _ignoring_case(path: Path, listings: _Listings) -> Path | None:
+def _ignoring_case(path: str, listings: _Listings) -> str | None:
     """A path that exists and differs from this one only in the case of letters."""
     missing: list[str] = []
     at = path
     while not os.path.exists(at):
-        if at.parent == at:
+        above, name = os.path.split(at)
+        if not name:
             return None
-        missing.insert(0, at.name)
-        at = at.parent
-    for name in missing:
+        missing.append(name)
+        at = above or "."
+    for name in reversed(missing):
         same = listings[at].get(name.lower())
         if same is None:
             return None
-        at = at / same
-    return at if os.path.exists(at) else None
+        at = os.path.join(at, same)
+    return os.path.normpath(at) if os.path.exists(at) else None

@@ -42,6 +42,7 @@ class Document:
         "_spans",
         "_views",
         "included_by",
+        "is_wellformed",
         "kind",
         "library",
         "problems",
@@ -59,6 +60,8 @@ class Document:
         """Where files that this one refers to come from; None: nothing is looked up."""
         self.included_by: tuple[Value, ...] = ()
         """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
+        self.is_wellformed = False
+        """Did a strict parser, aware of namespaces, take the text as it is?"""
         self.root: Element | None = self._parse()
         name = self.root.name if self.root is not None else ""
         self.kind = kind or _KINDS.get(name) or sniff(_encoded(source.text[:HEAD]), source.path)
@@ -131,7 +134,9 @@ class Document:
         # What a strict parser reads well but not as the simulators do is written anew.
         if "<!DOCTYPE" not in text and not _DEFAULT_NAMESPACE.search(text):
             try:
-                return etree.fromstring(_encoded(text), parser)  # type: ignore[return-value]
+                root: Element = etree.fromstring(_encoded(text), parser)  # type: ignore[assignment]
+                self.is_wellformed = True
+                return root
             except etree.XMLSyntaxError:
                 if _lacks_only_prefixes(parser):
                     # Then names are kept as they are written, colon and all.

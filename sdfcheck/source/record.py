@@ -125,6 +125,9 @@ if not TYPE_CHECKING:
         def _filled(cls, values: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
             """The values of all fields; named ones and defaults follow those in place."""
             defaults = cls._field_defaults
+            lacking = len(cls._fields) - len(values)
+            if not named and 0 < lacking <= len(defaults):
+                return values + tuple(defaults.values())[-lacking:]
             try:
                 rest = [named.pop(f) if f in named else defaults[f] for f in cls._fields[len(values) :]]
             except KeyError as field:
