@@ -9,6 +9,7 @@ import pytest
 
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.source.document import read
+from sdfcheck.source.library import Library
 
 CASES = sorted((Path(__file__).parents[1] / "fixtures" / "convert" / "sdf-to-urdf").iterdir())
 
@@ -27,7 +28,9 @@ def _options(case: Path) -> Options:
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_case(case: Path, request: pytest.FixtureRequest) -> None:
-    done = convert(read((case / "input.sdf").read_bytes(), case / "input.sdf"), _options(case))
+    document = read((case / "input.sdf").read_bytes(), case / "input.sdf")
+    document.library = Library()
+    done = convert(document, _options(case))
     assert done.verification is not None
     assert done.verification.is_equal
     lines = [

@@ -6,19 +6,19 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.model.scopes import scopes
+from sdfcheck.convert.sdf_to_urdf.choose import models
 from sdfcheck.source.document import read
 from sdfcheck.source.library import Library
 from tests.there_and_back import there_and_back, untold
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
+FILES = sorted(
+    (*(FIXTURES / "convert" / "sdf-to-urdf").glob("*/input.sdf"), *(FIXTURES / "robots").rglob("*.sdf"))
+)
 MODELS = [
-    *sorted((FIXTURES / "convert" / "sdf-to-urdf").glob("*/input.sdf")),
-    *(
-        path
-        for path in sorted((FIXTURES / "robots").rglob("*.sdf"))
-        if len(scopes(read(path.read_bytes(), path)).roots) == 1 and "with_mistakes" not in path.parts
-    ),
+    path
+    for path in FILES
+    if "with_mistakes" not in path.parts and len(models(read(path.read_bytes(), path))) == 1
 ]
 
 

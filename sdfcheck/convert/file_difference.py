@@ -52,11 +52,11 @@ def placed_models(document: Document) -> dict[str, Placed]:
     poses = Poses()
     for root in scopes(document).roots:
         if root.kind == "model":
-            found[root.name] = _placed(root, written_pose(root.element.find("pose")))
+            found[root.name] = _placed(root, poses.of_model(root))
             continue
         for frame in root.frames.values():
             if frame.kind == "model" and frame.inner is not None:
-                found[frame.name] = _placed(frame.inner, poses.in_scope(frame))
+                found[frame.name] = _placed(frame.inner, poses.of_model(frame.inner))
     return found
 
 

@@ -126,7 +126,8 @@ def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
         return f"{uri} is broken; `sdfcheck lint` says how"
     if found.include.has(PARAMETERS) and parameters(found).problems:
         return f"its {PARAMETERS} are at fault; `sdfcheck lint` says how"
-    if any(os.path.samefile(found.document.path, outer.path) for outer in chain):
+    own = os.path.realpath(found.document.path)
+    if any(os.path.realpath(outer.path) == own for outer in chain):
         return f"{uri} includes itself"
     if found.name is None:
         return f"{uri} brings a model without name"
@@ -143,7 +144,7 @@ def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
     placement = include.find("placement_frame")
     if placement is not None and placement.text:
         brought.attributes["placement_frame"] = placement.text
-    brought.parts += [child for child in include.children if child.name == "plugin" or ":" in child.name]
+    brought.parts += [child for child in include.children if child.name == "plugin" or _is_custom(child)]
     return brought
 
 
@@ -166,8 +167,13 @@ def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -
     parts = [child for child in brought.children if child.name in _MERGED or ":" in child.name]
     for part in parts:
         _settle(part, name)
-    given = [child for child in include.children if child.name == "plugin" or ":" in child.name]
+    given = [child for child in include.children if child.name == "plugin" or _is_custom(child)]
     return [frame, *parts, *given]
+
+
+def _is_custom(child: Branch) -> bool:
+    """Is it someone's own, and not an order to the reader of the include?"""
+    return ":" in child.name and child.name != PARAMETERS
 
 
 def _placed(found: Included, name: str) -> Branch:

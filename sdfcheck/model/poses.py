@@ -90,6 +90,14 @@ class Poses:
             at = at.parent
         return pose
 
+    def of_model(self, scope: Scope) -> Array:
+        """The 4×4 pose of a model in what it stands in: the model or world around it, or none."""
+        if scope.parent is not None:
+            return self.in_scope(model_around(scope))
+        pose = written_pose(scope.element.find("pose"))
+        placement = scope.element.attributes.get("placement_frame", "").strip()
+        return pose @ inverse(self.named(scope, placement)) if placement else pose
+
     def of_part(self, part: Element, holder: Frame) -> Array:
         """The pose of a visual, collision, sensor, light or inertial in the frame of its link or joint."""
         pose = part.find("pose")

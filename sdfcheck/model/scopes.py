@@ -13,6 +13,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.survey import survey
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
@@ -25,7 +26,10 @@ MODEL_FRAME = "__model__"
 WORLD_FRAME = "world"
 NEVER_A_REFERENCE = "__root__"
 
+_SEVEN = Version(1, 7)
 _FRAME_KINDS = frozenset({"link", "joint", "frame", "model"})
+_LOADED = ("model", "link", "joint", "frame")
+"""The order in which libsdformat takes them in."""
 
 _MOST_SCOPES = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
@@ -196,6 +200,8 @@ class Scopes:
         children: Iterable[tuple[str, str, Element]] = survey(document).named.get(element, ())
         if origin is not None and origin.alterations is not None:
             children = origin.alterations.named(element, origin.include, children)
+        if survey(document).version < _SEVEN:
+            children = _without_clashes(children)
         for kind, name, child in children:
             if kind not in _FRAME_KINDS or not name:
                 continue
@@ -263,6 +269,21 @@ class Scopes:
 
             alterations = parameters(found).alterations
         return _Origin(found.include, alterations, (*chain, inside))
+
+
+def _without_clashes(children: Iterable[tuple[str, str, Element]]) -> Iterable[tuple[str, str, Element]]:
+    """As libsdformat has it before 1.7: of two kinds with one name, the one taken in later gets another."""
+    found = [entry for entry in children if entry[0] in _FRAME_KINDS]
+    if len({name for _, name, _ in found}) == len(found):
+        return found
+    taken: dict[str, str] = {}
+    renamed = []
+    for kind, name, child in sorted(found, key=lambda entry: _LOADED.index(entry[0])):
+        own, number = name, 1
+        while taken.setdefault(own, kind) != kind:
+            own, number = f"{name}_{kind}{number if number > 1 else ''}", number + 1
+        renamed.append((kind, own, child))
+    return renamed
 
 
 def scopes(document: Document) -> Scopes:

@@ -29,9 +29,9 @@ from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render
 from sdfcheck.convert.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.poses import PoseError, Poses, model_around, written_pose
+from sdfcheck.model.poses import PoseError, Poses
 from sdfcheck.model.robot import Robot
-from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.model.rotations import inverse
 from sdfcheck.model.scopes import Scope
 from sdfcheck.model.sdf_robot import RobotError, canonical_link, read_sdf_robot
 from sdfcheck.model.urdf_robot import read_urdf_robot
@@ -94,7 +94,7 @@ def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
     canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
     made = arrange(meant, canonical_name)
     naming, links, joints, places = named(meant, robot.frames)
-    world = inverse(_model_pose(scope, poses))
+    world = inverse(poses.of_model(scope))
     layout = lay_out(meant, made, world, keep=options.keep_link_frames, naming=naming)
     root = Node("robot", name=scope.name)
     return Context(
@@ -114,15 +114,6 @@ def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
         Ledger(),
         root,
     )
-
-
-def _model_pose(scope: Scope, poses: Poses) -> Array:
-    """The pose of the model in the world."""
-    if scope.parent is not None:
-        return poses.in_scope(model_around(scope))
-    pose = written_pose(scope.element.find("pose"))
-    placement = scope.element.attributes.get("placement_frame", "").strip()
-    return pose @ inverse(poses.named(scope, placement)) if placement else pose
 
 
 def _write(context: Context) -> None:
@@ -243,8 +234,10 @@ def _leave_out(context: Context) -> None:
 
 
 def _tell_name(context: Context, kind: str, name: str, new: str) -> None:
+    element = (context.robot.links if kind == "link" else context.robot.joints)[name].element
+    scope, delimiter, _ = name.rpartition("::")
+    name = f"{scope}{delimiter}{element.attributes.get('name', '')}"
     if new != name.replace("::", "__"):
-        element = (context.robot.links if kind == "link" else context.robot.joints)[name].element
         message = f"{kind} `{name}` is called `{new}`: in a URDF names are unique"
         context.ledger.note(LossKind.RENAMED, element, message)
 

@@ -40,10 +40,11 @@ def _declare(context: Context, element: Element, name: str) -> None:
 
 def _spell(node: Node) -> None:
     """Let values be attributes where the readers of a known prefix look for them so in URDF."""
-    prefix, _, name = node.name.partition(":")
     for table in BUILT_IN:
-        if prefix_of(table) == prefix and (tag := vendor(table, "urdf").tags.get(name)) is not None:
-            _move_values(node, tag)
+        if node.name.startswith(f"{prefix_of(table)}:"):
+            tag = vendor(table, "urdf").tags.get(node.name)
+            if tag is not None:
+                _move_values(node, tag)
     for child in node.children:
         if isinstance(child, Node):
             _spell(child)

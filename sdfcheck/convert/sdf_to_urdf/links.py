@@ -52,6 +52,8 @@ def _add_inertial(context: Context, node: Node, link: Link) -> None:
     context.ledger.take_parts(inertial.element, "pose", "mass", "inertia")
     if inertial.is_automatic and link.body is not None:
         context.ledger.take_parts(inertial.element, "density", "auto_inertia_params")
+        for collision in link.element.children("collision"):
+            context.ledger.take_parts(collision, "density", "auto_inertia_params")
         message = f"the inertia of {link.element.title} is computed from its collisions and written"
         context.ledger.note(LossKind.CHANGED_INERTIA, inertial.element, message, Severity.INFO)
         _write_body(context, node, link, link.body)
@@ -65,8 +67,11 @@ def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial
     mass = 1.0 if inertial.mass is None else inertial.mass.number
     pose = link.pose @ written_pose(inertial.element.find("pose"))
     _write(context, node, inertial.element, context.layout.within(link.name, pose), mass, tensor)
-    if inertial.mass is None or not inertial.is_complete:
-        message = f"what the inertial of {link.element.title} leaves out is written: mass 1, moments 1"
+    missing = [
+        what for what, given in (("mass", inertial.mass), ("moments", inertial.is_complete)) if not given
+    ]
+    if missing:
+        message = f"{link.element.title} is written with {' and '.join(missing)} of 1, which its inertial leaves out"
         context.ledger.note(LossKind.CHANGED_DEFAULT, inertial.element, message, Severity.INFO)
 
 

@@ -14,7 +14,8 @@ from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.robot import Link
 from sdfcheck.source.element import Element
 
-_SAID = frozenset({"pose", "geometry"})
+_SAID = frozenset({"auto_inertia_params", "density", "geometry", "pose"})
+"""What is written otherwise: density is in the inertia, if it is used at all."""
 _COLOR = frozenset({"diffuse", "ambient"})
 
 

@@ -173,3 +173,30 @@ def test_mimicking(tmp_path: Path) -> None:
     mimic = "<mimic joint='wrist'/><limit lower="
     (change,) = changes(tmp_path, URDF, URDF.replace("<limit lower=", mimic))
     assert (change.what, change.before, change.after) == ("mimic", "none", "1 × `wrist` + 0")
+
+
+def test_a_moved_frame_is_one_change(tmp_path: Path) -> None:
+    model = """<sdf version='1.10'><model name='m'><link name='a'/><link name='b'><pose>{}</pose>
+      <inertial><pose>{}</pose><mass>2</mass></inertial>
+      <visual name='v'><pose>{}</pose><geometry><sphere/></geometry></visual></link>
+      <joint name='j' type='revolute'><pose>{}</pose><parent>a</parent><child>b</child>
+      <axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+    a = model.format("0 0 1 0 0 0", "0 0 0 0 0 0", "0 0 0.5 0 0 0", "0 0 -1 0 0 0")
+    b = model.format("0 0 0 0 0 0", "0 0 1 0 0 0", "0 0 1.5 0 0 0", "0 0 0 0 0 0")
+    (change,) = changes(tmp_path, a, b)
+    assert (change.part, change.name, change.what) == ("link", "b", "frame")
+    assert change.after == "0 0 -1 0 0 0"
+
+
+def test_a_model_moved_within_its_frame_stays(tmp_path: Path) -> None:
+    model = "<sdf version='1.10'><model name='m'><pose>{}</pose><link name='a'><pose>{}</pose></link></model></sdf>"
+    a, b = model.format("0 0 1 0 0 0", "1 0 0 0 0 0"), model.format("1 0 1 0 0 0", "0 0 0 0 0 0")
+    assert changes(tmp_path, a, b) == []
+
+
+def test_a_joint_turned_round_is_one_change(tmp_path: Path) -> None:
+    joint = "<joint name='j' type='revolute'><parent>{}</parent><child>{}</child><axis><xyz>0 0 {}</xyz></axis></joint>"
+    model = "<sdf version='1.10'><model name='m'><link name='a'/><link name='b'/>{}</model></sdf>"
+    a, b = (model.format(joint.format(*ends)) for ends in (("a", "b", 1), ("b", "a", -1)))
+    (change,) = changes(tmp_path, a, b)
+    assert (change.part, change.name, change.what) == ("joint", "j", "parent and child")

@@ -13,6 +13,7 @@ from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.convert.verify import verify
 from sdfcheck.model.urdf_robot import read_urdf_robot
 from sdfcheck.source.document import read
+from sdfcheck.source.library import Library
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -137,3 +138,49 @@ def test_verification_sees_every_changed_number() -> None:
         assert not verify(comparison.source, robot, comparison.correspondence).is_equal, found[0]
         changed += 1
     assert changed > 10
+
+
+def test_names_in_plugins_of_nested_models_follow() -> None:
+    arm = (
+        f'<model name="arm"><link name="up">{_BODY}</link><link name="low">{_BODY}</link>'
+        + _joint("revolute", _axis(), ends=("up", "low"), name="bend")
+        + '<plugin filename="p" name="p"><joint_name>bend</joint_name><linkName>low</linkName>'
+        "<topic>bend</topic><title>bend it</title><reading link='low'>low::camera</reading></plugin></model>"
+    )
+    done = _convert(f'<link name="base">{_BODY}</link>' + arm + _joint("fixed", ends=("base", "arm::up")))
+    assert _is_equal(done)
+    for text in (
+        "<joint_name>arm__bend</joint_name>",
+        "<linkName>arm__low</linkName>",
+        "<topic>bend</topic>",
+        '<reading link="arm__low">arm__low::camera</reading>',
+    ):
+        assert text in done.text
+    (left,) = (loss for loss in done.losses if "may name" in loss.message)
+    assert "`bend` → `arm__bend`" in left.message
+
+
+def test_every_copy_of_an_included_model_has_its_sensors(tmp_path: Path) -> None:
+    part = f'<sdf version="1.9"><model name="part"><link name="l">{_BODY}{_SENSOR}</link></model></sdf>'
+    (tmp_path / "part.sdf").write_text(part)
+    includes = "".join(f"<include><uri>part.sdf</uri><name>{n}</name></include>" for n in ("a", "b"))
+    text = f'<sdf version="1.9"><model name="m"><link name="base"/>{includes}</model></sdf>'
+    document = read(text.encode(), tmp_path / "m.sdf", Kind.SDF)
+    document.library = Library()
+    done = convert(document)
+    assert done.text.count("<sensor") == 2
+
+
+def test_authors_numbers_stay() -> None:
+    visual = '<visual name="v"><pose>0.10 -0 1e-3 0 0 3.14159</pose><geometry><sphere/></geometry></visual>'
+    assert '<origin xyz="0.10 0 1e-3" rpy="0 0 3.14159"/>' in _convert(f'<link name="a">{visual}</link>').text
+
+
+def test_comments_have_a_place_or_are_told() -> None:
+    model = f'<!-- 1 --><link name="a"><!-- 2 -->{_BODY}<gravity><!-- 3 -->1</gravity></link>'
+    model += '<enable_wind>0</enable_wind><link name="b"><battery name="b"/><inertial><density><!-- 4 -->1</density>'
+    model += "</inertial></link>" + _joint("fixed", "<!-- 5 -->")
+    done = _convert(model)
+    told = [loss.message for loss in done.losses if loss.kind is LossKind.DROPPED_COMMENT]
+    for number in range(1, 6):
+        assert f"<!-- {number} -->" in done.text or any(f"`{number}`" in message for message in told)

@@ -104,3 +104,11 @@ def test_included_models_are_scopes(tmp_path: Path) -> None:
     found = scope.find("arm::hand")
     assert found is not None
     assert found.scope.placed is not None
+
+
+def test_before_1_7_the_later_of_two_kinds_gets_another_name() -> None:
+    links = '<link name="a"/><link name="b"/>'
+    text = f'<sdf version="{{}}"><model name="m"><joint name="b" type="fixed"/>{links}</model></sdf>'
+    for version, expected in (("1.6", {"a", "b", "b_joint"}), ("1.7", {"a", "b"})):
+        (scope,) = scopes(document(text.format(version))).roots
+        assert set(scope.frames) == expected
