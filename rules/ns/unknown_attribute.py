@@ -23,7 +23,8 @@ class UnknownAttribute(Rule):
     of one's own are given a prefix, those of custom elements are free. libsdformat warns
     and goes on as if the attribute were not there; Drake refuses the file. It is a warning
     all the same, since what is somebody's own harms nobody in Gazebo, for which most files
-    are written. Who writes for Drake sets it to `error` under `[severity]`.
+    are written. Who writes for Drake sets it to `error` under `[severity]`. Where the
+    slip leaves out what is required, it is an error.
     """
 
     code = "NS001"
@@ -69,4 +70,5 @@ class UnknownAttribute(Rule):
             message += f"; did you mean `{guess}`?"
             fix = replace(place, guess, f"rename it to `{guess}`", unsafe=True)
             advice = None
-        yield self.diagnostic(place, message, fix=fix, help=advice)
+        severity = Severity.ERROR if problem.needed else None
+        yield self.diagnostic(place, message, fix=fix, help=advice, severity=severity)

@@ -43,6 +43,9 @@ _FOUND_ANYWHERE = frozenset(("include",))
 # What is unknown in these is refused, not ignored.
 _CLOSED = frozenset(("material/pbr",))
 
+# Without these the rest of the model is refused, or is another one.
+_VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
+
 # Not in any version, and yet what Gazebo reads: told of among the names of its generations.
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
@@ -62,6 +65,7 @@ class Findings:
         self.version = survey.version
         self.found: list[object] = []
         self.stray: set[Element] = set()
+        self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.missing_children: list[tuple[Element, Definition, str]] = []
         self.too_new: dict[tuple[str, str], list[Element]] = {}
         self.too_new_at: dict[tuple[str, str], tuple[Element, Version]] = {}
@@ -72,6 +76,8 @@ class Findings:
             if name != "version" and ":" not in name and not name.startswith("xmlns"):
                 self.unknown_attribute(root, definition, name)
         version = root.attribute("version")
+        if version is None and (root, "version") in self.survey.slips:
+            return
         if version is None or not version.text.strip():
             self.found.append(problems.MissingVersion(root, self.version, empty=version is not None))
         elif Version.parse(version.text) is None:
@@ -107,7 +113,7 @@ class Findings:
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
-            self.found.append(problems.UnknownElement(child, parent, suggestion, refused))
+            self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
         return None
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
@@ -197,10 +203,16 @@ class Findings:
             parent = element.parent if element.parent is not None else element
             self.found.append(problems.RemovedElement(element, parent, name, old, successor))
         elif old is None:
-            suggestion = suggest(name, definition.attributes)
-            self.found.append(problems.UnknownAttribute(element, name, suggestion))
+            lacking = [each for each in definition.attributes if each not in element.attributes]
+            suggestion = suggest(name, lacking)
+            needed = suggestion in definition.required_attributes
+            if suggestion is not None:
+                self.survey.slips.add((element, suggestion))
+            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed))
 
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
+        if (element, name) in self.survey.slips:
+            return
         until = _required_until(definition, name)
         self.found.append(problems.MissingAttribute(element, name, empty=False, until=until))
 
@@ -229,10 +241,29 @@ class Findings:
             self.unexpected(child, element, definition)
         self.found += text_problems(element, definition)
 
+    def misspelt(self) -> set[tuple[Element, str]]:
+        """Note the unknown elements; what a misspelt one was meant to be is not missing as well."""
+        lacking = {
+            (parent, name): self.absent(parent, place, name) for parent, place, name in self.missing_children
+        }
+        for problem, place in self.unknown:
+            parent, name = problem.parent, problem.suggestion
+            if name is None or (parent.has(name) and place.children[name].single):
+                self.found.append(problem)
+                continue
+            self.survey.slips.add((parent, name))
+            absent = lacking.get((parent, name))
+            refused = isinstance(absent, problems.MissingElement) and absent.refused
+            refused |= problem.refused or f"{parent.name}/{name}" in _VITAL
+            self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
+        return self.survey.slips
+
     def conclude(self) -> list[object]:
         """Everything found, once the walk is over."""
+        lost = self.misspelt()
         for parent, place, name in self.missing_children:
-            self.found.append(self.absent(parent, place, name))
+            if (parent, name) not in lost:
+                self.found.append(self.absent(parent, place, name))
         for key, uses in self.too_new.items():
             attribute = key[1]
             parent, since = self.too_new_at[key]

@@ -36,13 +36,19 @@ class UnknownVersion(Record):
 
 
 class UnknownAttribute(Record):
+    """An attribute that no version knows there; ``needed``: the suggestion is required and missing."""
+
     element: Element
     attribute: str
     suggestion: str | None
+    needed: bool = False
 
 
 class UnknownElement(Record):
-    """An element that no version knows anywhere; ``refused`` where libsdformat does more than warn."""
+    """An element that no version knows anywhere.
+
+    ``refused`` where libsdformat does more than warn, for it or for what it was meant to be.
+    """
 
     element: Element
     parent: Element

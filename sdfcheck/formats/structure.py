@@ -69,7 +69,12 @@ def _shapes(surveyed: Survey) -> Iterator[object]:
     for kind in ("visual", "collision"):
         for element in surveyed.index.get(kind, ()):
             # Elsewhere a collision is a reference, which holds its name.
-            if element not in shaped and _stands_in(element, "link") and not _is_state(element):
+            if (
+                element not in shaped
+                and (element, "geometry") not in surveyed.slips
+                and _stands_in(element, "link")
+                and not _is_state(element)
+            ):
                 yield problems.MissingShape(element)
     for geometry in surveyed.index.get("geometry", ()):
         if len(geometry) == 1 and geometry[0].tag in SHAPES:
@@ -110,7 +115,8 @@ def _stands_in(element: Element, parent: str) -> bool:
 def _lights(surveyed: Survey) -> Iterator[object]:
     """Up to 1.5 a light needed no name; all readers now ask for one."""
     for light in surveyed.index.get("light", ()):
-        if surveyed.version < _SIX and "name" not in light.attributes and not _is_state(light):
+        given = "name" in light.attributes or (light, "name") in surveyed.slips
+        if surveyed.version < _SIX and not given and not _is_state(light):
             yield problems.MissingAttribute(light, "name", empty=False)
 
 
@@ -118,7 +124,8 @@ def _inertials(surveyed: Survey) -> Iterator[object]:
     """Moments that belong to no mass: the default of one kilogram was not meant."""
     massive, turning = _parents(surveyed, "mass"), _parents(surveyed, "inertia")
     for inertial in surveyed.index.get("inertial", ()):
-        if inertial not in massive and inertial in turning and not _is_static(inertial):
+        given = inertial in massive or (inertial, "mass") in surveyed.slips
+        if not given and inertial in turning and not _is_static(inertial):
             yield problems.MissingElement(inertial, "mass", "1")
 
 

@@ -32,7 +32,7 @@ class Survey:
     ``named`` lists, per parent, its children that have a ``name``.
     """
 
-    __slots__ = ("customs", "document", "index", "named", "places", "problems", "version")
+    __slots__ = ("customs", "document", "index", "named", "places", "problems", "slips", "version")
 
     def __init__(self, document: Document) -> None:
         root = document.root
@@ -52,6 +52,8 @@ class Survey:
         self.customs: list[tuple[Element, Element, Definition]] = []
         """Custom elements that stand in standard ones, with their parent and its definition."""
         self.problems: list[object] = []
+        self.slips: set[tuple[Element, str]] = set()
+        """What elements lack only because a child or attribute of theirs is misspelt."""
 
 
 def survey(document: Document) -> Survey:
@@ -89,9 +91,10 @@ class _Walk:
 
     def run(self, root: Element) -> list[object]:
         definition = schema(self.result.version).root
+        version = definition.attributes["version"]
         self.index[root.tag].append(root)
         items = root.items()
-        if len(items) != 1 or not definition.attributes["version"].accepts(items[0][1]):
+        if len(items) != 1 or items[0][0] != "version" or not version.accepts(items[0][1]):
             self.findings.root(root, definition)
         self.children(root, definition)
         return self._findings.conclude() if self._findings else []

@@ -238,6 +238,8 @@ def _meant_attribute(element: Element, name: str, place: UrdfElement) -> str | N
 
 def _needs(parent: Element, place: UrdfElement, child: str) -> bool:
     """Whether the element cannot do without such a child."""
+    if place.name == "robot" and child == "link":
+        return True
     if place.name == "joint" and child == "limit":
         return parent.attributes.get("type") in {"revolute", "prismatic"}
     if place.name == "material":

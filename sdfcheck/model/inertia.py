@@ -108,7 +108,8 @@ def problems(document: Document) -> list[Record]:
         inertial = read_inertial(link)
         if inertial is None:
             # In URDF what a link without inertial means depends on its joint: said with the tree.
-            if not is_urdf and (link.has("collision") or link.has("visual")):
+            misspelt = (link, "inertial") in survey(document).slips
+            if not is_urdf and not misspelt and (link.has("collision") or link.has("visual")):
                 found.append(MissingInertial(link))
         elif inertial.is_automatic:
             found += _look_at_automatic(inertial)
@@ -150,8 +151,8 @@ def _look_at(inertial: Inertial, is_urdf: bool) -> Iterator[Record]:
         if mass != 0 or not is_urdf:
             yield NonPositiveMass(inertial.mass, inertial.link, mass == 0)
         return
-    if is_urdf and len(inertial.moments) < len(COMPONENTS):
-        return  # nothing is taken in its place: the schema's business
+    if len(inertial.moments) < len(COMPONENTS) and (is_urdf or _is_garbled(inertial)):
+        return  # the schema's business
     tensor = inertial.tensor()
     if not all(math.isfinite(value) for value in tensor):
         return
@@ -161,6 +162,18 @@ def _look_at(inertial: Inertial, is_urdf: bool) -> Iterator[Record]:
         return
     if math.isfinite(mass):
         yield from _soft(inertial, tensor, mass)
+
+
+def _is_garbled(inertial: Inertial) -> bool:
+    """Is a component there that is no number, or misspelt? What is taken instead was not meant."""
+    inertia = inertial.inertia
+    if inertia is None:
+        return (inertial.element, "inertia") in survey(inertial.link.document).slips
+    slips = survey(inertial.link.document).slips
+    return any(
+        (inertia.has(name) and name not in inertial.moments) or (inertia, name) in slips
+        for name in COMPONENTS
+    )
 
 
 def _hard(inertial: Inertial, tensor: Moments) -> Record | None:

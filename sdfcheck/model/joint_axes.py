@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from sdfcheck.formats.survey import survey
 from sdfcheck.formats.values import floats
 from sdfcheck.model.joint_problems import (
     InvertedLimits,
@@ -54,7 +55,7 @@ def axis_problems(joint: Element) -> Iterator[Problem]:
         if axis is not None:
             yield from _direction(joint, axis)
             yield from _limits(joint, axis, kind)
-        elif number < count:
+        elif number < count and (joint, name) not in survey(joint.document).slips:
             yield MissingAxis(joint, kind, name, DEFAULT_AXIS)
 
 

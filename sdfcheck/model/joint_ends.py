@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.survey import survey
 from sdfcheck.model.carriers import carrier
 from sdfcheck.model.joint_problems import (
     DetachedFrame,
@@ -18,6 +20,7 @@ from sdfcheck.model.joint_problems import (
     UnknownJointEnd,
     WorldAsChild,
 )
+from sdfcheck.model.names import FRAME_KINDS
 from sdfcheck.model.scopes import NEVER_A_REFERENCE, WORLD_FRAME, Frame, Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -29,6 +32,7 @@ def end_problems(document: Document, joints: Iterable[Element]) -> Iterator[Prob
     analysis = _Ends(document)
     for joint in joints:
         yield from analysis.look_at(joint)
+    yield from analysis.unknown_ends()
     yield from _several_parents(analysis.carried)
     yield from _loops(analysis.carried)
 
@@ -41,12 +45,31 @@ class _Use(NamedTuple):
     joint: Element
 
 
+class _End(NamedTuple):
+    """A parent or child as written, with the other end of its joint."""
+
+    value: Value
+    other: Value
+    joint: Element
+    role: str
+
+
+class _Lost(NamedTuple):
+    """The names in a scope, how many things have none (or are misspelt), and how many that of another."""
+
+    names: set[str]
+    nameless: int
+    doubled: int
+
+
 class _Ends:
     def __init__(self, document: Document) -> None:
         self.document = document
         self.scopes = scopes(document)
         self.carried: dict[Frame, list[_Use]] = {}
         """Link → the joints that carry it."""
+        self.astray: dict[Scope, dict[str, list[_End]]] = {}
+        """Scope → the names that it does not have → the ends that give them."""
 
     def look_at(self, joint: Element) -> Iterator[Problem]:
         scope = self.scopes.of(joint)
@@ -64,8 +87,9 @@ class _Ends:
             found = self.resolve(joint, scope, value, role)
             if found is not None:
                 ends.append(found)
-            elif (unknown := self.unknown(joint, scope, value, role, other)) is not None:
-                yield unknown
+            elif "" not in value.text.split("::") and not scope.may_hold(value.text):
+                end = _End(value, other, joint, role)
+                self.astray.setdefault(scope, {}).setdefault(value.text, []).append(end)
         if len(ends) == 2:
             yield from self.look_at_carriers(joint, scope, (parent, child), (ends[0], ends[1]))
 
@@ -77,17 +101,30 @@ class _Ends:
         found = None if name == NEVER_A_REFERENCE else scope.find(name)
         return found if found is not None and found.element is not joint else None
 
-    def unknown(
-        self, joint: Element, scope: Scope, value: Value, role: str, other: Value
-    ) -> UnknownJointEnd | None:
-        name = value.text
-        if "" in name.split("::") or scope.may_hold(name):
-            return None
+    def unknown_ends(self) -> Iterator[UnknownJointEnd]:
+        """The names that reach nothing, each once, unless as many links have lost their names."""
+        for scope, names in self.astray.items():
+            lost = _lost_names(self.document, scope)
+            if len(names) <= lost.nameless:
+                continue  # what has lost its name is reported there, not wherever it is missed
+            unlike = {name for name in names if suggest(name, lost.names) is None} if lost.doubled else set()
+            if len(unlike) > lost.nameless + lost.doubled:
+                unlike = set()
+            for name, ends in names.items():
+                if name not in unlike:
+                    yield from self.unknown(scope, name, ends)
+
+    def unknown(self, scope: Scope, name: str, ends: list[_End]) -> Iterator[UnknownJointEnd]:
         from sdfcheck.model.near_names import near_names
 
-        own = joint.attributes.get("name", "")
-        meant, outside = near_names(self.document).guess(scope, name, but=(own, other.text))
-        return UnknownJointEnd(value, joint, role, meant, outside)
+        # A joint that names itself is told so.
+        own = [end for end in ends if end.joint.attributes.get("name", "") == name]
+        foreign = [end for end in ends if end not in own]
+        for first, *others in (*([end] for end in own), *([foreign] if foreign else ())):
+            but = (first.joint.attributes.get("name", ""), first.other.text)
+            meant, outside = near_names(self.document).guess(scope, name, but=but)
+            further = tuple(end.value for end in others)
+            yield UnknownJointEnd(first.value, first.joint, first.role, meant, outside, further)
 
     def look_at_carriers(
         self, joint: Element, scope: Scope, values: tuple[Value, Value], ends: tuple[Frame, Frame]
@@ -105,6 +142,15 @@ class _Ends:
             yield SelfJoint(values[1], values[0], joint, child.name)
         elif parent is not None and not _is_gearbox(joint):
             self.carried.setdefault(child, []).append(_Use(parent, values[1], joint))
+
+
+def _lost_names(document: Document, scope: Scope) -> _Lost:
+    parent = scope.element
+    own = [child for child in parent.children() if child.name in FRAME_KINDS]
+    names = [name for child in own if (name := child.attributes.get("name", ""))]
+    slips = survey(document).slips
+    misspelt = sum(element is parent and name in FRAME_KINDS for element, name in slips)
+    return _Lost(set(names), len(own) - len(names) + misspelt, len(names) - len(set(names)))
 
 
 def _end(joint: Element, role: str) -> Value | None:

@@ -27,7 +27,7 @@ def problems(document: Document) -> Iterator[object]:
     robot = tree(document)
     unknown = robot.unknown_ends
     # What has lost its name is reported there, not wherever it is missed.
-    explained = set(robot.misnamed()) if len(unknown) > robot.nameless else set(unknown)
+    explained = set(robot.misnamed()) | robot.missed()
     for joint in robot.joints:
         if joint.parent is not None and joint.child is not None and joint.parent.text == joint.child.text:
             yield kinds.SelfJoint(joint.child, joint.parent, joint.element)

@@ -91,7 +91,7 @@ def _unfit_for_sdformat(value: Value) -> Iterator[object]:
 def _parts(robot: UrdfTree, parts: list[list[str]]) -> Iterator[object]:
     """Links that are not tied to the rest, unless mistakes in as many joints explain it."""
     main, *others = parts
-    broken = sum(robot.ends(joint) is None for joint in robot.joints)
+    broken = sum(robot.ends(joint) is None for joint in robot.joints) + len(robot.loops())
     if len(others) <= broken:
         return
     astray = set(_meant_children(robot))

@@ -35,6 +35,7 @@ class UrdfTree:
     __slots__ = (
         "children",
         "document",
+        "doubled",
         "joint_named",
         "joints",
         "links",
@@ -49,13 +50,22 @@ class UrdfTree:
         self.document = document
         self.links: dict[str, Element] = {}
         self.nameless = 0
-        """How many links have no name, or one that xacro should have made; they are not among ``links``."""
+        """How many links are not among ``links``: without name, with one that xacro should have made, or called
+        otherwise than ``link`` by a slip."""
+        self.doubled = 0
+        """How many have the name of one before."""
         for link in surveyed.top("link"):
             name = link.attributes.get("name", "")
-            if name and not is_expression(name):
-                self.links.setdefault(name, link)
-            else:
+            if not name or is_expression(name):
                 self.nameless += 1
+            else:
+                self.doubled += self.links.setdefault(name, link) is not link
+        root = surveyed.root
+        self.nameless += sum(
+            suggest(child.name, ("joint", "link")) == "link" and child.name != "joint"
+            for child in (root.children() if root is not None else ())
+            if child.name != "link"
+        )
         self.joints = [_joint(element) for element in surveyed.top("joint")]
         self.joint_named: dict[str, UrdfJoint] = {}
         self.children: defaultdict[str, list[UrdfJoint]] = defaultdict(list)
@@ -84,6 +94,14 @@ class UrdfTree:
         if parent == child or parent not in self.links or child not in self.links:
             return None
         return parent, child
+
+    def missed(self) -> set[str]:
+        """The unknown names that are those of links which have lost them."""
+        if len(self.unknown_ends) <= self.nameless:
+            return set(self.unknown_ends)
+        # What is like the name of a link may be a slip of its own, a double has lost any name.
+        unlike = {name for name in self.unknown_ends if suggest(name, self.links) is None}
+        return unlike if self.doubled and len(unlike) <= self.nameless + self.doubled else set()
 
     def misnamed(self) -> dict[str, str]:
         """Names on which several ends of joints agree → the link, named by none, that they mean."""
