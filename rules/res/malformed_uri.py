@@ -61,6 +61,11 @@ class MalformedUri(Rule):
         ),
         Bad(MESH.format("«model://»"), says="names no model"),
         Bad(
+            MESH.format("«https:/fuel.example.org/arm»"),
+            fixed=MESH.format("https://fuel.example.org/arm"),
+            says="two slashes",
+        ),
+        Bad(
             URDF_MESH.format("« package://arm/arm.stl»"),
             fixed=URDF_MESH.format("package://arm/arm.stl"),
             scaffold=IN_URDF_LINK,

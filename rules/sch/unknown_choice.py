@@ -46,6 +46,13 @@ class UnknownChoice(Rule):
             says="unknown `type` of joint `j`: `hinge`",
         ),
         Bad('<physics type="«odee»"/>', scaffold=IN_WORLD, says="did you mean `ode`?"),
+        Bad(
+            '<sensor name="s" type="gpu_lidar"><lidar><scan><horizontal><samples>9</samples>'
+            "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>1</min><max>2</max>"
+            "</range><noise><type>«guassian»</type></noise></lidar></sensor>",
+            scaffold=IN_LINK,
+            says="did you mean `gaussian`?",
+        ),
         Bad('<pose rotation_format="«quaternion»">0 0 0 0 0 0</pose>', says="unknown `rotation_format`"),
     )
     good = (

@@ -70,7 +70,9 @@ def _choice(
     choices = definition.choices
     assert choices is not None
     doubtful = reading.verdict in {Verdict.UNKNOWN, Verdict.WRONG_CASE, Verdict.REMOVED}
-    if not reading.refused and (choices.library or not doubtful):
+    # Of what is in its own list libsdformat makes what it can, whatever the version.
+    in_list = choices.library and reading.verdict is not Verdict.UNKNOWN
+    if not reading.refused and (in_list or not doubtful):
         return
     candidates = choices.library or choices.listed
     suggestion = suggest(value.text.strip(), candidates)

@@ -58,6 +58,8 @@ def _scheme_fault(scheme: str, slashes: str, rest: str) -> tuple[UriFault, str |
         if near is None or not slashes:
             return None
         return UriFault.UNKNOWN_SCHEME, f"{near}://{rest}"
+    if lower in REMOTE_SCHEMES and len(slashes) != 2:
+        return UriFault.SLASHES, f"{lower}://{rest}"
     if lower not in SEARCHED_SCHEMES:
         return None
     if not rest.strip("/"):
