@@ -37,6 +37,8 @@ class UrdfFindings:
         self.stray: set[Element] = set()
         self.unknown: dict[tuple[str, str], list[Element]] = {}
         self.unknown_values: dict[tuple[str, str], list[Value]] = {}
+        self.parents: dict[Element, Element] = {}
+        """What the unknown elements stand in; xacro's conditions around them do not count."""
         self.places: dict[Element, UrdfElement] = {}
         """The definitions of elements with something unknown in them."""
 
@@ -51,6 +53,7 @@ class UrdfFindings:
         if place.name == "geometry":
             return  # a shape, in its way
         self.places[parent] = place
+        self.parents[child] = parent
         self.unknown.setdefault((place.name, name), []).append(child)
 
     def repeated(self, element: Element, first: Element, parent: Element, place: UrdfElement) -> None:
@@ -74,6 +77,7 @@ class UrdfFindings:
             if other.name not in place.children:
                 if ":" not in other.name:
                     self.places[geometry] = place
+                    self.parents[other] = geometry
                     self.unknown.setdefault((place.name, other.name), []).append(other)
             elif other.name != first.name and seen.get(other.name) is other:
                 self.found.append(problems.SeveralShapes(other, first))
@@ -201,8 +205,7 @@ class UrdfFindings:
     def conclude(self) -> list[object]:
         """Everything found, once the walk is over."""
         for uses in self.unknown.values():
-            parent = uses[0].parent
-            assert parent is not None
+            parent = self.parents[uses[0]]
             near = _meant(uses[0], self.places[parent])
             needed = near is not None and _needs(parent, self.places[parent], near)
             places = known_parents(uses[0].name)

@@ -27,6 +27,7 @@ def codes(body: str, tmp_path: Path, *, params: str = "") -> list[tuple[str, str
     [
         (f'<link name="a"><visul>{SHAPE}</visul></link>', ("URD001", "visul")),
         ('<link name="a"><mass value="1"/></link>', ("URD001", "mass")),
+        ('<link name="a"><xacro:if value="1"><visul/></xacro:if></link>', ("URD001", "visul")),
         ('<joint name="a" typ="fixed"/>', ("URD002", "typ")),
         ('<link name="a"><inertial><mass value="1kg"/></inertial></link>', ("SCH011", "1kg")),
         ('<joint name="${n}" type="revolut"><parent link="${n}_p"/></joint>', ("SCH015", "revolut")),
