@@ -18,6 +18,7 @@ from importlib.metadata import distribution
 from pathlib import Path
 from typing import NamedTuple
 
+from benchmarks import conversions
 from benchmarks.process import Measurement, measure
 from benchmarks.worlds import write_robots, write_world
 
@@ -166,11 +167,16 @@ def main() -> None:
         for subject in inputs(folder, options.factor):
             print(f"{subject.name} …", file=sys.stderr)
             results.append(compare(subject, folder, name))
+        print("conversions …", file=sys.stderr)
+        converted = list(conversions.timings(folder, options.factor))
     exponent = growth(results)
     if options.json:
-        print(json.dumps({"results": [r._asdict() for r in results], "growth": exponent}, indent=1))
+        told = {"results": [r._asdict() for r in results], "growth": exponent}
+        told["conversions"] = [one._asdict() for one in converted]
+        print(json.dumps(told, indent=1))
         return
     print("\n".join(table(results, version)))
+    print("\n" + "\n".join(conversions.table(converted)))
     print(f"\nTime grows with size to the power of {exponent:.2f}.")
 
 

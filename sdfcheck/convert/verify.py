@@ -148,11 +148,11 @@ class _Comparison:
 
     def draw(self, configurations: int) -> Positions:
         """Random configurations; the first is the one in which the file places the links."""
-        random = np.random.default_rng(20_170_613)
-        drawn = {}
+        drawn: dict[str, Array] = {}
         for joint in self.source.joints.values():
-            if degrees_of_freedom(joint) and joint.name not in self.to.dropped_joints:
-                drawn[joint.name] = random.uniform(-1, 1, (configurations, degrees_of_freedom(joint)))
+            wanted = degrees_of_freedom(joint)
+            if wanted and joint.name not in self.to.dropped_joints:
+                drawn[joint.name] = _scattered(configurations, wanted, len(drawn))
                 drawn[joint.name][0] = 0
         return drawn
 
@@ -267,12 +267,25 @@ class _Comparison:
     def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
         if (mine.role, mine.kind, len(mine.size)) != (theirs.role, theirs.kind, len(theirs.size)):
             return False
-        if not np.allclose(mine.size, theirs.size, rtol=1e-9, atol=1e-12):
+        if not all(
+            math.isclose(*pair, rel_tol=1e-9, abs_tol=1e-12)
+            for pair in zip(mine.size, theirs.size, strict=True)
+        ):
             return False
-        return bool(np.allclose(offset @ mine.pose, theirs.pose, rtol=0, atol=max(self.tolerance, 1e-9)))
+        return bool((np.abs(offset @ mine.pose - theirs.pose) <= max(self.tolerance, 1e-9)).all())
 
     def differ(self, what: str, name: str, text: str) -> None:
         self.found.setdefault((what, name), Difference(what, name, text))
+
+
+def _scattered(rows: int, columns: int, seed: int) -> Array:
+    """Numbers from -1 to 1 that look random (SplitMix64): ``numpy.random`` takes long to load."""
+    numbers = np.arange(1, rows * columns + 1, dtype=np.uint64) + np.uint64(seed << 32)
+    numbers *= np.uint64(0x9E3779B97F4A7C15)
+    numbers = (numbers ^ (numbers >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    numbers = (numbers ^ (numbers >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    numbers ^= numbers >> np.uint64(31)
+    return np.asarray(numbers / 2.0**63 - 1).reshape(rows, columns)
 
 
 def _stacked(poses: list[Array]) -> Array:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
+from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS
 from sdfcheck.convert.writer import Comment, Node, comment_of, copied
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.rotations import Array, from_rpy, transform
@@ -56,26 +57,42 @@ class Extensions:
         plan = self.context.plan
         if not reference:
             self._each(block, model, self._model_part)
-        elif reference in self.context.joints or reference in plan.merged_joints:
-            if reference not in self.context.joints:
-                self._only_hints(block, reference)
-                return
-            self._each(block, self.context.joints[reference], self._joint_part)
-        elif reference in plan.home:
-            survivor, offset = plan.home[reference]
-            if survivor not in self.context.links:
-                self._unknown(block, f"`{reference}` is the world")
-                return
-            part = _LinkPart(self.context, reference, offset)
-            self._each(block, self.context.links[survivor], part.put)
-        else:
+            return
+        is_joint = reference in self.context.joints or reference in plan.merged_joints
+        if is_joint:
+            # A link of the same name takes what it can have.
+            only = OF_JOINTS if reference in plan.home else None
+            if reference in self.context.joints:
+                self._each(block, self.context.joints[reference], self._joint_part, only)
+            else:
+                self._only_hints(block, reference, only)
+        if reference in plan.home:
+            self._of_link(block, reference, OF_JOINTS if is_joint else frozenset())
+        elif not is_joint:
             self._unknown(block, f"no link or joint is called `{reference}`")
 
-    def _each(self, block: Element, node: Node, put: Callable[[Element, Node], None]) -> None:
+    def _of_link(self, block: Element, link: str, others: frozenset[str]) -> None:
+        """Put what a block says of a link where the link is now, without the settings that are ``others``'."""
+        survivor, offset = self.context.plan.home[link]
+        if survivor not in self.context.links:
+            self._unknown(block, f"`{link}` is the world")
+            return
+        part = _LinkPart(self.context, link, offset)
+        wanted = {entry.name for entry in block.children()} - others if others else None
+        self._each(block, self.context.links[survivor], part.put, wanted)
+
+    def _each(
+        self,
+        block: Element,
+        node: Node,
+        put: Callable[[Element, Node], None],
+        only: Container[str] | None = None,
+    ) -> None:
         for entry in block:
             if (comment := comment_of(entry)) is not None:
-                node.children.append(comment)
-            elif isinstance(entry.tag, str):
+                if only is not OF_JOINTS:
+                    node.children.append(comment)
+            elif isinstance(entry.tag, str) and (only is None or entry.name in only):
                 put(entry, node)
 
     def _unknown(self, block: Element, reason: str) -> None:
@@ -83,9 +100,9 @@ class Extensions:
             text = f"a <gazebo> block is left out: {reason}"
             self.context.lose(block, LossKind.UNKNOWN_REFERENCE, text)
 
-    def _only_hints(self, block: Element, joint: str) -> None:
+    def _only_hints(self, block: Element, joint: str, only: Container[str] | None) -> None:
         for entry in block.children():
-            if entry.name not in _KEEP_FIXED:
+            if entry.name not in _KEEP_FIXED and (only is None or entry.name in only):
                 text = f"<{entry.name}> is left out: joint `{joint}` was merged"
                 self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
 

@@ -20,6 +20,20 @@ SMALL = Body(1e-3, np.zeros(3), np.eye(3) * 1e-6)
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic"})
 _TRUE = frozenset({"true", "yes", "1"})
 _KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
+OF_MOVING_JOINTS = frozenset(
+    {
+        "stopCfm",
+        "stopErp",
+        "fudgeFactor",
+        "implicitSpringDamper",
+        "cfmDamping",
+        "springReference",
+        "springStiffness",
+    }
+)
+"""Settings that say nothing of a fixed joint."""
+OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", *_KEEPERS}
+"""Settings that only joints have."""
 
 
 @dataclass(slots=True)
@@ -76,7 +90,7 @@ class _Merger:
     def __init__(self, made: Plan, document: Document, options: Options) -> None:
         self.plan = made
         self.options = options
-        self.kept = _kept_joints(document)
+        self.kept = _kept_joints(document, made.robot)
         self.mass = {name: _mass(link) for name, link in made.robot.links.items()}
 
     def run(self) -> None:
@@ -121,14 +135,17 @@ def _mass(link: Link) -> float:
     return link.body.mass if link.body is not None else 0.0
 
 
-def _kept_joints(document: Document) -> set[str]:
+def _kept_joints(document: Document, robot: Robot) -> set[str]:
     """Joints with something of their own, such as a sensor, or that are to be kept by request."""
     kept = set()
     assert document.root is not None
     for block in document.root.children("gazebo"):
         name = block.attributes.get("reference", "")
         for child in block.children():
-            if child.name not in _KEEPERS or _says_yes(child):
+            # What a link and a joint of one name could both have is the link's.
+            concerned = child.name in OF_JOINTS or name not in robot.links
+            idle = child.name in OF_MOVING_JOINTS or (child.name in _KEEPERS and not _says_yes(child))
+            if concerned and not idle:
                 kept.add(name)
     return kept
 

@@ -1,0 +1,217 @@
+"""URDF converted to SDFormat: the readers that are installed take the results, and see the same robots in them."""
+
+from __future__ import annotations
+
+import json
+import math
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from lxml import etree
+
+from sdfcheck.cli.main import main
+from sdfcheck.convert.verify import Correspondence, verify
+from sdfcheck.model.robot import Robot
+from sdfcheck.model.scopes import scopes
+from sdfcheck.model.sdf_robot import read_sdf_robot
+from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind, sniff
+from tests.peers import cmdcheck, drake_poses, own_conversion
+from tests.peers.findings import SHARED
+
+VERSIONS = ("1.6", "1.9", "1.12")
+CORPUS = SHARED / "corpus"
+LEAST = 110
+LEAST_MERGED = 80
+UPRIGHT = 5e-3
+"""What is so near to upright (rad), urdfdom turns fully upright."""
+
+pytestmark = [
+    pytest.mark.peers,
+    pytest.mark.skipif(not CORPUS.is_dir(), reason="the files to convert are not here"),
+]
+
+
+class Converted(NamedTuple):
+    source: Path
+    results: dict[str, Path]
+    """Version → what was written; "merged": 1.9, with fixed joints merged."""
+    codes: dict[str, frozenset[str]]
+    """The codes of what was reported."""
+
+
+def sources() -> list[Path]:
+    files = (
+        file for file in sorted(CORPUS.rglob("*")) if file.suffix in {".urdf", ".xml"} and file.is_file()
+    )
+    return [file for file in files if sniff(file.read_bytes(), file) is Kind.URDF]
+
+
+def convert(source: Path, folder: Path, version: str, *options: str) -> tuple[Path, frozenset[str]]:
+    result, report = folder / f"{version}{''.join(options)}.sdf", folder / "report.json"
+    arguments = [str(source), "-o", str(result), "--sdf-version", version, "--isolated", "--quiet", *options]
+    code = main(["convert", "urdf-to-sdf", *arguments, "--output-format", f"json={report}"])
+    assert result.exists() is (code == 0)
+    return result, frozenset(one["code"] for one in json.loads(report.read_text())["diagnostics"])
+
+
+@pytest.fixture(scope="module")
+def converted(tmp_path_factory: pytest.TempPathFactory) -> list[Converted]:
+    made = []
+    for number, source in enumerate(sources()):
+        folder = tmp_path_factory.mktemp(f"robot{number}_")
+        done = {version: convert(source, folder, version) for version in VERSIONS}
+        done["merged"] = convert(source, folder, "1.9", "--fixed-joints", "merge")
+        results = {name: result for name, (result, _) in done.items() if result.exists()}
+        made.append(Converted(source, results, {name: codes for name, (_, codes) in done.items()}))
+    return made
+
+
+def test_what_urdfdom_reads_converts_and_nothing_else(converted: list[Converted]) -> None:
+    if shutil.which("check_urdf") is None:
+        pytest.skip("check_urdf is not installed")
+    wrong, read_by_it = [], 0
+    for one in converted:
+        child = subprocess.run(["check_urdf", one.source], capture_output=True, check=False)
+        read_by_it += child.returncode == 0
+        if len(one.results) != (len(VERSIONS) + 1 if child.returncode == 0 else 0):
+            wrong.append(
+                f"{one.source}: urdfdom ends with {child.returncode}, {sorted(one.results)} are written"
+            )
+    assert not wrong, "\n".join(wrong)
+    assert read_by_it >= LEAST
+
+
+def test_libsdformat_accepts_the_results(converted: list[Converted]) -> None:
+    """All but those whose source has an inertia that no body has: it is carried over, and libsdformat refuses it."""
+    if cmdcheck.library() is None:
+        pytest.skip("libsdformat is not installed")
+    wrong, accepted = [], 0
+    for one in converted:
+        for name in set(one.results) - {"1.12"}:  # newer than some libsdformat
+            opinion = cmdcheck.check(one.results[name])
+            accepted += opinion.accepted is True
+            excused = "INR003" in one.codes[name] and all(
+                "invalid inertia" in message for message in opinion.messages if "Error" in message
+            )
+            if not opinion.accepted and not excused:
+                wrong.append(f"{one.source} as {name}: {opinion.messages[:3]}")
+    assert not wrong, "\n".join(wrong)
+    assert accepted >= 3 * LEAST - 15
+
+
+# Drake
+
+NOT_SDFORMAT = {"valkyrie.urdf"}
+"""Robots whose <gazebo> blocks have elements that are not SDFormat's, where Drake wants only those."""
+WEIGHTY_WORLD = {"Pendulum.urdf"}
+"""Robots whose link `world` has a mass: for Drake it is the world all the same."""
+
+
+@pytest.mark.skipif(not drake_poses.is_installed(), reason="Drake is not installed")
+def test_drake_weighs_each_link_the_same(converted: list[Converted]) -> None:
+    pairs = {one.source: one.results["1.12"] for one in converted if one.results}
+    before, after = drake_poses.bodies(list(pairs)), drake_poses.bodies(list(pairs.values()))
+    wrong, compared = [], 0
+    for source, result in pairs.items():
+        if source not in before:
+            continue
+        if result not in after:
+            wrong += [f"{source}: the result is not loaded"] * (source.name not in NOT_SDFORMAT)
+            continue
+        compared += 1
+        wrong += [f"{source}: {text}" for text in unequal(source, before[source], after[result])]
+    assert not wrong, "\n".join(wrong)
+    assert compared >= LEAST - 5
+
+
+SMALL = [1e-3]
+"""The mass (kg) that a link without any is given."""
+
+
+def unequal(source: Path, before: drake_poses.Bodies, after: drake_poses.Bodies) -> Iterator[str]:
+    """In what two readings differ, apart from links without mass, which SDFormat does not have.
+
+    To a link that has moments and no mass Drake gives 1 kg, and what has become part of another link
+    adds its moments there.
+    """
+    if links_with_moments_only(source) or source.name in WEIGHTY_WORLD:
+        return
+    for name, body in before.items():
+        if body[0][0] > 0 and name in after and not same(body, after[name]):
+            yield f"{name} was {body} and is {after[name]}"
+    given = [
+        name for name, body in after.items() if body[0] == SMALL and before.get(name, [[0.0]])[0] == [0.0]
+    ]
+    expected = sum(body[0][0] for body in before.values())
+    total = sum(body[0][0] for name, body in after.items() if name not in given)
+    if not math.isclose(total, expected, rel_tol=1e-9, abs_tol=1e-12):
+        yield f"it weighed {expected} kg and weighs {total} kg"
+
+
+def same(before: list[list[float]], after: list[list[float]]) -> bool:
+    return all(np.allclose(*rows, rtol=1e-9, atol=1e-12) for rows in zip(before, after, strict=True))
+
+
+def links_with_moments_only(source: Path) -> list[str]:
+    tree = etree.parse(source, etree.XMLParser(recover=True))
+    found = []
+    for link in tree.iter("link"):
+        mass, inertia = link.find("inertial/mass"), link.find("inertial/inertia")
+        if mass is not None and inertia is not None and float(mass.get("value", "0")) == 0:
+            found += [link.get("name", "")] * any(float(value) != 0 for value in inertia.attrib.values())
+    return found
+
+
+# libsdformat's own reduction of fixed joints
+
+
+def test_merging_is_libsdformats_reduction(converted: list[Converted]) -> None:
+    if cmdcheck.library() is None:
+        pytest.skip("libsdformat is not installed")
+    equal, wrong = 0, []
+    for one in converted:
+        if not one.results or excuse(one):
+            continue
+        text = own_conversion.converted(one.source)
+        theirs, ours = robot(text), robot(one.results["merged"].read_text())
+        differences = [f"links {sorted(set(ours.links) ^ set(theirs.links))}"] * (
+            set(ours.links) != set(theirs.links)
+        )
+        differences += [f"joints {sorted(set(ours.joints) ^ set(theirs.joints))}"] * (
+            set(ours.joints) != set(theirs.joints)
+        )
+        proof = verify(theirs, ours, Correspondence(), tolerance=1e-6)
+        if {d.what for d in proof.differences} <= {"visual", "collision", "inertia"}:
+            proof = verify(theirs, ours, Correspondence(), tolerance=UPRIGHT)
+        differences += [f"{d.what} of {d.name} {d.text}" for d in proof.differences]
+        if differences:
+            wrong.append(f"{one.source}: {differences[:4]}")
+        equal += not differences
+    assert not wrong, "\n".join(wrong)
+    assert equal >= LEAST_MERGED
+
+
+def excuse(one: Converted) -> str:
+    """Why libsdformat's result is another one, empty if it must be equal."""
+    if "CNV014" in one.codes["merged"]:
+        return "it drops links without mass, and all that they carry"
+    if "CNV011" in one.codes["merged"]:
+        return "it does not rename what has one name in URDF"
+    fixed = etree.fromstring(one.results["merged"].read_bytes()).iterfind(".//joint[@type='fixed']")
+    if any(joint.findtext("parent") != "world" for joint in fixed):
+        return "it merges what has a sensor or asks for feedback, too, and drops that"
+    return ""
+
+
+def robot(text: str) -> Robot:
+    try:
+        return read_sdf_robot(scopes(read(text.encode(), Path("r.sdf"), Kind.SDF)).roots[0])
+    except RobotError as error:
+        pytest.fail(str(error))
