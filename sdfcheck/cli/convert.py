@@ -132,14 +132,11 @@ def convert_files(
     kinds: Mapping[Kind, str],
     suffix: str,
     convert: Convert,
-    *,
-    mended: frozenset[str] = frozenset(),
 ) -> int:
     """Convert each input, write what was verified, report; returns the exit code.
 
     ``kinds`` are those that can be converted, with what to call them; ``suffix`` ends the
-    names of files in --output-dir. Errors of the ``mended`` families do not stop: the
-    converter deals with them itself.
+    names of files in --output-dir.
 
     Raises:
         WrongUsage: the options contradict each other, or a file cannot be read or written.
@@ -149,9 +146,7 @@ def convert_files(
     targets = _targets(request, suffix)
     wanted = outputs(request.output_format or ("full",), None)
     outcomes = []
-    with Reader(
-        request.config, request.isolated, request.arguments, lint=request.lint, mended=mended
-    ) as reader:
+    with Reader(request.config, request.isolated, request.arguments, lint=request.lint) as reader:
         for file, target in zip(request.files, targets, strict=True):
             outcome = _convert(reader.read(file, kinds), convert, request)
             outcomes.append(outcome)
@@ -174,10 +169,13 @@ def _targets(request: Request, suffix: str) -> list[Path | None]:
             raise WrongUsage("several inputs need --output-dir")
         return [None if request.output in {None, Path("-")} else request.output]
     targets = [request.output_dir / f"{_stem(file)}{suffix}" for file in files]
-    for number, target in enumerate(targets):
-        if target in targets[:number]:
-            raise WrongUsage(f"two results would go to {target}")
-        if target.exists() and any(file.exists() and target.samefile(file) for file in files):
+    inputs = {file.resolve() for file in files}
+    first: dict[Path, Path] = {}
+    for file, target in zip(files, targets, strict=True):
+        if target in first:
+            raise WrongUsage(f"{first[target]} and {file} would both go to {target}")
+        first[target] = file
+        if target.resolve() in inputs:
             raise WrongUsage(f"{target} is an input; name it with -o to replace it")
     return list(targets)
 

@@ -46,9 +46,7 @@ class Reader:
         arguments: Sequence[str],
         *,
         lint: bool = True,
-        mended: frozenset[str] = frozenset(),
     ) -> None:
-        self._mended = _ELSEWHERE | mended
         self._book = RuleBook(SILENT, None)
         self._configuration = Configuration(config, isolated=isolated)
         self._arguments = dict(pair(text, ":=", "name:=value") for text in arguments)
@@ -109,5 +107,5 @@ class Reader:
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file))
         errors = [one for one in found if one.severity is Severity.ERROR]
-        stopping = obstacles(errors, document.kind, self._mended)
+        stopping = obstacles(errors, document.kind, _ELSEWHERE)
         return Input(file, document, errors, not stopping)

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from sdfcheck.convert.result import Conversion
     from sdfcheck.source.document import Document
 
-_MENDED = frozenset({"NAM", "GAZ"})
-"""Families of errors that the conversion mends or reports: names that clash, references to nothing."""
 _KINDS = {Kind.URDF: "URDF", Kind.XACRO: "xacro"}
 
 
@@ -67,4 +65,4 @@ def urdf_to_sdf(**given: Any) -> int:
 
         return run(document, options, verified=verified)
 
-    return convert_files(request, _KINDS, ".sdf", convert, mended=_MENDED)
+    return convert_files(request, _KINDS, ".sdf", convert)

@@ -22,18 +22,18 @@ OWN_READER: Mapping[Kind, Consumer] = {
 
 
 def obstacles(
-    found: Iterable[Diagnostic], kind: Kind, mended: frozenset[str] = frozenset()
+    found: Iterable[Diagnostic], kind: Kind, elsewhere: frozenset[str] = frozenset()
 ) -> list[Diagnostic]:
     """The errors among ``found`` that stop a conversion from a kind of file.
 
-    Those of the families ``mended`` do not: the converter deals with them itself.
+    Those of the families ``elsewhere`` do not: they are about other files.
     """
     reader = OWN_READER.get(kind)
     return [
         diagnostic
         for diagnostic in found
         if diagnostic.severity is Severity.ERROR
-        and diagnostic.code.rstrip("0123456789") not in mended
+        and diagnostic.code.rstrip("0123456789") not in elsewhere
         and (reader is None or _refused(diagnostic, reader))
     ]
 

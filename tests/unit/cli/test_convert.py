@@ -45,6 +45,17 @@ def test_several_inputs_need_a_folder(urdf: Path, tmp_path: Path) -> None:
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["r.sdf", "s.sdf"]
 
 
+def test_two_inputs_with_one_result_are_refused(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    other = tmp_path / "other" / "r.urdf"
+    other.parent.mkdir()
+    other.write_text(ROBOT)
+    assert run(urdf, other, "--output-dir", tmp_path / "out") == 2
+    assert f"{urdf} and {other} would both go to" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
 def test_losses_are_reported_and_strict_makes_them_count(
     urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

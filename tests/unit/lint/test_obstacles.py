@@ -17,12 +17,12 @@ def stops(
     affects: dict[str, Reaction],
     kind: Kind,
     severity: Severity = Severity.ERROR,
-    mended: frozenset[str] = frozenset(),
+    elsewhere: frozenset[str] = frozenset(),
 ) -> bool:
     span = Source(Path("r"), "<robot/>").span(0, 0)
     told = tuple(affects.items())
     return bool(
-        obstacles([Diagnostic("XYZ001", "odd-flaw", severity, "odd", span, affects=told)], kind, mended)
+        obstacles([Diagnostic("XYZ001", "odd-flaw", severity, "odd", span, affects=told)], kind, elsewhere)
     )
 
 
@@ -41,8 +41,8 @@ def test_the_own_reader_decides(affects: dict[str, Reaction], urdf: bool, sdf: b
     assert stops(affects, Kind.SDF) is sdf
 
 
-def test_warnings_and_what_is_mended_do_not_stop() -> None:
+def test_warnings_and_what_is_elsewhere_do_not_stop() -> None:
     refused = {"urdfdom": REFUSES}
     assert not stops(refused, Kind.URDF, Severity.WARNING)
-    assert not stops(refused, Kind.URDF, mended=frozenset({"XYZ"}))
-    assert stops(refused, Kind.URDF, mended=frozenset({"XY"}))
+    assert not stops(refused, Kind.URDF, elsewhere=frozenset({"XYZ"}))
+    assert stops(refused, Kind.URDF, elsewhere=frozenset({"XY"}))
