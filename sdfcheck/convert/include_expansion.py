@@ -8,9 +8,9 @@ name that libsdformat gives it.
 from __future__ import annotations
 
 import os
-from pathlib import Path
 
 from sdfcheck.convert.include_parameters import apply_parameters
+from sdfcheck.convert.relocation import relocated
 from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.survey import survey
@@ -20,7 +20,6 @@ from sdfcheck.model.parameters import PARAMETERS, parameters
 from sdfcheck.model.poses import Poses
 from sdfcheck.model.rotations import to_rpy
 from sdfcheck.model.scopes import MODEL_FRAME, scopes
-from sdfcheck.model.uris import locate, scheme_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import SyntaxDefect
@@ -29,7 +28,6 @@ from sdfcheck.source.text import Source
 
 _MERGED = frozenset(("frame", "gripper", "joint", "link", "model", "plugin"))
 _FREE = frozenset(("plugin",))
-_FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))
 _BESIDES = ("pose", "static")
 
 
@@ -214,29 +212,10 @@ def _rename_frame(part: Branch, name: str) -> None:
 
 
 def _relocate(brought: Branch, found: Included, document: Document) -> None:
-    """Files that were found beside the included file are found from the including one."""
-    assert found.document is not None
-    assert found.uri is not None
-    folder = found.document.path.parent
     for branch in brought.walk():
-        text = branch.text
-        if branch.name not in _FILES and not branch.name.endswith("_map"):
-            continue
-        if not text or scheme_of(text) or Path(text).is_absolute() or not (folder / text).exists():
-            continue
-        branch.text = _seen_from(document, found, folder / text)
-
-
-def _seen_from(document: Document, found: Included, file: Path) -> str:
-    assert found.uri is not None
-    uri = found.uri.text.strip()
-    place = locate(document, uri).path
-    if scheme_of(uri) in {"model", "package"} and place is not None:
-        if place.is_dir():
-            return f"{uri.rstrip('/')}/{Path(os.path.relpath(file, place)).as_posix()}"
-        if file.is_relative_to(place.parent):
-            return f"{uri.rpartition('/')[0]}/{file.relative_to(place.parent).as_posix()}"
-    return Path(os.path.relpath(file, document.path.parent)).as_posix()
+        text = relocated(branch.name, branch.text, found, document)
+        if text is not None:
+            branch.text = text
 
 
 def _declare(brought: Branch, model: Element, include: Element) -> None:

@@ -219,6 +219,14 @@ class LossKind(Enum):
             "model moves with."
         ),
     )
+    INCLUDED_FILE_KEPT = (
+        "CNV029",
+        "included-file-kept",
+        (
+            "An include brings a file in a version that is newer than the target. Each file has a version of its "
+            "own, and only the one that is named is converted: convert the other one as well."
+        ),
+    )
 
     @property
     def code(self) -> str:

@@ -6,6 +6,7 @@ import numpy as np
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
+from sdfcheck.convert.migrate.mentions import rename_in_plugins
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.verify import Counterpart
@@ -44,6 +45,7 @@ def _into_parent(migration: Migration, nested: Node) -> None:
     name = nested.get("name") or ""
     outer = _pose(nested)
     _rename_ends(nested, name)
+    _rename_mentions(migration, nested, name)
     parts: list[Node] = []
     own = {child.get("name") for child in nested.children() if child.name in _NAMED}
     turn = outer[:3, :3]
@@ -58,7 +60,7 @@ def _into_parent(migration: Migration, nested: Node) -> None:
         if part.name == "link":
             inner = _pose(part)
             if np.abs(outer - np.eye(4)).max() > 0:
-                (part.find("pose") or part.add("pose")).write(numbers.pose(outer @ inner))
+                (part.find("pose") or part.add("pose", first=True)).write(numbers.pose(outer @ inner))
         elif part.name == "joint" and np.abs(turn - np.eye(3)).max() > 0:
             _turn_axes(part, turn)
         parts.append(part)
@@ -67,6 +69,15 @@ def _into_parent(migration: Migration, nested: Node) -> None:
         nested.replace(parts)
     else:
         nested.remove()
+
+
+def _rename_mentions(migration: Migration, nested: Node, name: str) -> None:
+    inside = [child for child in nested.children() if child.name in _NAMED]
+    own = {(child.name, child.get("name") or ""): f"{name}__{child.get('name')}" for child in inside}
+    rename_in_plugins(migration, nested, own)
+    assert nested.parent is not None
+    outside = {(kind, f"{name}::{old}"): new for (kind, old), new in own.items()}
+    rename_in_plugins(migration, nested.parent, outside)
 
 
 def _rename_ends(nested: Node, name: str) -> None:

@@ -34,7 +34,7 @@ def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
     if definition.open or definition.type is not None:
         return
     for child in node.children():
-        if child.is_custom or child.parent is not node:
+        if child.is_custom or child.parent is not node or child in migration.kept:
             continue
         inner = definition.children.get(child.name)
         if inner is not None:

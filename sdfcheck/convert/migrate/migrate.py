@@ -6,9 +6,10 @@ from sdfcheck.convert.loss import NotConvertible, refusal
 from sdfcheck.convert.migrate.axes import express_axes
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
 from sdfcheck.convert.migrate.flattening import flatten
+from sdfcheck.convert.migrate.including import tell_of_newer_files, write_out_includes
 from sdfcheck.convert.migrate.inertias import write_inertias
 from sdfcheck.convert.migrate.leftovers import drop_leftovers
-from sdfcheck.convert.migrate.merging import refuse_includes, write_out_merges
+from sdfcheck.convert.migrate.merging import write_out_merges
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.older_words import (
     drop_frames,
@@ -73,6 +74,9 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
 
 def _go_down(migration: Migration) -> None:
     write_out_merges(migration)
+    if migration.goes_below(5):
+        write_out_includes(migration)
+    tell_of_newer_files(migration)
     drop_dead(migration)
     write_defaults(migration)
     _say_in_older_words(migration)
@@ -102,7 +106,6 @@ def _say_in_older_words(migration: Migration) -> None:
     if migration.goes_below(6):
         put_gravity_into_physics(migration)
     if migration.goes_below(5):
-        refuse_includes(migration)
         flatten(migration)
 
 

@@ -16,6 +16,7 @@ class Migration:
 
     ``renamed_joints`` and ``moved_links`` go by the names that verification uses
     (``arm::hand``); the sets name what is not to be compared because it is a loss.
+    ``kept`` stays although the target does not have it.
     """
 
     def __init__(self, document: Document, target: Version, *, keep_unknown: bool = False) -> None:
@@ -28,6 +29,7 @@ class Migration:
         self.moved_links: dict[str, Counterpart] = {}
         self.dropped_joints: set[str] = set()
         self.dropped_shapes: set[str] = set()
+        self.kept: set[Node] = set()
         self.lost_mimics = False
         self.changed_bodies = False
 

@@ -13,6 +13,7 @@ from sdfcheck.source.element import Element
 
 _ATTRIBUTE = re.compile(r"""(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
 _PIECE = re.compile(r"<!--.*?-->|<\?.*?\?>|<!\[CDATA\[(?P<cdata>.*?)\]\]>|(?P<text>[^<]+)", re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _QUOTES = {"&quot;": '"', "&apos;": "'"}
 _DEFAULT_INDENT = "  "
 
@@ -169,11 +170,14 @@ class Node:
             parent.parts[at] = after.lstrip(" \t")
 
     def replace(self, others: list[Node]) -> None:
-        """Put others in the place of this node, each on a line of its own."""
+        """Put others in the place of this node, each on a line of its own, behind the comments in it."""
         parent, indent = self.parent, self.indent
         assert parent is not None
         at = parent.parts.index(self)
+        comments = [c for part in self.parts if isinstance(part, str) for c in _COMMENT.findall(part)]
         row: list[str | Node] = []
+        for comment in comments:
+            row += [comment] if not row else ["\n" + indent + comment]
         for other in others:
             other.parent = parent
             other.shift(indent)
@@ -199,12 +203,13 @@ class Node:
             self.parts[at + 1 : at + 1] = ["\n" + indent, child]
         return child
 
-    def add(self, name: str, text: str = "") -> Node:
-        """A new last child."""
+    def add(self, name: str, text: str = "", *, first: bool = False) -> Node:
+        """A new last child, or a new first one."""
         child = Node(name)
         if text:
             child.parts.append(escape(text))
-        return self.append(child)
+        siblings = self.children() if first else []
+        return self.append(child, before=siblings[0] if siblings else None)
 
     def path(self, path: str) -> Node:
         """What a path leads to; steps that are missing are made."""

@@ -112,6 +112,9 @@ def drop_frames(migration: Migration) -> None:
     """Below 1.7 nothing can depend on a frame any more."""
     for holder in [migration.root, *migration.root.of("model", "world")]:
         for frame in holder.children("frame"):
+            if frame.origin is not None and frame.origin.name != "frame":
+                frame.remove()  # it stood for a merged model, as an include that is written out says
+                continue
             text = f"{title(frame)} is left out: before 1.7 nothing can be relative to it"
             migration.drop(frame, text, LossKind.DROPPED_FRAME)
 

@@ -145,7 +145,7 @@ def _write(migration: Migration, owner: Node, pose: Node | None, value: Array, *
         if owner.name == "include" and (given := owner.find("placement_frame")) is not None:
             given.remove()
     if pose is None:
-        pose = owner.add("pose")
+        pose = owner.add("pose", first=True)
     text = numbers.pose(value)
     if _differs(pose, value):
         pose.write(text)
@@ -201,7 +201,7 @@ def attach_joints_to_links(migration: Migration) -> None:
         end.write(name)
         own = end.parent.find("pose") if end.parent is not None else None
         if pose is not None and end.parent is not None and (own or np.abs(pose - np.eye(4)).max() > 0):
-            own = own or end.parent.add("pose")
+            own = own or end.parent.add("pose", first=True)
             own.write(numbers.pose(pose))
             for attribute in _FORMAT:
                 own.unset(attribute)

@@ -106,9 +106,9 @@ def _without_mimics(migration: Migration, robot: Robot) -> Robot:
 def correspondence(migration: Migration, source: Robot) -> Correspondence:
     """What became of the links and joints of a model."""
     joints = dict(migration.renamed_joints)
-    links = {}
+    links = dict(migration.moved_links)
     if migration.target < Version(1, 5):
-        links = flat_links(list(source.links))
+        links |= flat_links(list(source.links))
         joints |= {name: name.replace("::", "__") for name in source.joints if "::" in name}
     return Correspondence(
         links,

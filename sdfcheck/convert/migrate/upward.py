@@ -11,13 +11,13 @@ from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.conversions import convert_to
 from sdfcheck.convert.migrate.defaults import write_defaults
 from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.new_names import rename_clashing_joints, rename_reserved
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.unflatten import unflatten
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.poses import PoseError, written_pose
 
-_NAMED = ("link", "joint", "frame", "model")
 STATES = {"model": "model_state", "light": "light_state", "joint": "joint_state", "link": "link_state"}
 
 
@@ -81,32 +81,6 @@ def _inner_frame(pose: Node, reference: str, frames: set[Node]) -> Node | None:
     return None
 
 
-def _rename_clashing_joints(migration: Migration) -> None:
-    """From 1.7 on the links, joints, frames and models of a model share one name space."""
-    for model in migration.root.of("model", "world"):
-        taken = {c.get("name") for c in model.children() if c.name in _NAMED and c.name != "joint"}
-        joints = model.children("joint")
-        names = taken | {joint.get("name") for joint in joints}
-        for joint in joints:
-            name = joint.get("name")
-            if not name or name not in taken:
-                continue
-            new = f"{name}_joint"
-            while new in names:
-                new += "_"
-            names.add(new)
-            joint.set("name", new)
-            migration.renamed_joints[_prefix(model) + name] = _prefix(model) + new
-            migration.lose(joint, f"joint `{name}` is called `{new}`: the name is taken", LossKind.RENAMED)
-
-
-def _prefix(model: Node) -> str:
-    names, at = "", model
-    while at.parent is not None and at.parent.name == "model":
-        names, at = f"{at.get('name')}::{names}", at.parent
-    return names
-
-
 def _move_moved_elements(migration: Migration) -> None:
     """imu/topic and ode/provide_feedback left in 1.7; what took their place is older."""
     for imu in migration.root.of("imu"):
@@ -140,7 +114,7 @@ def _drop_inertial_references(migration: Migration) -> None:
 def _tell_of_several_models(migration: Migration) -> None:
     for extra in migration.root.children("model")[1:]:
         text = f"{title(extra)} is not read: from 1.8 on a file has one model at its top"
-        migration.lose(extra, text, LossKind.NOT_CONVERTIBLE)
+        migration.lose(extra, text, LossKind.DROPPED_ELEMENT)
 
 
 def _convert_thread_pitch(migration: Migration) -> None:
@@ -180,7 +154,13 @@ def _is_inserted(node: Node) -> bool:
 
 _BEFORE = {
     4: (_allow_no_friction_limit,),
-    7: (_fold_inner_frames, _rename_clashing_joints, _move_moved_elements, _look_for_lost_ends),
+    7: (
+        _fold_inner_frames,
+        rename_reserved,
+        rename_clashing_joints,
+        _move_moved_elements,
+        _look_for_lost_ends,
+    ),
     8: (_drop_inertial_references, _tell_of_several_models),
     10: (_convert_thread_pitch,),
     12: (_rename_states,),

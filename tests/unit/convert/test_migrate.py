@@ -79,10 +79,6 @@ def test_robots_stay_the_same_in_every_version(path: Path, version: Version) -> 
     document = opened(path)
     if document.root is None or document.root.name != "sdf" or "with_mistakes" in path.as_posix():
         pytest.skip("no sound SDFormat")
-    if version < Version(1, 5) and "<include>" in document.source.text:
-        with pytest.raises(NotConvertible, match="an include"):
-            sdf_to_sdf(document, version)
-        return
     verification = sdf_to_sdf(document, version).verification
     assert verification is None or verification.differences == ()
 
@@ -143,3 +139,22 @@ def test_what_is_newer_than_both_versions_stays_on_the_way_up() -> None:
     assert (up.text, up.losses) == (text.replace("1.6", "1.9"), ())
     down = migrate(text, Version(1, 5))
     assert [loss.kind.title for loss in down.losses] == ["dropped-element"]
+
+
+def test_an_include_of_what_is_not_there_stays_as_it_is() -> None:
+    include = "<include><uri>model://not_here</uri><pose>3 0 0 0 0 0</pose></include>"
+    text = f'<sdf version="1.9"><world name="w">{include}</world></sdf>'
+    done = migrate(text, Version(1, 4))
+    assert include in done.text
+    assert [loss.kind.title for loss in done.losses] == ["unknown-reference"]
+    nested = text.replace('<world name="w">', '<model name="m">').replace("</world>", "</model>")
+    with pytest.raises(NotConvertible, match="cannot be written out"):
+        migrate(nested, Version(1, 4))
+
+
+def test_what_includes_itself_is_not_written_out(tmp_path: Path) -> None:
+    file = tmp_path / "m.sdf"
+    include = '<include merge="true"><uri>m.sdf</uri></include>'
+    file.write_text(f'<sdf version="1.9"><model name="m"><link name="a"/>{include}</model></sdf>')
+    with pytest.raises(NotConvertible, match="includes itself"):
+        sdf_to_sdf(opened(file), Version(1, 8))
