@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from sdfcheck.convert.loss import NotConvertible, refusal
 from sdfcheck.convert.migrate.axes import express_axes
+from sdfcheck.convert.migrate.capsules import split_capsules
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
 from sdfcheck.convert.migrate.flattening import flatten
 from sdfcheck.convert.migrate.including import tell_of_newer_files, write_out_includes
@@ -25,6 +28,7 @@ from sdfcheck.convert.migrate.older_words import (
 from sdfcheck.convert.migrate.placing import attach_joints_to_links, resolve_poses
 from sdfcheck.convert.migrate.proof import comparisons
 from sdfcheck.convert.migrate.upward import go_up
+from sdfcheck.convert.migrate.world_joints import move_world_joints
 from sdfcheck.convert.result import Conversion, conversion
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document
@@ -84,29 +88,29 @@ def _go_down(migration: Migration) -> None:
 
 
 def _say_in_older_words(migration: Migration) -> None:
-    if migration.goes_below(12):
-        rename_states(migration)
-        rename_frame_ids(migration)
-    if migration.goes_below(11):
-        write_inertias(migration)
-    if migration.goes_below(10):
-        write_limits(migration)
-        write_thread_pitch(migration)
-        name_plugins(migration)
-    if migration.goes_below(8):
-        attach_joints_to_links(migration)
-    if migration.goes_below(7):
-        express_axes(migration)
-        put_canonical_links_first(migration)
-    if migration.goes_below(9):
-        resolve_poses(migration, everything=migration.goes_below(7))
-    if migration.goes_below(7) and migration.source >= Version(1, 7):
-        drop_frames(migration)
-    rename_sensors(migration)
-    if migration.goes_below(6):
-        put_gravity_into_physics(migration)
-    if migration.goes_below(5):
-        flatten(migration)
+    for minor, step in _STEPS:
+        if migration.goes_below(minor):
+            step(migration)
 
+
+_STEPS: tuple[tuple[int, Callable[[Migration], None]], ...] = (
+    (12, rename_states),
+    (12, rename_frame_ids),
+    (11, write_inertias),
+    (10, write_limits),
+    (10, write_thread_pitch),
+    (10, name_plugins),
+    (10, move_world_joints),
+    (8, attach_joints_to_links),
+    (7, express_axes),
+    (7, put_canonical_links_first),
+    (9, resolve_poses),
+    (8, split_capsules),
+    (7, drop_frames),
+    (7, rename_sensors),
+    (6, put_gravity_into_physics),
+    (5, flatten),
+)
+"""What a target below 1.minor needs: in this order, since axes are turned while frames are still there."""
 
 __all__ = ["LOWEST", "TARGETS", "NotConvertible", "migrated", "sdf_to_sdf"]

@@ -153,6 +153,15 @@ class Node:
                     return
         self.parts.insert(0, written)
 
+    def copy(self) -> Node:
+        """The same once more, standing nowhere."""
+        other = Node(self.name, self.opening, self.closing, self.origin)
+        for part in self.parts:
+            other.parts.append(part if isinstance(part, str) else part.copy())
+            if isinstance(inner := other.parts[-1], Node):
+                inner.parent = other
+        return other
+
     def remove(self) -> None:
         """Take the node out, with the line that it leaves empty."""
         parent = self.parent

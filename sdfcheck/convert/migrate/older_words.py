@@ -10,6 +10,7 @@ from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.upward import STATES
 from sdfcheck.convert.writer import number
+from sdfcheck.formats.version import Version
 
 _ENDLESS = {"inf", "+inf", "infinity"}
 
@@ -109,7 +110,9 @@ def put_gravity_into_physics(migration: Migration) -> None:
 
 
 def drop_frames(migration: Migration) -> None:
-    """Below 1.7 nothing can depend on a frame any more."""
+    """Below 1.7 nothing can depend on a frame any more; those of older sources are another thing."""
+    if migration.source < Version(1, 7):
+        return
     for holder in [migration.root, *migration.root.of("model", "world")]:
         for frame in holder.children("frame"):
             if frame.origin is not None and frame.origin.name != "frame":

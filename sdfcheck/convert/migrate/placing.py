@@ -112,9 +112,9 @@ class Places:
         return look_up(frame, reference)
 
 
-def resolve_poses(migration: Migration, *, everything: bool) -> None:
+def resolve_poses(migration: Migration) -> None:
     """Write poses without what the target lacks: references, other spellings of rotations, placement frames."""
-    places = Places(migration)
+    places, everything = Places(migration), migration.goes_below(7)
     changes: list[tuple[Node, Node | None, Array]] = []
     for owner in migration.root.standard():
         pose = owner.find("pose")
