@@ -71,7 +71,7 @@ def _apply(migration: Migration, operation: Operation, node: Node) -> None:
     elif name == "remove":
         for child in node.children(source):
             child.remove()
-    elif name == "remove_empty" and source[0] == "@" and not (node.get(source[1:]) or "x").strip():
+    elif name == "remove_empty" and source[0] == "@" and node.get(source[1:]) == "":
         node.unset(source[1:])
 
 

@@ -44,9 +44,9 @@ def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
 
 
 def _meanings(migration: Migration, definition: Definition) -> list[Definition]:
-    """What the place of a definition holds in the versions that the source may have meant."""
-    newest = NEWEST if migration.target < migration.source else migration.source
-    minors = range(migration.source.minor, newest.minor + 1)
+    """What the place of a definition holds in the versions that are left, or those that the source may have meant."""
+    source, target = migration.source.minor, migration.target.minor
+    minors = range(source, target) if source < target else range(source, NEWEST.minor + 1)
     found = (schema(Version(1, minor)).at(definition.place) for minor in minors)
     return [known for known in found if known is not None]
 

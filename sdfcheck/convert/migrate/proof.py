@@ -29,7 +29,7 @@ def comparisons(migration: Migration) -> list[Comparison]:
     compared = list(_worlds(migration, source, result))
     for name, scope in models(source):
         try:
-            robot = _without_mimics(migration, read_sdf_robot(scope))
+            robot = comparable(migration, read_sdf_robot(scope))
         except (RobotError, PoseError) as error:
             place = scope.element if scope.element.document is source else scope.placed
             if place is not None and place.document is source:
@@ -93,7 +93,8 @@ def _placement(frame: Frame) -> Array:
     return Poses().reached(frame.inner, link)
 
 
-def _without_mimics(migration: Migration, robot: Robot) -> Robot:
+def comparable(migration: Migration, robot: Robot) -> Robot:
+    """A robot of the source without what is a loss."""
     if not migration.lost_mimics:
         return robot
     joints = {
@@ -118,4 +119,4 @@ def correspondence(migration: Migration, source: Robot) -> Correspondence:
     )
 
 
-__all__ = ["comparisons", "correspondence", "models"]
+__all__ = ["comparable", "comparisons", "correspondence", "models"]

@@ -158,3 +158,10 @@ def test_what_includes_itself_is_not_written_out(tmp_path: Path) -> None:
     file.write_text(f'<sdf version="1.9"><model name="m"><link name="a"/>{include}</model></sdf>')
     with pytest.raises(NotConvertible, match="includes itself"):
         sdf_to_sdf(opened(file), Version(1, 8))
+
+
+def test_a_second_model_at_the_top_is_told_of() -> None:
+    text = '<sdf version="1.7"><model name="a"><link name="l"/></model><model name="b"><link name="l"/></model></sdf>'
+    done = migrate(text, Version(1, 8))
+    assert done.text == text.replace("1.7", "1.8")
+    assert [loss.message.partition(":")[0] for loss in done.losses] == ["model `b` is not read"]
