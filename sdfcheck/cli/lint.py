@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.options import PATH
+from sdfcheck.cli.options import PATH, colored, folders, listing, path
 from sdfcheck.cli.output import FORMATS, Output, outputs, write
 from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
 from sdfcheck.lint.config import Configuration
@@ -44,6 +44,8 @@ class Request:
     fix: bool
     unsafe_fixes: bool
     diff: bool
+    add_ignore: bool
+    reason: str
     baseline: Path | None
     write_baseline: bool
     output_format: tuple[str, ...]
@@ -65,33 +67,12 @@ class Request:
     quiet: bool
 
 
-def _commas(
-    context: click.Context, parameter: click.Parameter, value: tuple[str, ...]
-) -> tuple[str, ...] | None:
-    """Lists may be given in one option or in several; None if none is given."""
-    if not value:
-        return None
-    return tuple(word.strip() for text in value for word in text.split(",") if word.strip())
-
-
-def _listing(flag: str, help: str, metavar: str = "RULES") -> Callable[[Any], Any]:
-    return click.option(flag, multiple=True, callback=_commas, metavar=metavar, help=help)
-
-
-def _path(flag: str, help: str) -> Callable[[Any], Any]:
-    return click.option(flag, type=PATH, metavar="FILE", help=help)
-
-
-def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
-    return click.option(flag, name, multiple=True, type=PATH, metavar="FOLDER", help=help)
-
-
 @click.command()
 @click.argument("paths", nargs=-1, type=PATH)
-@_listing("--select", "The rules to run: codes, names, families or ALL, parted by commas.")
-@_listing("--extend-select", "Rules to run besides those that are selected.")
-@_listing("--ignore", "Rules not to run.")
-@_listing(
+@listing("--select", "The rules to run: codes, names, families or ALL, parted by commas.")
+@listing("--extend-select", "Rules to run besides those that are selected.")
+@listing("--ignore", "Rules not to run.")
+@listing(
     "--target", "Keep the rules that matter to these readers: gazebo, drake, urdfdom, mujoco.", "READERS"
 )
 @click.option("--fix", is_flag=True, help="Apply safe fixes; report what is left.")
@@ -99,7 +80,11 @@ def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
     "--unsafe-fixes", is_flag=True, help="With --fix or --diff: also those that a person should check."
 )
 @click.option("--diff", is_flag=True, help="Show what --fix would change; exit with 1 if that is anything.")
-@_path("--baseline", "Report only what this file does not know yet.")
+@click.option("--add-ignore", is_flag=True, help="Silence what is found, by comments in the files.")
+@click.option(
+    "--reason", default="", metavar="TEXT", help="With --add-ignore: what the comments give as reason."
+)
+@path("--baseline", "Report only what this file does not know yet.")
 @click.option("--write-baseline", is_flag=True, help="Write what is found to the file of --baseline.")
 @click.option(
     "--fail-on",
@@ -114,9 +99,9 @@ def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
     metavar="FORMAT[=FILE]",
     help=f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]",
 )
-@_path("--output-file", "Write the report there instead of to stdout.")
+@path("--output-file", "Write the report there instead of to stdout.")
 @click.option("--statistics", is_flag=True, help="Count diagnostics by rule instead of showing them.")
-@_path("--stdin-filename", "What to call the text that `-` reads from stdin.")
+@path("--stdin-filename", "What to call the text that `-` reads from stdin.")
 @click.option(
     "--kind",
     type=click.Choice([kind.value for kind in _KINDS]),
@@ -124,17 +109,15 @@ def _folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
 )
 @click.option("--no-expand", is_flag=True, help="Check xacro files only as they are written.")
 @click.option("--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is.")
-@_folders("--package-path", "package_paths", "A folder below which to look for ROS packages.")
-@_folders("--model-path", "model_paths", "A folder in which to look for models.")
+@folders("--package-path", "package_paths", "A folder below which to look for ROS packages.")
+@folders("--model-path", "model_paths", "A folder in which to look for models.")
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
 @click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
-@_path("--config", "Use this configuration file and no other.")
+@path("--config", "Use this configuration file and no other.")
 @click.option("--isolated", is_flag=True, help="Use no configuration file.")
 @click.option("--show-files", is_flag=True, help="List the files that would be checked.")
 @click.option("--show-settings", is_flag=True, help="Show the settings that apply to the first path.")
-@click.option(
-    "--color", type=click.Choice(["auto", "always", "never"]), default="auto", help="When to colour."
-)
+@colored()
 @click.option("-q", "--quiet", is_flag=True, help="Report, and say nothing else.")
 def lint(**given: Any) -> int:
     """Check SDFormat, URDF, xacro and model.config files.
@@ -152,15 +135,16 @@ def lint(**given: Any) -> int:
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
     teller = _Teller(quiet=request.quiet)
     done = _run(request, paths, options, teller)
-    if request.fix or request.diff:
-        from sdfcheck.cli.fix import Fixer
+    rewrites = request.fix or request.add_ignore
+    if rewrites or request.diff:
+        from sdfcheck.cli.rewrite import Rewriter, work
 
-        fixer = Fixer(paths, options, teller, unsafe=request.unsafe_fixes)
+        rewriter = Rewriter(paths, options, teller, work(request), quiet=request.quiet)
         if request.diff:
-            changes = fixer.show(done, quiet=request.quiet)
+            changes = rewriter.show(done)
             teller.flush()
             return 2 if teller.failed else 0 if request.exit_zero else changes
-        done = fixer.fix(done)
+        done = rewriter.write(done)
     if request.baseline is not None:
         from sdfcheck.cli import baseline
 
@@ -169,7 +153,7 @@ def lint(**given: Any) -> int:
             return baseline.write(done, request.baseline, quiet=request.quiet)
         done = baseline.without_known(done, request.baseline, teller)
     teller.flush()
-    _report(request, wanted, done, aside=request.fix and options.stdin is not None)
+    _report(request, wanted, done, aside=rewrites and options.stdin is not None)
     return 2 if teller.failed else _exit_code(request, done, settings.fail_on)
 
 
@@ -237,6 +221,10 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
     """What the session needs to know, and the paths without ``-``."""
     if request.config is not None and request.isolated:
         raise WrongUsage("--config and --isolated exclude each other")
+    if request.add_ignore and (request.fix or request.baseline):
+        raise WrongUsage("--add-ignore goes with neither --fix nor --baseline")
+    if request.reason and not request.add_ignore:
+        raise WrongUsage("--reason goes with --add-ignore")
     if request.write_baseline and request.baseline is None:
         raise WrongUsage("--write-baseline needs --baseline FILE")
     if request.target:

@@ -22,3 +22,27 @@ def colored(help: str = "When to colour.") -> Callable[[F], F]:
     """``--color``: auto, always or never."""
     kind = click.Choice(["auto", "always", "never"])
     return click.option("--color", type=kind, default="auto", help=help)
+
+
+def _commas(
+    context: click.Context, parameter: click.Parameter, value: tuple[str, ...]
+) -> tuple[str, ...] | None:
+    """Lists may be given in one option or in several; None if none is given."""
+    if not value:
+        return None
+    return tuple(word.strip() for text in value for word in text.split(",") if word.strip())
+
+
+def listing(flag: str, help: str, metavar: str = "RULES") -> Callable[[Any], Any]:
+    """An option for a list."""
+    return click.option(flag, multiple=True, callback=_commas, metavar=metavar, help=help)
+
+
+def path(flag: str, help: str) -> Callable[[Any], Any]:
+    """An option for a file."""
+    return click.option(flag, type=PATH, metavar="FILE", help=help)
+
+
+def folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
+    """An option for a folder, which may be repeated."""
+    return click.option(flag, name, multiple=True, type=PATH, metavar="FOLDER", help=help)

@@ -33,8 +33,8 @@ class Mended(NamedTuple):
     refusal: str = ""
 
 
-class _Refused(Exception):
-    """Fixes do no good; the message says why."""
+class Refused(Exception):
+    """Edits do no good; the message says why."""
 
 
 def mend(done: Run, paths: Sequence[Path], options: Options, *, unsafe: bool) -> Iterator[Mended]:
@@ -70,12 +70,12 @@ def mend_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], 
             else:
                 left, fewest = ROUNDS, len(fixes)
             edits, applied = together(fixes)
-            now = now._replace(data=_edited(now, edits))
+            now = now._replace(data=edited(now, edits))
             if now.data in seen or not left:
-                raise _Refused("its fixes undo one another")
+                raise Refused("its fixes undo one another")
             seen.add(now.data)
             fixed += applied
-    except _Refused as refusal:
+    except Refused as refusal:
         return Mended(file.path, file.data, file.data, 0, str(refusal))
     return Mended(file.path, file.data, now.data, fixed)
 
@@ -139,18 +139,18 @@ def _allowed(fix: Fix, unsafe: bool) -> bool:
     return unsafe or fix.is_safe
 
 
-def _edited(file: Selected, edits: Sequence[Edit]) -> bytes:
-    """The bytes after the edits; raises _Refused where they are worse than before."""
+def edited(file: Selected, edits: Sequence[Edit]) -> bytes:
+    """The bytes after the edits; raises Refused where they are worse than before."""
     pieces = [(*_range(edit), edit.text) for edit in edits]
     try:
         result = splice(file.data, pieces)
     except Unwritable as error:
-        raise _Refused(str(error)) from None
+        raise Refused(str(error)) from None
     before, after = _read(file), _read(file._replace(data=result))
     if after.source.text != replaced(before.source.text, pieces):
-        raise _Refused("the fixes would change how its other characters are read")
+        raise Refused("the edits would change how its other characters are read")
     if _is_worse(before, after):
-        raise _Refused("the fixes would break it")
+        raise Refused("the edits would break it")
     return result
 
 

@@ -131,7 +131,7 @@ def test_a_file_that_cannot_be_written_is_said(lint: Shell, monkeypatch: pytest.
     def fail(path: Path, data: bytes) -> None:
         raise PermissionError(13, "Permission denied", str(path))
 
-    monkeypatch.setattr("sdfcheck.cli.fix.overwrite", fail)
+    monkeypatch.setattr("sdfcheck.cli.rewrite.overwrite", fail)
     assert lint("--fix", "a.sdf") == 2
     assert lint.err == "error: a.sdf: cannot be written: Permission denied\n"
     assert Path("a.sdf").read_bytes() == WRONG

@@ -1,10 +1,12 @@
-"""``--fix`` and ``--diff`` of ``sdfcheck lint``."""
+"""``--fix``, ``--add-ignore`` and ``--diff`` of ``sdfcheck lint``."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
+from typing import NamedTuple, Protocol
 
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.fixer import ROUNDS, Mended, mend
@@ -13,24 +15,61 @@ from sdfcheck.lint.session import Level, Notice, Notify, Options, run
 from sdfcheck.lint.wording import counted
 from sdfcheck.source.decode import decode, encoding_of
 from sdfcheck.source.overwrite import overwrite
+from sdfcheck.source.wrong_usage import WrongUsage
 
 
-class Fixer:
-    """Fixes what a run has found in the files below ``paths``, or the text of stdin."""
+class Work(NamedTuple):
+    """What is done to files: the word for it, and the function that does it."""
 
-    def __init__(self, paths: Sequence[Path], options: Options, notify: Notify, *, unsafe: bool) -> None:
+    verb: str
+    participle: str
+    change: Callable[[Run, Sequence[Path], Options], Iterator[Mended]]
+
+
+class Request(Protocol):
+    """What the command line says about it."""
+
+    unsafe_fixes: bool
+    add_ignore: bool
+    reason: str
+
+
+def work(request: Request) -> Work:
+    """What the command line asks for.
+
+    Raises:
+        WrongUsage: the reason cannot stand in a comment.
+    """
+    if not request.add_ignore:
+        return Work("fix", "fixed", partial(mend, unsafe=request.unsafe_fixes))
+    from sdfcheck.lint.add_ignores import add_ignores
+
+    if "--" in request.reason or request.reason.endswith("-") or not request.reason.isprintable():
+        raise WrongUsage(
+            "--reason cannot stand in a comment: it has `--`, ends with `-` or is no line of text"
+        )
+    return Work("silence", "silenced", partial(add_ignores, reason=request.reason.strip()))
+
+
+class Rewriter:
+    """Changes the files below ``paths`` in which a run has found something, or the text of stdin."""
+
+    def __init__(
+        self, paths: Sequence[Path], options: Options, notify: Notify, work: Work, *, quiet: bool
+    ) -> None:
         self._paths = paths
         self._options = options
         self._notify = notify
-        self._unsafe = unsafe
+        self._work = work
+        self._quiet = quiet
         self._given_up: set[Path] = set()
 
-    def fix(self, done: Run) -> Run:
+    def write(self, done: Run) -> Run:
         """Write what changes, and lint again: a fix in one file may show in another.
 
         The text of stdin goes to stdout.
         """
-        fixed = 0
+        fixed, silenced = 0, done.suppressed
         for _ in range(ROUNDS):
             written = sum(mended.fixed for mended in self._mended(done) if self._write(mended))
             if not written:
@@ -40,25 +79,30 @@ class Fixer:
         if self._options.stdin is not None:
             sys.stdout.buffer.write(self._options.stdin)
             sys.stdout.flush()
-        return done._replace(fixed=fixed)
+        if self._work.verb == "fix":
+            return done._replace(fixed=fixed)
+        if not self._quiet:
+            new = done.suppressed - silenced
+            say(f"Silenced {counted(new, 'finding')}." if new else "Nothing to silence.")
+        return done
 
-    def show(self, done: Run, *, quiet: bool) -> int:
+    def show(self, done: Run) -> int:
         """Print what would change as a unified diff; the exit code says whether there is anything."""
         fixed = 0
         for mended in self._mended(done):
             emit(unified_diff(mended))
             fixed += mended.fixed
-        if not quiet:
-            whole = counted(max(fixed, len(done.diagnostics)), "finding")
-            say(f"Would fix {fixed} of {whole}." if fixed else "Nothing to fix.")
+        if not self._quiet:
+            whole, verb = counted(max(fixed, len(done.diagnostics)), "finding"), self._work.verb
+            say(f"Would {verb} {fixed} of {whole}." if fixed else f"Nothing to {verb}.")
         return int(fixed > 0)
 
     def _mended(self, done: Run) -> Iterator[Mended]:
-        for mended in mend(done, self._paths, self._options, unsafe=self._unsafe):
+        for mended in self._work.change(done, self._paths, self._options):
             if mended.path in self._given_up:
                 continue
             if mended.refusal:
-                self._give_up(mended.path, Level.WARNING, f"not fixed: {mended.refusal}")
+                self._give_up(mended.path, Level.WARNING, f"not {self._work.participle}: {mended.refusal}")
             elif mended.fixed:
                 yield mended
 
@@ -68,7 +112,9 @@ class Fixer:
             return True
         try:
             if mended.path.read_bytes() != mended.before:
-                self._give_up(mended.path, Level.FAILURE, "not fixed: it has changed meanwhile")
+                self._give_up(
+                    mended.path, Level.FAILURE, f"not {self._work.participle}: it has changed meanwhile"
+                )
                 return False
             overwrite(mended.path, mended.after)
         except OSError as error:
