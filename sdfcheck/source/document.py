@@ -128,20 +128,17 @@ class Document:
         return self._views[compute]  # type: ignore[no-any-return]
 
     def _parse(self) -> Element | None:
-        parser = self._parser(recover=False)
         text = self.source.text
         fault: etree._LogEntry | None = None
         # What a strict parser reads well but not as the simulators do is written anew.
         if "<!DOCTYPE" not in text and not _DEFAULT_NAMESPACE.search(text):
-            try:
-                root: Element = etree.fromstring(_encoded(text), parser)  # type: ignore[assignment]
-                self.is_wellformed = True
+            root, fault = self._parse_strictly(text)
+            if root is not None:
                 return root
-            except etree.XMLSyntaxError:
-                if _lacks_only_prefixes(parser):
-                    # Then names are kept as they are written, colon and all.
-                    return etree.fromstring(_encoded(text), self._parser(recover=True))  # type: ignore[return-value]
-                fault = _first_fault(parser)
+            if fault is not None and fault.type == etree.ErrorTypes.ERR_HYPHEN_IN_COMMENT:
+                root = self._parse_without_hyphens()
+                if root is not None:
+                    return root
         from sdfcheck.source.scan import scan
 
         self._scan = scan(self.source)
@@ -152,6 +149,32 @@ class Document:
         if not self._scan.starts:
             return None
         return etree.fromstring(_encoded(self._scan.wellformed), self._parser(recover=True))  # type: ignore[return-value]
+
+    def _parse_strictly(self, text: str) -> tuple[Element | None, etree._LogEntry | None]:
+        """The root of a text that is well formed, be it that declarations of prefixes lack; or why it is not."""
+        parser = self._parser(recover=False)
+        try:
+            root: Element = etree.fromstring(_encoded(text), parser)  # type: ignore[assignment]
+        except etree.XMLSyntaxError:
+            if _lacks_only_prefixes(parser):
+                # Then names are kept as they are written, colon and all.
+                return etree.fromstring(_encoded(text), self._parser(recover=True)), None  # type: ignore[return-value]
+            return None, _first_fault(parser)
+        self.is_wellformed = text is self.source.text
+        return root, None
+
+    def _parse_without_hyphens(self) -> Element | None:
+        """Try it with the hyphens of comments spaced out, of which there are too many."""
+        from sdfcheck.source.hyphens import without_hyphens
+
+        spaced = without_hyphens(self.source)
+        if spaced is None:
+            return None
+        text, found = spaced
+        root, _ = self._parse_strictly(text)
+        if root is not None:
+            self.problems = [*self.problems, *found]
+        return root
 
     def _parser(self, *, recover: bool) -> etree.XMLParser:
         """A parser whose elements know this document; it loads nothing from anywhere."""

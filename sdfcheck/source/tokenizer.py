@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 
 from sdfcheck.source.broken_tag import parse_broken_tag
-from sdfcheck.source.problems import CommentHyphens, DocumentType, Problem, SyntaxDefect, SyntaxKind
+from sdfcheck.source.hyphens import hyphens
+from sdfcheck.source.problems import DocumentType, Problem, SyntaxDefect, SyntaxKind
 from sdfcheck.source.slips import comment_end, find_inner_comment, line_end, section_end
 from sdfcheck.source.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names
 from sdfcheck.source.text import Source
@@ -25,7 +26,6 @@ _BARE_INSTRUCTION = re.compile(r"<xml\s[^<>]*\?>")
 _MISSPELT_OPENING = re.compile(r"<!?\[?CDATA\[|<!\[[A-Z]{3,6}\[|<!\[CDATA|<!-|<--", re.IGNORECASE)
 _NESTING = re.compile(r"[\[\]>]|<!--.*?-->|\"[^\"]*\"|'[^']*'", re.DOTALL)
 _ENTITY = re.compile(r"<!ENTITY\s+(?:%\s+)?([\w.\-:]+)")
-_HYPHENS = re.compile(r"-{2,}")
 _CUTS = frozenset(
     (
         SyntaxKind.TRUNCATED,
@@ -207,7 +207,9 @@ class _Tokenizer:
         if end == 2:
             end = self.unclosed_comment(at, len(text))
         elif (inner := find_inner_comment(text, at, end)) is None:
-            self.hyphens(at, end)
+            problem = hyphens(self.source, at, end)
+            if problem is not None:
+                self.problems.append(problem)
         elif inner.unclosed:
             end = self.unclosed_comment(at, inner.start)
         else:
@@ -234,14 +236,6 @@ class _Tokenizer:
             self.note(SyntaxDefect(here, SyntaxKind.UNCLOSED_COMMENT))
         self.doubtful.append((at, end))
         return end
-
-    def hyphens(self, at: int, end: int) -> None:
-        text = self.text
-        runs = tuple(self.source.span(m.start(), m.end()) for m in _HYPHENS.finditer(text, at + 4, end - 3))
-        if not runs and text[end - 4] == "-" and end - 4 >= at + 4:
-            runs = (self.source.span(end - 4, end - 1),)
-        if runs:
-            self.problems.append(CommentHyphens(runs[0], runs))
 
     def take_document_type(self, at: int) -> int:
         # A second one is wrong in any case, and not worth reading to the end.
