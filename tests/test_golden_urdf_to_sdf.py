@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.cli.convert_input import Reader
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.version import Version
-from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
 
 CASES = Path(__file__).parents[1] / "fixtures" / "convert" / "urdf-to-sdf"
 
@@ -34,7 +35,10 @@ def test_there_are_cases() -> None:
 
 @pytest.mark.parametrize("case", sorted(CASES.iterdir()), ids=lambda case: case.name)
 def test_conversion(case: Path, request: pytest.FixtureRequest) -> None:
-    document = read((case / "input.urdf").read_bytes(), Path("input.urdf"))
+    (source,) = case.glob("input.*")
+    with Reader(None, True, (), lint=False) as reader:
+        document = reader.read(source, {Kind.URDF: "URDF"}).document
+    assert document is not None
     done = urdf_to_sdf(document, options_of(case))
     losses = "".join(
         f"{loss.span.begin.line}:{loss.span.begin.column}: "

@@ -66,6 +66,12 @@ def render(root: Node, before: Sequence[Comment] = (), after: Sequence[Comment] 
     return "\n".join(lines) + "\n"
 
 
+def with_line_ends(text: str, source: str) -> str:
+    """A rendered text with the line ends of the file that it comes from."""
+    line, end, _ = source.partition("\n")
+    return text.replace("\n", "\r\n") if end and line.endswith("\r") else text
+
+
 def _write(node: Node | Comment, indent: str, lines: list[str]) -> None:
     if isinstance(node, Comment):
         lines.append(f"{indent}<!--{_harmless(node.text)}-->")

@@ -32,6 +32,8 @@ class Context:
     dropped_shapes: set[str] = field(default_factory=set)
     lost_mimics: set[str] = field(default_factory=set)
     """Joints that do not follow another any more."""
+    overruled: dict[str, dict[str, float]] = field(default_factory=dict)
+    """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
     told: set[str] = field(default_factory=set)
 
     def lose(

@@ -10,10 +10,13 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS
 from sdfcheck.convert.writer import Comment, Node, comment_of, copied
+from sdfcheck.formats.values import number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.rotations import Array, from_rpy, transform
 from sdfcheck.source.element import Element
 
+_COUNT = ("max_contacts",)
+"""Where a whole number is wanted."""
 _SURFACE = {
     "mu1": ("surface", "friction", "ode", "mu"),
     "mu": ("surface", "friction", "ode", "mu"),
@@ -23,8 +26,8 @@ _SURFACE = {
     "kd": ("surface", "contact", "ode", "kd"),
     "maxVel": ("surface", "contact", "ode", "max_vel"),
     "minDepth": ("surface", "contact", "ode", "min_depth"),
-    "maxContacts": ("max_contacts",),
-    "max_contacts": ("max_contacts",),
+    "maxContacts": _COUNT,
+    "max_contacts": _COUNT,
     "laserRetro": ("laser_retro",),
 }
 """What a block for a link says of each of its collisions."""
@@ -38,6 +41,7 @@ _OF_JOINT = {
     "springReference": ("axis", "dynamics", "spring_reference"),
     "springStiffness": ("axis", "dynamics", "spring_stiffness"),
 }
+_NUMBERS = frozenset({"lower", "upper", "effort", "velocity", "damping", "friction"})
 _FLAGS = {"turnGravityOff": ("gravity", True), "selfCollide": ("self_collide", False)}
 """Setting → SDFormat's name for it, and whether it says the contrary."""
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
@@ -143,11 +147,7 @@ class Extensions:
         if name in _OF_JOINT:
             self._joint_number(entry, joint)
         elif name == "axis":
-            if (axis := joint.find("axis")) is not None:
-                merge(copied(entry), axis)
-            else:
-                text = "<axis> means nothing on a fixed joint and is left out"
-                context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+            self._axis(entry, joint)
         elif name in _KEEP_FIXED:
             return
         elif entry.is_custom or (name != "pose" and context.allows(f"joint/{name}")):
@@ -158,6 +158,23 @@ class Extensions:
                 joint.append(made)
         else:
             context.keep(entry, joint)
+
+    def _axis(self, entry: Element, joint: Node) -> None:
+        """Limits and dynamics for Gazebo go before those of the joint; where it turns is for the joint to say."""
+        context, axis = self.context, joint.find("axis")
+        if axis is None:
+            text = "<axis> means nothing on a fixed joint and is left out"
+            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+            return
+        for part in entry.children():
+            if part.name not in {"limit", "dynamics"}:
+                text = f"<{part.name}> is left out: the joint's own counts"
+                context.lose(part, LossKind.EXTENSION_NOT_CARRIED, text)
+                continue
+            merge(copied(part), axis.reach(part.name))
+            for setting in part.children():
+                if setting.name in _NUMBERS and (value := number(setting.content)) is not None:
+                    context.overruled.setdefault(joint.attributes["name"], {})[setting.name] = value
 
     def _joint_number(self, entry: Element, joint: Node) -> None:
         context, path = self.context, _OF_JOINT[entry.name]
@@ -184,8 +201,9 @@ class _LinkPart:
     def put(self, entry: Element, link: Node) -> None:
         context, name = self.context, entry.name
         if name in _SURFACE:
+            place, text = _SURFACE[name], value_of(entry)
             for collision in self._parts(link, "collision"):
-                collision.reach(*_SURFACE[name]).text = value_of(entry).removesuffix(".0")
+                collision.reach(*place).text = text.removesuffix(".0") if place == _COUNT else text
         elif name in {"visual", "collision"}:
             for part in self._parts(link, name):
                 merge(copied(entry), part)

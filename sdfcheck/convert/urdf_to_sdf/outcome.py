@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.convert.urdf_to_sdf.plan import Plan, free_joints
@@ -24,8 +25,11 @@ def read_back(text: str, path: Path, context: Context) -> Robot:
     return robot
 
 
-def expected(robot: Robot, plan: Plan, lost_mimics: set[str]) -> Robot:
-    """The source with what was reported: masses supplied, limits that mean none, joints that do not follow."""
+def expected(robot: Robot, plan: Plan, context: Context) -> Robot:
+    """The source with what was reported, and what it has for Gazebo.
+
+    That is masses supplied, limits that mean none, joints that do not follow.
+    """
     links = dict(robot.links)
     for name in plan.supplied - plan.automatic:
         for part in plan.parts(name):
@@ -37,8 +41,9 @@ def expected(robot: Robot, plan: Plan, lost_mimics: set[str]) -> Robot:
     for name, joint in robot.joints.items():
         if name in free:
             continue  # what floats stays where it is, whatever moves
-        axes = tuple(_unbounded(axis) for axis in joint.axes)
-        if name in lost_mimics:
+        told: dict[str, Any] = dict(context.overruled.get(plan.names.joints[name], {}))
+        axes = tuple(_unbounded(replace(axis, **told)) for axis in joint.axes)
+        if name in context.lost_mimics:
             axes = tuple(replace(axis, mimic=None) for axis in axes)
         joints[name] = replace(joint, axes=axes)
     return Robot(robot.name, links, joints, robot.frames)

@@ -159,3 +159,22 @@ def test_a_pose_in_degrees_moves_with_its_sensor() -> None:
     )
     done = convert(ARM.replace("</robot>", block), Options(fixed_joints=FixedJoints.MERGE))
     assert "<pose>0 0 0.5 0 0 1.5707963267948966</pose>" in done.text
+
+
+def test_line_ends_are_those_of_the_source() -> None:
+    assert "\r" not in convert(ARM).text
+    done = convert(ARM.replace("\n", "\r\n"))
+    assert done.text == convert(ARM).text.replace("\n", "\r\n")
+
+
+def test_a_link_takes_what_a_joint_of_its_name_cannot_have() -> None:
+    robot = ARM.replace('name="weld"', 'name="rod"').replace(
+        "</robot>",
+        '<gazebo reference="rod"><mu1>1</mu1><sensor name="s" type="imu"/>'
+        "<preserveFixedJoint>true</preserveFixedJoint></gazebo></robot>",
+    )
+    kept = convert(robot, Options(fixed_joints=FixedJoints.MERGE)).text
+    assert '<joint name="rod_joint" type="fixed">' in kept
+    merged = convert(robot.replace("true<", "false<"), Options(fixed_joints=FixedJoints.MERGE)).text
+    assert "fixed" not in merged
+    assert all(text.count('<sensor name="s"') == 1 for text in (kept, merged))
