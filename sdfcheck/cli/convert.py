@@ -120,6 +120,8 @@ class _Outcome(NamedTuple):
     losses: Sequence[Diagnostic] = ()
     conversion: Conversion | None = None
     failed: bool = False
+    is_unsound: bool = False
+    """Whether errors of the source stopped it."""
 
     @property
     def has_losses(self) -> bool:
@@ -146,14 +148,25 @@ def convert_files(
     targets = _targets(request, suffix)
     wanted = outputs(request.output_format or ("full",), None)
     outcomes = []
+    unusable = 0
     with Reader(request.config, request.isolated, request.arguments, lint=request.lint) as reader:
         for file, target in zip(request.files, targets, strict=True):
-            outcome = _convert(reader.read(file, kinds), convert, request)
+            try:
+                outcome = _convert(reader.read(file, kinds), convert, request)
+                if outcome.conversion is not None and not outcome.failed:
+                    _write(outcome.conversion, target)
+            except WrongUsage as error:
+                if len(targets) == 1:
+                    raise
+                # The other files are not to blame.
+                say(f"error: {error}")
+                unusable += 1
+                continue
             outcomes.append(outcome)
-            if outcome.conversion is not None and not outcome.failed:
-                _write(outcome.conversion, target)
     to_stdout = request.output is None and request.output_dir is None
     _report(outcomes, wanted, request, sys.stderr if to_stdout else sys.stdout)
+    if unusable:
+        return 2
     return int(any(one.failed or (request.strict and one.has_losses) for one in outcomes))
 
 
@@ -189,7 +202,8 @@ def _convert(given: Input, convert: Convert, request: Request) -> _Outcome:
     from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 
     if given.document is None or not given.is_sound:
-        return _Outcome(given.file, given.errors, failed=True)
+        unsound = given.document is not None
+        return _Outcome(given.file, given.errors, failed=True, is_unsound=unsound)
     try:
         done = convert(given.document, request.verify)
     except NotConvertible as error:
@@ -252,7 +266,7 @@ def _sum_up(outcome: _Outcome, *, named: bool) -> None:
     prefix = f"{outcome.file}: " if named else ""
     verification = outcome.conversion.verification if outcome.conversion is not None else None
     if outcome.failed:
-        advice = "" if outcome.conversion is not None else "; --no-lint tries all the same"
+        advice = "; --no-lint tries all the same" if outcome.is_unsound else ""
         say(f"{prefix}not converted, nothing written{advice}")
     elif verification is not None:
         say(f"{prefix}verified: {verification}")

@@ -179,7 +179,8 @@ class _Comparison:
         angles_apart = angles_between(here[..., :3, :3], there[..., :3, :3])
         self.position, self.angle = float(positions_apart.max()), float(angles_apart.max())
         allowed = self.tolerance * np.maximum(1.0, np.linalg.norm(here[..., :3, 3], axis=-1))
-        off = (positions_apart > allowed) | (angles_apart > self.tolerance)
+        # Written so that what is no number is off as well.
+        off = ~((positions_apart <= allowed) & (angles_apart <= self.tolerance))
         for number in np.flatnonzero(off.any(axis=1)):
             apart = f"{positions_apart[number].max():.3g} m and {angles_apart[number].max():.3g} rad"
             self.differ("link", self.compared[number], f"is {apart} off")
@@ -223,7 +224,7 @@ class _Comparison:
         }
         for what, error in errors.items():
             self.inertia = max(self.inertia, error)
-            if error > self.tolerance:
+            if not error <= self.tolerance:
                 self.differ(what, name, f"differs by {error:.3g}")
 
     def compare_joints(self) -> None:

@@ -137,8 +137,8 @@ def _numbers(element: Element, name: str, default: tuple[float, ...]) -> tuple[f
         numbers = tuple(float(part) for part in text.split())
     except ValueError:
         numbers = ()
-    if len(numbers) != len(default):
-        raise RobotError(f"{name} {text!r} is not {len(default)} numbers", element)
+    if len(numbers) != len(default) or not all(map(math.isfinite, numbers)):
+        raise RobotError(f"{name} {text!r} is not {len(default)} finite numbers", element)
     return numbers
 
 
@@ -147,6 +147,10 @@ def _number(element: Element | None, name: str, default: float) -> float:
     if text is None or element is None:
         return default
     try:
-        return float(text)
+        value = float(text)
     except ValueError:
-        raise RobotError(f"{name} {text!r} is not a number", element) from None
+        value = math.nan
+    # A limit may be infinite, which is none.
+    if math.isnan(value) or (math.isinf(value) and element.name != "limit"):
+        raise RobotError(f"{name} {text!r} is not a finite number", element)
+    return value

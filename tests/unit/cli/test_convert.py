@@ -56,6 +56,17 @@ def test_two_inputs_with_one_result_are_refused(
     assert not (tmp_path / "out").exists()
 
 
+def test_a_file_that_cannot_be_used_does_not_keep_the_others(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "text.urdf").write_text("no robot")
+    assert run(tmp_path / "none.urdf", tmp_path / "text.urdf", urdf, "--output-dir", tmp_path / "out") == 2
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["r.sdf"]
+    err = capsys.readouterr().err
+    assert "none.urdf cannot be read" in err
+    assert "text.urdf looks like" in err
+
+
 def test_losses_are_reported_and_strict_makes_them_count(
     urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -74,6 +74,14 @@ def verified(done: Conversion, text: str) -> Verification:
     return Comparison(before.source, result, before.correspondence).verify()
 
 
+def test_what_is_no_number_is_not_equal_to_it() -> None:
+    done = convert(ARM)
+    robot = done.comparisons[0].source
+    for pose in (robot.links["rod"].pose, robot.joints["swing"].pose):
+        pose[0, 3] = float("nan")
+    assert not Comparison(robot, robot, done.comparisons[0].correspondence).verify().is_equal
+
+
 def test_links_are_weighed_one_by_one() -> None:
     done = convert(ARM.replace(MASS, MASS.replace("2", "3"), 1))
     # Rod and tip are welded: what goes from one to the other changes no total.
@@ -135,7 +143,16 @@ def test_a_link_without_mass_stays() -> None:
             '<link name="a"/><link name="b"/>' + TIE.format("j") + TIE.format("k"),
             "joint `k` closes a loop",
         ),
-        ('<link name="a"><inertial><mass value="heavy"/></inertial></link>', "'heavy' is not a number"),
+        (
+            '<link name="a"><inertial><mass value="heavy"/></inertial></link>',
+            "'heavy' is not a finite number",
+        ),
+        ('<link name="a"><inertial><mass value="nan"/></inertial></link>', "'nan' is not a finite number"),
+        (
+            '<link name="a"/><link name="b"/>'
+            + TIE.format("j").replace("<parent", '<origin xyz="0 0 inf"/><parent'),
+            "'0 0 inf' is not 3 finite numbers",
+        ),
     ],
 )
 def test_what_cannot_be_converted_is_refused_with_its_place(body: str, reason: str) -> None:
