@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    edit,
+    problems,
+    used,
+    warns,
+)
 
 SENSOR = (
     '<sdf version="1.9"><model name="m"><link name="base"><sensor name="s" type="imu"><imu/>{}</sensor>'
@@ -55,15 +68,16 @@ class FrameIdSpelling(Rule):
     )
 
     def check(self, problem: problems.FrameIdSpelling) -> Iterator[Diagnostic]:
-        element, instead = problem.element, problem.instead
+        element, instead = problem.elements[0], problem.instead
+        times = used(len(problem.elements))
         if element.name == instead:
-            message = f"`{instead}` is not in SDFormat {problem.version}; Gazebo reads it all the same"
+            message = f"`{instead}`{times} is not in SDFormat {problem.version}; Gazebo reads it all the same"
             advice = "from version 1.12 on there is `frame_id`"
             yield self.diagnostic(element, message, help=advice, severity=Severity.INFO)
             return
-        message = f"`{element.name}` is now called `{instead}`"
+        message = f"`{element.name}`{times} is now called `{instead}`"
         if instead == "frame_id":
-            message = f"`{element.name}` is `frame_id` in SDFormat {problem.version}"
-        spans = (element.span, element.document.spans.end_name(element))
+            message = f"`{element.name}`{times} is `frame_id` in SDFormat {problem.version}"
+        spans = (span for use in problem.elements for span in (use.span, use.document.spans.end_name(use)))
         edits = tuple(Edit(span, instead) for span in spans if span is not None)
         yield self.diagnostic(element, message, fix=edit(f"rename it to `{instead}`", edits))

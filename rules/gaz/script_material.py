@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used, warns
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 SHAPE = "<geometry><box><size>1 1 1</size></box></geometry>"
@@ -30,11 +30,13 @@ class ScriptMaterial(Rule):
         Bad(
             f"{SHAPE}<material><script><uri>model://m/materials/scripts</uri>"
             "<name>«Bark»</name></script></material>",
-            says="material script `Bark` and no colour beside it",
+            says="new Gazebo does not read material script `Bark`, and no colour stands beside it",
         ),
         Bad(
-            '<gazebo reference="base"><material>«Gazebo/Red»</material></gazebo>',
+            '<gazebo reference="base"><material>«Gazebo/Red»</material></gazebo>'
+            '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>',
             scaffold=LINK,
+            says="`Gazebo/Red` (used 2 times)",
         ),
     )
     good = (
@@ -51,11 +53,11 @@ class ScriptMaterial(Rule):
     )
 
     def check(self, problem: problems.ScriptMaterial) -> Iterator[Diagnostic]:
-        script = f" `{problem.script}`" if problem.script else ""
+        script = f"material script `{problem.script}`" if problem.script else "a material script"
         severity = Severity.INFO if problem.script.startswith("Gazebo/") else None
         yield self.diagnostic(
             problem.target,
-            f"material script{script} and no colour beside it",
+            f"new Gazebo does not read {script}{used(problem.count)}, and no colour stands beside it",
             help="give the material `ambient` and `diffuse`",
             severity=severity,
         )

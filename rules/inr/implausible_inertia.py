@@ -25,7 +25,7 @@ class ImplausibleInertia(Rule):
         Bad(
             "<inertial><mass>2</mass><«inertia»><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia></inertial>"
             '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
-            says="1e+03 times",
+            says="1000 times",
         ),
     )
     good = (
@@ -43,7 +43,12 @@ class ImplausibleInertia(Rule):
 
     def check(self, problem: problems.ImplausibleInertia) -> Iterator[Diagnostic]:
         ratio = problem.ratio
-        much = f"{ratio:.1g} times" if ratio > 1 else f"1/{1 / ratio:.3g} of"
+        much = f"{_rounded(ratio)} times" if ratio > 1 else f"1/{_rounded(1 / ratio)} of"
         message = f"the inertia is {much} that of a solid of this mass in the link's shapes"
         labels = {problem.link: "this link", problem.shape: "compared with this shape"}
         yield self.diagnostic(problem.inertia, message, labels=labels)
+
+
+def _rounded(ratio: float) -> str:
+    """One digit and zeros, as far as people read them."""
+    return f"{float(f'{ratio:.1g}'):.0f}" if ratio < 1e7 else f"{ratio:.0e}"

@@ -66,8 +66,9 @@ class UndeclaredPrefix(Rule):
         prefix, times = problem.prefix, used(len(problem.uses))
         namespace = problem.namespace or WELL_KNOWN.get(prefix, "")
         fix: Fix | None = None
-        advice = f'declare it on the root element: xmlns:{prefix}="…"'
+        advice: str | None = f'declare it on the root element: xmlns:{prefix}="…"'
         if namespace:
+            advice = None
             declaration = Edit(problem.root, f' xmlns:{prefix}="{namespace}"')
             fix = edit("declare it on the root element", (declaration,))
         if problem.elsewhere is None or problem.scope_end is None:

@@ -11,6 +11,7 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    used,
     warns,
 )
 
@@ -57,7 +58,8 @@ class RemovedElement(Rule):
         if attribute is not None:
             what = f"`{attribute}` of {element.title}"
             target = element.document.spans.attribute_name(element, attribute)
-        message = f"{what} went out of the format after version {problem.until}"
+        times = used(1 + len(problem.others))
+        message = f"{what}{times} went out of the format after version {problem.until}"
         if problem.successor is not None:
             message += f"; use `{problem.successor}`"
         yield self.diagnostic(target, message)

@@ -2,6 +2,9 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
+SHOWN = 3
+"""Further ones that are pointed at."""
+
 
 class RepeatedElement(Rule):
     """An element that may occur once is given again.
@@ -27,6 +30,10 @@ class RepeatedElement(Rule):
         Bad(
             "<inertial><mass>1</mass><«mass»>2</mass></inertial>",
             says="`mass` is given again in `inertial`; only the first counts",
+        ),
+        Bad(
+            "<inertial><mass>1</mass><«mass»>2</mass><mass>3</mass></inertial>",
+            says="`mass` is given 3 times in `inertial`; only the first counts",
         ),
         Bad(
             '<model name="a"><link name="l"/></model><«model» name="b"><link name="l"/></model>',
@@ -61,5 +68,7 @@ class RepeatedElement(Rule):
                 severity=Severity.ERROR,
             )
             return
-        message = f"`{element.name}` is given again in {problem.parent.title}; only the first counts"
-        yield self.diagnostic(element, message, labels={first: "the first one"})
+        often = f"{2 + len(problem.others)} times" if problem.others else "again"
+        message = f"`{element.name}` is given {often} in {problem.parent.title}; only the first counts"
+        labels = {first: "the first one", **dict.fromkeys(problem.others[:SHOWN], "and again")}
+        yield self.diagnostic(element, message, labels=labels)

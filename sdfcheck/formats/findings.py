@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats import history, problems
 from sdfcheck.formats.belonging import likely_parents
+from sdfcheck.formats.folding import folded
 from sdfcheck.formats.needed import NOT_GIVEN
 from sdfcheck.formats.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.suggest import suggest
@@ -275,7 +276,7 @@ class Findings:
                 self.found.append(problems.TooNewAttribute(first, attribute, since, declaration, all_uses))
             else:
                 self.found.append(problems.TooNewElement(first, parent, since, declaration, all_uses))
-        return self.found
+        return folded(self.found)
 
 
 def _meant_version(text: str) -> str | None:

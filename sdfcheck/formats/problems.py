@@ -97,7 +97,7 @@ class TooNewAttribute(Record):
 class RemovedElement(Record):
     """Dropped before the declared version; ``until`` is the last version that had it.
 
-    ``attribute`` is None when it is the element that was dropped.
+    ``attribute`` is None when it is the element that was dropped. ``others`` use it as well.
     """
 
     element: Element
@@ -105,6 +105,7 @@ class RemovedElement(Record):
     attribute: str | None
     until: Version
     successor: str | None
+    others: tuple[Element, ...] = ()
 
 
 class DeprecatedElement(Record):
@@ -167,12 +168,14 @@ class RepeatedElement(Record):
 
     ``refused``: libsdformat does not take the file. That is so for a second model, light
     or actor at the root, where ``element`` and ``first`` may be of different names.
+    ``others`` are given still later.
     """
 
     element: Element
     first: Element
     parent: Element
     refused: bool = False
+    others: tuple[Element, ...] = ()
 
 
 class StrayText(Record):

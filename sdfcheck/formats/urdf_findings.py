@@ -9,6 +9,7 @@ import re
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats import problems, urdf_problems
+from sdfcheck.formats.folding import folded
 from sdfcheck.formats.reading import Outcome
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.text_pieces import stray_line
@@ -221,7 +222,7 @@ class UrdfFindings:
             if element.name == "dynamics":
                 needed = near is not None and not {"damping", "friction"} & element.attributes.keys()
             self.found.append(urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed))
-        return self.found
+        return folded(self.found)
 
 
 def _meant(child: Element, place: UrdfElement) -> str | None:

@@ -22,9 +22,9 @@ def problems(document: Document) -> Iterator[object]:
 
         yield from frame_ids(document)
     if document.kind is Kind.SDF and "<script" in text:
-        from sdfcheck.model.gazebo_materials import script_materials
+        from sdfcheck.model.gazebo_materials import script_materials, told_once
 
-        yield from script_materials(document)
+        yield from told_once(script_materials(document))
     if document.kind is Kind.URDF and "<gazebo" in text:
         from sdfcheck.model.gazebo_extensions import extension_problems
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.problems import MissingAttribute
 from sdfcheck.formats.urdf_survey import survey
+from sdfcheck.model.gazebo_materials import told_once
 from sdfcheck.model.gazebo_problems import DisabledLumping, ExtensionLostByName, ScriptMaterial
 from sdfcheck.model.urdf_tree import tree
 from sdfcheck.source.document import Document
@@ -31,17 +32,19 @@ def extension_problems(document: Document) -> Iterator[object]:
         for block in surveyed.top("gazebo")
         if any(map(_is_on, block.children("preserveFixedJoint")))
     }
+    scripts: list[ScriptMaterial] = []
     for block in surveyed.top("gazebo"):
         yield from _plugins(block)
         reference = block.attributes.get("reference", "")
         link, joint = robot.links.get(reference), robot.joint_named.get(reference)
         if link is not None:
             yield from _lost(block, link, reference)
-            yield from _scripts(block, link)
+            scripts += _scripts(block, link)
         elif joint is not None and joint.element.attributes.get("type") == "fixed":
             for element in block.children("disableFixedJointLumping"):
                 if _is_on(element) and reference not in kept:
                     yield DisabledLumping(element, joint.element)
+    yield from told_once(scripts)
 
 
 def extension_parts(block: Element) -> Iterator[Element]:

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from sdfcheck.formats.survey import survey
 from sdfcheck.model.gazebo_problems import ScriptMaterial
 from sdfcheck.source.document import Document
 
 _COLOURS = ("ambient", "diffuse", "emissive", "pbr")
+
+
+def told_once(found: Iterable[ScriptMaterial]) -> Iterator[ScriptMaterial]:
+    """One problem for each script."""
+    by_script: dict[str, list[ScriptMaterial]] = {}
+    for problem in found:
+        by_script.setdefault(problem.script, []).append(problem)
+    for first, *others in by_script.values():
+        yield ScriptMaterial(first.target, first.script, 1 + len(others))
 
 
 def script_materials(document: Document) -> Iterator[ScriptMaterial]:

@@ -124,12 +124,13 @@ def frame_ids(document: Document) -> Iterator[FrameIdSpelling]:
         from sdfcheck.formats.survey import survey
 
         version = survey(document).version
+    instead = "frame_id" if version is not None and version >= _TWELVE else "gz_frame_id"
+    by_name: dict[str, list[Element]] = {}
     for element in elements(document):
         parent = element.parent
         if element.name not in _FRAME_IDS or parent is None or parent.name != "sensor":
             continue
-        if element.name == "frame_id":
-            continue
-        instead = "frame_id" if version is not None and version >= _TWELVE else "gz_frame_id"
-        if element.name != instead or version is not None:
-            yield FrameIdSpelling(element, instead, str(version or ""))
+        if element.name != "frame_id" and (element.name != instead or version is not None):
+            by_name.setdefault(element.name, []).append(element)
+    for uses in by_name.values():
+        yield FrameIdSpelling(tuple(uses), instead, str(version or ""))

@@ -47,16 +47,23 @@ class DisabledLumping(Record):
 
 
 class ScriptMaterial(Record):
-    """A material of which new Gazebo sees no colour: it names a script and nothing else."""
+    """A material of which new Gazebo sees no colour: it names a script and nothing else.
+
+    ``count`` are the materials of the document that name this script.
+    """
 
     target: Element | Value
     script: str
+    count: int = 1
 
 
 class FrameIdSpelling(Record):
-    """A sensor's frame id under a name that is not the right one in this version (or nearly not)."""
+    """A sensor's frame id under a name that is not the right one in this version (or nearly not).
 
-    element: Element
+    ``elements`` are all of that name, in document order.
+    """
+
+    elements: tuple[Element, ...]
     instead: str
     """The name for this version; the element's own name where there is no better one."""
     version: str

@@ -50,7 +50,7 @@ def _remarks(diagnostic: Diagnostic, paths: Paths) -> Iterator[tuple[str, str]]:
     if diagnostic.help:
         yield "help", diagnostic.help
     for origin in diagnostic.origins:
-        yield "note", f"{origin.text} {paths.place(origin.span)}"
+        yield "note", f"{origin.text}: {paths.place(origin.span)}"
 
 
 def _notes(remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint) -> Iterator[str]:

@@ -117,11 +117,18 @@ def test_removed_elements() -> None:
 def test_removed_attributes() -> None:
     assert in_link('<pose frame="l"/>', "1.6") == []
     problem = only_in_link('<pose frame="l"/>', problems.RemovedElement, "1.7")
+    poses = '<visual name="{}"><pose frame="l"/><geometry><empty/></geometry></visual>'
+    twice = only_in_link(poses.format("a") + poses.format("b"), problems.RemovedElement, "1.7")
+    assert (len(twice.others), problem.others) == (1, ())
     assert (problem.attribute, str(problem.until)) == ("frame", "1.6")
 
 
 def test_repeated_elements() -> None:
     problem = only_in_link("<inertial><mass>1</mass><mass>2</mass></inertial>", problems.RepeatedElement)
+    again = only_in_link(
+        "<inertial><mass>1</mass><mass>2</mass><mass>3</mass></inertial>", problems.RepeatedElement
+    )
+    assert ([element.content for element in again.others], problem.others) == (["3"], ())
     assert problem.element.content == "2"
     assert problem.first.content == "1"
     assert not problem.refused

@@ -91,7 +91,7 @@ def rich_diagnostic() -> Diagnostic:
     call, _ = marked("«call»", "world.xacro")
     found = fixed(diagnostic("<é>\n\t<𐐀>«a»</𐐀>{b}\n", "here"), "c")
     affects = (("drake", refuses("aborts")), ("gazebo", warns("ignores it")))
-    return found._replace(help="rename it", origins=(Origin(call, "included from"),), affects=affects)
+    return found._replace(help="rename it", origins=(Origin(call, "included here"),), affects=affects)
 
 
 def parsed(format: OutputFormat, *diagnostics: Diagnostic, **fields: Any) -> Any:

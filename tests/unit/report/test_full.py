@@ -66,13 +66,13 @@ def test_remarks() -> None:
     call, _ = marked("<robot>\n  «<leg/>»", "robot.xacro")
     found = fixed(diagnostic("«a»"), "b", safe=False)._replace(
         help="names are unique in a model",
-        origins=(Origin(call, "in macro `leg`, called from"), Origin(call, "included from")),
+        origins=(Origin(call, "in macro `leg`, called here"), Origin(call, "included here")),
     )
     assert shown(found, rules=(facts(),)).splitlines()[-4:] == [
         "  = help: write `b` (unsafe fix)",
         "  = help: names are unique in a model",
-        "  = note: in macro `leg`, called from robot.xacro:2:3",
-        "  = note: included from robot.xacro:2:3              sdfcheck rule taken-name",
+        "  = note: in macro `leg`, called here: robot.xacro:2:3",
+        "  = note: included here: robot.xacro:2:3             sdfcheck rule taken-name",
     ]
 
 

@@ -29,7 +29,7 @@ def test_json_of_a_diagnostic() -> None:
         "message": "name `a` is taken",
         **here,
         "related": [{**label, "message": "here"}],
-        "origins": [{**origin, "message": "included from"}],
+        "origins": [{**origin, "message": "included here"}],
         "help": "rename it",
         "fix": {"applicability": "safe", "message": "write `c`", "edits": [{**here, "text": "c"}]},
         "affects": {

@@ -48,7 +48,7 @@ def test_sarif_result() -> None:
                     "artifactLocation": {"uri": "world.xacro", "uriBaseId": "%SRCROOT%"},
                     "region": region(1, 1, 1, 5),
                 },
-                "message": {"text": "included from"},
+                "message": {"text": "included here"},
             },
         ],
     }
