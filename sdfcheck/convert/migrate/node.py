@@ -110,14 +110,14 @@ class Node:
 
     def set(self, name: str, value: str) -> None:
         """Give an attribute a value; a new one comes last."""
-        quoted = '"' + escape(value, {'"': "&quot;"}) + '"'
         for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
             if match[2] == name:
+                quoted = _quoted(value, match[3][0])
                 self.opening = self.opening[: match.start(3)] + quoted + self.opening[match.end(3) :]
                 return
         end = re.search(r"\s*/?>$", self.opening)
         assert end is not None
-        self.opening = f"{self.opening[: end.start()]} {name}={quoted}{end[0]}"
+        self.opening = f"{self.opening[: end.start()]} {name}={_quoted(value)}{end[0]}"
 
     def unset(self, name: str) -> None:
         for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
@@ -273,6 +273,10 @@ class Node:
         if not self.closing:
             self.opening = re.sub(r"\s*/>$", ">", self.opening)
             self.closing = f"</{self.name}>"
+
+
+def _quoted(value: str, quote: str = '"') -> str:
+    return quote + escape(value, {quote: "&quot;" if quote == '"' else "&apos;"}) + quote
 
 
 __all__ = ["Node"]
