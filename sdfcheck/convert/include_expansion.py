@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 
 from sdfcheck.convert.include_parameters import apply_parameters
+from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.relocation import relocated
 from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
@@ -26,16 +27,21 @@ from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
-_MERGED = frozenset(("frame", "gripper", "joint", "link", "model", "plugin"))
+_MERGED = frozenset(("frame", "gripper", "include", "joint", "link", "model", "plugin"))
 _FREE = frozenset(("plugin",))
 _BESIDES = ("pose", "static")
 
 
 class IncludeExpansion:
-    """Expands the includes of one document; ``notes`` say which are left, and why."""
+    """Expands the includes of one document; ``notes`` say which are left, and why.
 
-    def __init__(self) -> None:
+    With ``keeps_models`` what an included file includes as a model of its own stays an include.
+    """
+
+    def __init__(self, *, keeps_models: bool = False) -> None:
+        self.keeps_models = keeps_models
         self.notes: list[str] = []
+        self.losses: list[Loss] = []
         self.expanded: list[Element] = []
         """The includes that were replaced."""
 
@@ -48,9 +54,18 @@ class IncludeExpansion:
             elif part.name != "include":
                 self.expand(part, document, chain)
                 parts.append(part)
+            elif chain and self.keeps_models and _stands_alone(part):
+                parts.append(part)
             else:
                 parts += self._replaced(part, branch, document, (*chain, document))
         branch.parts = parts
+
+    def replacement(self, include: Element) -> list[Branch]:
+        """What takes the place of one include; nothing if it has to stay."""
+        assert include.parent is not None
+        document, own = include.document, branch_of(include)
+        parts = self._replaced(own, Branch(include.parent.name), document, (document,))
+        return [part for part in parts if isinstance(part, Branch) and part is not own]
 
     def _replaced(
         self, include: Branch, parent: Branch, document: Document, chain: tuple[Document, ...]
@@ -105,11 +120,18 @@ class IncludeExpansion:
             self.notes.append(f"{_place(found.include)}: the include stays: {why}")
             return None
         for loss in conversion.losses:
+            self.losses.append(loss)
             begin = loss.span.begin
             self.notes.append(f"{loss.span.source.path}:{begin.line}: in SDFormat {version}: {loss.message}")
         converted = Document(Source(found.document.path, conversion.text), Kind.SDF, [])
         converted.library = found.document.library
         return included_element(converted)
+
+
+def _stands_alone(include: Branch) -> bool:
+    """Can an include be moved with what it stands in? Without a pose it would be placed anew."""
+    merges = include.attributes.get("merge", "").strip().lower() in {"true", "1"}
+    return not merges and include.find("pose") is not None and include.find(PARAMETERS) is None
 
 
 def _place(element: Element) -> str:
@@ -163,8 +185,11 @@ def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -
         pose = _placed(found, name)
     frame.parts.append(pose)
     parts = [child for child in brought.children if child.name in _MERGED or ":" in child.name]
+    prefixes = {key: uri for key, uri in brought.attributes.items() if key.startswith("xmlns:")}
     for part in parts:
         _settle(part, name)
+        used = _prefixes(part)
+        part.attributes.update({key: uri for key, uri in prefixes.items() if key[6:] in used})
     given = [child for child in include.children if child.name == "plugin" or _is_custom(child)]
     return [frame, *parts, *given]
 
@@ -189,7 +214,7 @@ def _settle(part: Branch, name: str) -> None:
     _rename_frame(part, name)
     if part.name == "frame" and not part.attributes.get("attached_to", "").strip():
         part.attributes["attached_to"] = name
-    elif part.name in {"link", "model"}:
+    elif part.name in {"include", "link", "model"}:
         pose = part.find("pose")
         if pose is None:
             pose = Branch("pose", "0 0 0 0 0 0")
@@ -220,13 +245,12 @@ def _relocate(brought: Branch, found: Included, document: Document) -> None:
 
 def _declare(brought: Branch, model: Element, include: Element) -> None:
     """Declare the prefixes that the model uses and only its own file declares."""
-    used = {
-        name.partition(":")[0]
-        for branch in brought.walk()
-        for name in (branch.name, *branch.attributes)
-        if ":" in name and not name.startswith("xmlns:")
-    }
-    for prefix in sorted(used):
+    for prefix in sorted(_prefixes(brought)):
         uri = model.nsmap.get(prefix)
         if uri is not None and include.nsmap.get(prefix) != uri:
             brought.attributes.setdefault(f"xmlns:{prefix}", uri)
+
+
+def _prefixes(branch: Branch) -> set[str]:
+    names = [name for one in branch.walk() for name in (one.name, *one.attributes)]
+    return {name.partition(":")[0] for name in names if ":" in name and not name.startswith("xmlns:")}

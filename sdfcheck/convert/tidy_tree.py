@@ -126,6 +126,13 @@ def render(root: Branch, document: Document) -> str:
     return "\n".join(lines) + "\n"
 
 
+def text_of(branch: Branch) -> str:
+    """An element alone."""
+    lines: list[str] = []
+    _write(branch, "", lines)
+    return "\n".join(lines)
+
+
 def _part(node: object, beside: bool) -> Branch | Remark | None:
     from lxml import etree
 

@@ -2,84 +2,70 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
+from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.relocation import relocated
+from sdfcheck.convert.tidy_tree import text_of
 from sdfcheck.formats.survey import survey
-from sdfcheck.model.includes import Included, included, includes_of, ring
-from sdfcheck.model.parameters import PARAMETERS
-from sdfcheck.source.element import Element
+from sdfcheck.model.includes import included
+from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
-
-_OVERRIDES = ("pose", "static")
-
-
-def brought_by(migration: Migration, include: Node) -> Included | str:
-    """What an include brings, or why that cannot be written out."""
-    document = migration.draft.read()
-    found = included(document, migration.draft.element(include))
-    if include.find(PARAMETERS) is not None:
-        return "has parameters"
-    if found.model is None or found.document is None:
-        return "brings nothing that is there"
-    if found.model.name == "robot":
-        return "brings no SDFormat model"
-    if any(ring(found.document, inner) for inner in includes_of(found.document)):
-        return "brings what includes itself"
-    return found
+from sdfcheck.source.text import Source
 
 
-def brought(migration: Migration, include: Node, found: Included) -> Node:
-    """The model that an include brings, in the version of the draft, as part of it."""
-    from sdfcheck.convert.migrate.merging import write_out_merges
-    from sdfcheck.convert.migrate.migrate import migrated
-
-    assert found.model is not None
-    inner = migrated(found.model.document, migration.draft.version, keep_unknown=migration.keep_unknown)
-    inner.target = migration.target
-    write_out_merges(inner)
-    migration.losses += inner.losses
-    model = inner.root.find(found.model.name)
-    assert model is not None
-    document = migration.draft.read()
-    for node in model.walk():
-        text = relocated(node.name, node.content, found, document)
-        if text is not None:
-            node.write(text)
-        node.origin = None
-    assert include.place is not None
-    for node in (model, *model.children()):
-        _declare(node, found.model, include.place)
-    model.origin = include.origin
-    model.remove()
-    return model
-
-
-def _declare(node: Node, model: Element, include: Element) -> None:
-    """Declare the prefixes that only the included file declares."""
-    inside = [node] if node.name == "model" else list(node.walk())
-    names = [name for one in inside for name in (one.name, *one.attributes())]
-    for prefix in sorted({name.partition(":")[0] for name in names if ":" in name}):
-        uri = model.nsmap.get(prefix)
-        if uri is not None and include.nsmap.get(prefix) != uri and node.get(f"xmlns:{prefix}") is None:
-            node.set(f"xmlns:{prefix}", uri)
+def write_out_merges(migration: Migration) -> None:
+    """Put what merged includes bring in their place; a frame stands for the merged model."""
+    for include in migration.root.of("include"):
+        merges = (include.get("merge") or "").strip().lower() in {"true", "1"}
+        since = 9 if include.parent is None or include.parent.name == "model" else 10
+        if (
+            merges
+            and migration.goes_below(since)
+            and (why := _write_out(migration, include, keeps_models=True))
+        ):
+            assert include.place is not None
+            raise refusal(include.place, f"an include cannot be merged in {migration.target}: {why}")
 
 
 def write_out_includes(migration: Migration) -> None:
     """Below 1.5 an include stands in a world and says nothing but a uri; others are written out."""
-    settled: set[Node] = set()
-    while True:
-        waiting = [node for node in migration.root.of("include") if node not in settled and _says_more(node)]
-        if not waiting:
-            return
-        include = waiting[0]
-        settled.add(include)
-        found = brought_by(migration, include)
-        if isinstance(found, str):
-            _leave(migration, include, found)
-        else:
-            _write_out(migration, include, found)
+    for include in migration.root.of("include"):
+        if _says_more(include) and (why := _write_out(migration, include, keeps_models=False)):
+            _leave(migration, include, why)
+
+
+def _write_out(migration: Migration, include: Node, *, keeps_models: bool) -> str:
+    """Replace an include by what it brings; returns why it has to stay."""
+    migration.draft.read()
+    element = migration.draft.element(include)
+    expansion = IncludeExpansion(keeps_models=keeps_models)
+    branches = expansion.replacement(element)
+    if not branches:
+        return expansion.notes[-1].partition(": the include stays: ")[2]
+    migration.losses += expansion.losses
+    nodes = [node for branch in branches for node in _nodes(text_of(branch))]
+    for node in nodes:
+        node.origin = include.origin
+    name = included(element.document, element).name
+    text = f"what {title(include)} of {name} brings is written out: {migration.target} does not include it so"
+    migration.note(include, text, LossKind.EXPANDED_INCLUDE)
+    include.replace(nodes)
+    return ""
+
+
+def _nodes(text: str) -> list[Node]:
+    """The nodes of a text, as parts of another file than that of the text."""
+    root = Draft(Document(Source(Path(), f"<sdf>\n{text}\n</sdf>"), Kind.SDF, [])).root
+    for node in root.walk():
+        node.origin = None
+    nodes = root.children()
+    for node in nodes:
+        node.remove()
+    return nodes
 
 
 def _says_more(include: Node) -> bool:
@@ -90,33 +76,12 @@ def _says_more(include: Node) -> bool:
 def _leave(migration: Migration, include: Node, why: str) -> None:
     assert include.place is not None
     if include.parent is None or include.parent.name == "model":
-        text = f"an include that {why} cannot be written out, and {migration.target} has none in models"
-        raise refusal(include.place, text)
-    text = f"the include {why} and stays, though {migration.target} has no place for what it says besides its uri"
+        raise refusal(include.place, f"an include in a model cannot be written in {migration.target}: {why}")
+    text = (
+        f"the include stays, though {migration.target} has no place for what it says besides its uri: {why}"
+    )
     migration.lose(include, text, LossKind.UNKNOWN_REFERENCE)
     migration.kept.update(include.children())
-
-
-def _write_out(migration: Migration, include: Node, found: Included) -> None:
-    model = brought(migration, include, found)
-    model.set("name", found.name or "")
-    if (placement := include.find("placement_frame")) is not None:
-        model.set("placement_frame", placement.content)
-    for child in include.children():
-        if child.name in _OVERRIDES:
-            old = model.find(child.name)
-            child.remove()
-            if old is not None:
-                old.replace([child])
-            else:
-                first = model.children()
-                model.append(child, before=first[0] if first else None)
-        elif child.name == "plugin" or child.is_custom:
-            child.remove()
-            model.append(child)
-    text = f"what {title(include)} of {found.name} brings is written out: {migration.target} cannot place it"
-    migration.note(include, text, LossKind.EXPANDED_INCLUDE)
-    include.replace([model])
 
 
 def tell_of_newer_files(migration: Migration) -> None:
@@ -140,4 +105,4 @@ def tell_of_newer_files(migration: Migration) -> None:
         migration.losses.append(loss)
 
 
-__all__ = ["brought", "brought_by", "tell_of_newer_files", "write_out_includes"]
+__all__ = ["tell_of_newer_files", "write_out_includes", "write_out_merges"]

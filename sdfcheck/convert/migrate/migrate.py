@@ -9,10 +9,13 @@ from sdfcheck.convert.migrate.axes import express_axes
 from sdfcheck.convert.migrate.capsules import split_capsules
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
 from sdfcheck.convert.migrate.flattening import flatten
-from sdfcheck.convert.migrate.including import tell_of_newer_files, write_out_includes
+from sdfcheck.convert.migrate.including import (
+    tell_of_newer_files,
+    write_out_includes,
+    write_out_merges,
+)
 from sdfcheck.convert.migrate.inertias import write_inertias
 from sdfcheck.convert.migrate.leftovers import drop_leftovers
-from sdfcheck.convert.migrate.merging import write_out_merges
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.older_words import (
     drop_frames,

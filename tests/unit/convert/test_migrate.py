@@ -148,7 +148,7 @@ def test_an_include_of_what_is_not_there_stays_as_it_is() -> None:
     assert include in done.text
     assert [loss.kind.title for loss in done.losses] == ["unknown-reference"]
     nested = text.replace('<world name="w">', '<model name="m">').replace("</world>", "</model>")
-    with pytest.raises(NotConvertible, match="cannot be written out"):
+    with pytest.raises(NotConvertible, match="not found"):
         migrate(nested, Version(1, 4))
 
 
