@@ -98,7 +98,7 @@ class _Sorting:
         self.document = document
         self.found: list[object] = []
         self.owners: dict[tuple[str, str], list[Value]] = {}
-        self.folders: dict[Path, list[Value]] = {}
+        self.folders: dict[str, list[Value]] = {}
 
     def take(self, value: Value, what: str) -> None:
         slip = malformed(value) or absolute(value)
@@ -115,10 +115,13 @@ class _Sorting:
             self.found.append(slip)
         elif location.is_searched_for and location.owner is None:
             self.owners.setdefault((location.scheme, location.name), []).append(value)
-        elif expected is not None and not os.path.isdir(expected.parent):
-            self.folders.setdefault(expected.parent, []).append(value)
+        elif expected is not None and not self.has_folder(folder := os.path.dirname(expected) or os.curdir):
+            self.folders.setdefault(folder, []).append(value)
         else:
             self.found.append(_missing(value, what, location, expected))
+
+    def has_folder(self, folder: str) -> bool:
+        return folder not in self.folders and os.path.isdir(folder)
 
     def conclude(self) -> list[object]:
         for uses in self.owners.values():
@@ -126,7 +129,7 @@ class _Sorting:
             self.found.append(MissingOwner(uses[0], location, tuple(uses)))
         for folder, uses in self.folders.items():
             location = locate(self.document, uses[0].text)
-            self.found.append(MissingFolder(uses[0], folder, location, tuple(uses)))
+            self.found.append(MissingFolder(uses[0], Path(folder), location, tuple(uses)))
         return self.found
 
 
@@ -154,8 +157,8 @@ def _expected(location: Location) -> Path | None:
     """Of the paths that were tried the one in the model or package that was found."""
     if location.owner is None:
         return next(iter(location.tried), None)
-    owner = os.path.normpath(location.owner)
-    return next((path for path in location.tried if str(path).startswith(f"{owner}{os.sep}")), None)
+    first = location.tried[0]
+    return first if str(first).startswith(f"{os.path.normpath(location.owner)}{os.sep}") else None
 
 
 def _unportable(uses: list[Value]) -> Iterator[UnportableUri]:

@@ -6,7 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator
 
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.formats.urdf import is_expression
+from sdfcheck.formats.urdf import is_expression, urdf
 from sdfcheck.formats.urdf_survey import survey
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -62,9 +62,9 @@ class UrdfTree:
                 self.doubled += self.links.setdefault(name, link) is not link
         root = surveyed.root
         self.nameless += sum(
-            suggest(child.name, ("joint", "link")) == "link" and child.name != "joint"
+            suggest(child.name, ("joint", "link")) == "link"
             for child in (root.children() if root is not None else ())
-            if child.name != "link"
+            if child.name not in urdf().children
         )
         self.joints = [_joint(element) for element in surveyed.top("joint")]
         self.joint_named: dict[str, UrdfJoint] = {}
