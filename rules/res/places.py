@@ -24,9 +24,10 @@ def place(document: Document, path: Path) -> str:
 def looked_for(value: Value, paths: Sequence[Path]) -> str:
     """Where something was looked for, the first few places."""
     document = value.element.document
-    shown = [place(document, path) for path in paths[:_SHOWN]]
-    more = f" and {len(paths) - len(shown)} more places" if len(paths) > len(shown) else ""
-    return f"looked for {', '.join(shown)}{more}"
+    places = list(dict.fromkeys(place(document, path) for path in paths))
+    left = len(places) - _SHOWN
+    more = f" and {left} more {'place' if left == 1 else 'places'}" if left > 0 else ""
+    return f"looked for {', '.join(places[:_SHOWN])}{more}"
 
 
 def needs_no_escape(text: str) -> bool:
