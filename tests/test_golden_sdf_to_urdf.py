@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
-from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
+from sdfcheck.convert.sdf_to_urdf import Loops, Options, Planes, Unsupported, convert
 from sdfcheck.source.document import read
 from sdfcheck.source.library import Library
 
 CASES = sorted((Path(__file__).parents[1] / "fixtures" / "convert" / "sdf-to-urdf").iterdir())
 
-_KINDS = {"ball": Unsupported, "forest": Unsupported, "loops": Loops}
+_KINDS = {"ball": Unsupported, "forest": Unsupported, "loops": Loops, "planes": Planes}
 
 
 def _options(case: Path) -> Options:

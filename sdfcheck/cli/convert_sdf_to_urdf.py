@@ -38,6 +38,12 @@ _POLICIES = click.Choice(["floating", "fixed", "error"])
     help="Joints that close loops: refuse, or leave them to libsdformat.  [default: error]",
 )
 @click.option(
+    "--planes",
+    type=click.Choice(["drop", "box"]),
+    default="drop",
+    help="Leave planes out, or write flat boxes.  [default: drop]",
+)
+@click.option(
     "--unlimited", type=float, default=1e16, metavar="NUMBER", help="Written for no limit.  [default: 1e16]"
 )
 @click.option("--package-uris", is_flag=True, help="Write model:// as package://.")
@@ -48,11 +54,11 @@ def sdf_to_urdf(**given: Any) -> int:
     The frame of a link in URDF is that of its joint: where SDF has it elsewhere, it moves,
     and everything in the link stays in place.
     """
-    from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported
+    from sdfcheck.convert.sdf_to_urdf import Loops, Options, Planes, Unsupported
     from sdfcheck.convert.sdf_to_urdf import convert as convert_model
 
     request = common(given)
-    kinds = {"ball": Unsupported, "forest": Unsupported, "loops": Loops}
+    kinds = {"ball": Unsupported, "forest": Unsupported, "loops": Loops, "planes": Planes}
     options = Options(**{**given, **{name: kind(given[name]) for name, kind in kinds.items()}})
     target = request.output_dir or (request.output.parent if request.output is not None else None)
 

@@ -137,6 +137,18 @@ def declared_prefixes(element: Element) -> dict[str, str]:
     }
 
 
+def undeclared_prefixes(node: Node | Comment) -> set[str]:
+    """The prefixes of names below a node that nothing declares there."""
+    if isinstance(node, Comment):
+        return set()
+    words = [node.name, *(name for name in node.attributes if not name.startswith("xmlns"))]
+    found = {word.partition(":")[0] for word in words if ":" in word}
+    for child in node.children:
+        found |= undeclared_prefixes(child)
+    own = {name.partition(":")[2] for name in node.attributes if name.startswith("xmlns:")}
+    return found - own - {"xml"}
+
+
 def number(value: float) -> str:
     """The shortest text that reads back as the same number; whole numbers without a point."""
     if value == 0:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, arrange
 from sdfcheck.convert.sdf_to_urdf.choose import choose, others
 from sdfcheck.convert.sdf_to_urdf.comments import around_root
 from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.custom import namespace_of
 from sdfcheck.convert.sdf_to_urdf.extensions import keep_base, keep_place, keep_static
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
 from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
@@ -26,7 +26,7 @@ from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames
 from sdfcheck.convert.sdf_to_urdf.naming import named
 from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.verify import Correspondence, Counterpart
-from sdfcheck.convert.writer import Node, render
+from sdfcheck.convert.writer import Node, render, undeclared_prefixes
 from sdfcheck.convert.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.poses import PoseError, Poses
@@ -76,10 +76,9 @@ def _text(context: Context) -> str:
     """The file, with the prefixes declared that it uses."""
     element = context.scope.element
     before, after = (around_root(element, preceding=preceding) for preceding in (True, False))
-    text = render(context.root, before, after)
-    for prefix, uri in element.nsmap.items():
-        if prefix and re.search(rf"[\s<]{re.escape(prefix)}:", text):
-            context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
+    for prefix in sorted(undeclared_prefixes(context.root)):
+        uri = element.nsmap.get(prefix) or namespace_of(prefix)
+        context.root.attributes[f"xmlns:{prefix}"] = uri
     return render(context.root, before, after)
 
 
@@ -88,7 +87,7 @@ def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
     if not robot.links:
         raise refusal(scope.element, f"{scope.element.title} has no link")
     poses = Poses()
-    meant = understood(robot)
+    meant = understood(robot, options.planes)
     frames = dict(frames_below(scope))
     canonical = canonical_link(scope)
     canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
@@ -226,7 +225,9 @@ def _leave_out(context: Context) -> None:
             continue
         found = coupling(before, joint)
         if found is None:
-            message, severity = f"URDF has no gearbox: {joint.element.title} is left out", Severity.ERROR
+            keep_joint(context, joint)
+            message = f"URDF has no gearbox: {joint.element.title} is kept for libsdformat alone"
+            severity = Severity.ERROR
         else:
             message = f"{joint.element.title} is written as a mimic of joint `{found[0].name}`"
             severity = Severity.WARNING

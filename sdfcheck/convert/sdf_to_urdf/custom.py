@@ -38,6 +38,12 @@ def _declare(context: Context, element: Element, name: str) -> None:
         context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
 
 
+def namespace_of(prefix: str) -> str:
+    """What to declare for a prefix that its document does not declare."""
+    known = (vendor(table, "urdf").namespace for table in BUILT_IN if prefix_of(table) == prefix)
+    return next(known, f"urn:{prefix}")
+
+
 def _spell(node: Node) -> None:
     """Let values be attributes where the readers of a known prefix look for them so in URDF."""
     for table in BUILT_IN:

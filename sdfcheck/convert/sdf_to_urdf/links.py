@@ -11,7 +11,7 @@ from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
 from sdfcheck.convert.sdf_to_urdf.materials import add_color
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin
-from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape
+from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, stand_in
 from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
@@ -103,10 +103,11 @@ def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
     nameless = keep_extras(context, link, role, parts)
     for part in parts:
         context.ledger.take(part, part.find("pose"), part.find("geometry"))
-        if len(shapes[part]) > 1:
-            whose = f"{part.title} of {link.element.title}"
-            message = f"the capsule of {whose} is written as a cylinder and two spheres"
-            context.ledger.note(LossKind.UNSUPPORTED_GEOMETRY, part, message, Severity.INFO)
+        shape, written_as = stand_in(shapes[part])
+        if shape:
+            message = f"the {shape} of {part.title} of {link.element.title} is written as {written_as}"
+            severity = Severity.WARNING if shape == "plane" else Severity.INFO
+            context.ledger.note(LossKind.UNSUPPORTED_GEOMETRY, part, message, severity)
         for geometry in shapes[part]:
             carry_comments(context, node, part)
             written = node.add(role)

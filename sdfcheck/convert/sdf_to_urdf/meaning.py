@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.shapes import pieces
 from sdfcheck.model.robot import Axis, Joint, Link, Mimic, Robot, default_body
 from sdfcheck.model.rotations import Array
@@ -20,9 +21,9 @@ TWO_AXES = frozenset({"universal", "revolute2"})
 _UP = (0.0, 0.0, 1.0)
 
 
-def understood(robot: Robot) -> Robot:
+def understood(robot: Robot, planes: Planes = Planes.DROP) -> Robot:
     """The robot with defaults filled in, without gearboxes: those are a coupling of two other joints."""
-    links = {name: _link(link) for name, link in robot.links.items()}
+    links = {name: _link(link, planes) for name, link in robot.links.items()}
     joints = {name: _joint(joint) for name, joint in robot.joints.items()}
     for gearbox in robot.joints.values():
         if gearbox.kind == "gearbox":
@@ -31,9 +32,9 @@ def understood(robot: Robot) -> Robot:
     return Robot(robot.name, links, kept, robot.frames)
 
 
-def _link(link: Link) -> Link:
+def _link(link: Link, planes: Planes) -> Link:
     body = default_body() if link.body is None else link.body
-    shown = [piece for geometry in link.geometries for piece in pieces(geometry)]
+    shown = [piece for geometry in link.geometries for piece in pieces(geometry, planes)]
     return Link(link.name, link.pose, link.element, body, shown)
 
 

@@ -21,6 +21,13 @@ class Loops(Enum):
     CUT = "cut"
 
 
+class Planes(Enum):
+    """What to do with planes."""
+
+    DROP = "drop"
+    BOX = "box"
+
+
 @dataclass(frozen=True, slots=True)
 class Options:
     """Choices; the defaults lose the least."""
@@ -37,6 +44,8 @@ class Options:
     """How free links are tied to the one root that URDF demands."""
     loops: Loops = Loops.ERROR
     """Whether a joint that closes a loop may be left to libsdformat."""
+    planes: Planes = Planes.DROP
+    """Whether a flat box may stand for a plane."""
     unlimited: float = 1e16
     """What is written for a limit that is infinite."""
     package_uris: bool = False

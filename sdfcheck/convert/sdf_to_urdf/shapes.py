@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.writer import Node, number, numbers
 from sdfcheck.model.robot import Geometry
-from sdfcheck.model.rotations import transform
+from sdfcheck.model.rotations import Array, about_axis, transform
 
 if TYPE_CHECKING:
     from sdfcheck.convert.sdf_to_urdf.context import Context
@@ -20,17 +23,59 @@ HELD = frozenset({"box", "cylinder", "sphere", "mesh"})
 """The shapes that every reader of URDF knows."""
 
 
-def pieces(geometry: Geometry) -> list[Geometry]:
-    """The shapes that together fill what one fills: a capsule is a cylinder with a sphere at either end."""
-    if geometry.kind != "capsule":
-        return [geometry]
+_THICKNESS = {"visual": 0.001, "collision": 0.1}
+"""Of a box that stands for a plane, m: what is too thin is passed through."""
+_ENDLESS = 100.0
+"""The least length of such a box where it collides, m: there a plane has no end."""
+
+
+def pieces(geometry: Geometry, planes: Planes) -> list[Geometry]:
+    """The shapes that together fill what one fills."""
+    if geometry.kind == "capsule":
+        return list(_capsule(geometry))
+    if geometry.kind == "ellipsoid" and len(set(geometry.size)) == 1:
+        return [replace(geometry, kind="sphere", size=geometry.size[:1])]
+    if geometry.kind == "plane" and planes is Planes.BOX:
+        return [_slab(geometry)]
+    return [geometry]
+
+
+def _capsule(geometry: Geometry) -> Iterator[Geometry]:
+    """A cylinder with a sphere at either end."""
     radius, length = geometry.size
-    parts = [replace(geometry, kind="cylinder", size=(radius, length))]
+    yield replace(geometry, kind="cylinder", size=(radius, length))
     for end, where in (("top", length / 2), ("bottom", -length / 2)):
         pose = geometry.pose @ transform(np.eye(3), (0.0, 0.0, where))
         name = f"{geometry.name}_{end}" if geometry.name else ""
-        parts.append(replace(geometry, kind="sphere", size=(radius,), pose=pose, name=name))
-    return parts
+        yield replace(geometry, kind="sphere", size=(radius,), pose=pose, name=name)
+
+
+def _slab(geometry: Geometry) -> Geometry:
+    """A box with its upper face in a plane."""
+    normal, (x, y) = np.array(geometry.size[:3]), geometry.size[3:]
+    height = _THICKNESS[geometry.role]
+    if geometry.role == "collision":
+        x, y = max(x, _ENDLESS), max(y, _ENDLESS)
+    turn = _from_above(normal / (np.linalg.norm(normal) or 1.0))
+    pose = geometry.pose @ transform(turn, turn @ (0.0, 0.0, -height / 2))
+    return replace(geometry, kind="box", size=(x, y, height), pose=pose)
+
+
+def _from_above(normal: Array) -> Array:
+    """The 3×3 rotation that turns z into a direction."""
+    across = np.cross((0.0, 0.0, 1.0), normal)
+    length = float(np.linalg.norm(across))
+    axis = across / length if length > 1e-12 else np.array((1.0, 0.0, 0.0))
+    return about_axis(axis, math.atan2(length, float(normal[2])))
+
+
+def stand_in(written: list[Geometry]) -> tuple[str, str]:
+    """A shape that URDF does not have, and what is written for it; empty if it has it."""
+    shape = written[0].element.find("geometry")
+    own = next(shape.children(), None) if shape is not None else None
+    if own is None or own.name == written[0].kind:
+        return "", ""
+    return own.name, "a cylinder and two spheres" if len(written) > 1 else f"a {written[0].kind}"
 
 
 def add_shape(context: Context, node: Node, geometry: Geometry) -> None:
@@ -39,7 +84,7 @@ def add_shape(context: Context, node: Node, geometry: Geometry) -> None:
     shape = next(element.children(), None) if element is not None else None
     if shape is None:
         return
-    context.ledger.take_parts(shape, "size", "radius", "length", "uri", "scale")
+    context.ledger.take_parts(shape, "size", "radius", "radii", "length", "normal", "uri", "scale")
     attributes = {}
     if geometry.kind == "mesh":
         uri = shape.find("uri")
