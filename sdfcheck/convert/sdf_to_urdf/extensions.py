@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sdf_to_urdf.comments import carry_comments
+from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
@@ -80,6 +80,7 @@ def keep_frame(context: Context, name: str, link: str, pose: Array, frame: Frame
         node.add("pose", text)
     if is_merged_model(frame):
         return
+    carry_inside(context, node, frame.element)
     context.ledger.take(frame.element, frame.element.find("pose"))
     message = f"{frame.element.title} is kept for libsdformat alone; --frames makes it a link"
     context.ledger.note(LossKind.KEPT_AS_EXTENSION, frame.element, message, Severity.INFO)
