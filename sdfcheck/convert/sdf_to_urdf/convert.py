@@ -26,7 +26,7 @@ from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames
 from sdfcheck.convert.sdf_to_urdf.naming import named
 from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.verify import Correspondence, Counterpart
-from sdfcheck.convert.writer import Node, render, undeclared_prefixes
+from sdfcheck.convert.writer import Node, render, undeclared_prefixes, with_line_ends
 from sdfcheck.convert.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.poses import PoseError, Poses
@@ -79,7 +79,7 @@ def _text(context: Context) -> str:
     for prefix in sorted(undeclared_prefixes(context.root)):
         uri = element.nsmap.get(prefix) or namespace_of(prefix)
         context.root.attributes[f"xmlns:{prefix}"] = uri
-    return render(context.root, before, after)
+    return with_line_ends(render(context.root, before, after), element.document.source.text)
 
 
 def _prepare(scope: Scope, options: Options, folder: Path) -> Context:

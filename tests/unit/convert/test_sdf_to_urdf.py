@@ -184,3 +184,9 @@ def test_comments_have_a_place_or_are_told() -> None:
     told = [loss.message for loss in done.losses if loss.kind is LossKind.DROPPED_COMMENT]
     for number in range(1, 6):
         assert f"<!-- {number} -->" in done.text or any(f"`{number}`" in message for message in told)
+
+
+def test_line_ends_stay() -> None:
+    text = '<sdf version="1.9">\r\n<model name="m"><link name="a"/></model>\r\n</sdf>\r\n'
+    done = convert(read(text.encode(), Path("m.sdf"), Kind.SDF))
+    assert done.text.count("\n") == done.text.count("\r\n") > 5
