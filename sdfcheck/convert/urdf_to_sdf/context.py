@@ -7,8 +7,10 @@ from dataclasses import dataclass, field
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
+from sdfcheck.convert.urdf_to_sdf.settings import value_of
 from sdfcheck.convert.writer import Comment, Node, comment_of, copied, numbers, spaced
 from sdfcheck.formats.schema import Definition, schema
+from sdfcheck.formats.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.rotations import Array, to_rpy
 from sdfcheck.source.element import Element
@@ -54,6 +56,16 @@ class Context:
         for name in place.split("/"):
             definition = definition.children.get(name) if definition is not None else None
         return definition is not None
+
+    def numbers(self, setting: Element, count: int = 1) -> str | None:
+        """The numbers of a setting as they are written; None, and told, if it has not so many."""
+        text = value_of(setting)
+        if len(floats(text) or ()) == count:
+            return text
+        wanted = "a number" if count == 1 else f"{count} numbers"
+        told = f"<{setting.name}> is left out: `{text}` is not {wanted}"
+        self.lose(setting, LossKind.EXTENSION_NOT_CARRIED, told)
+        return None
 
     def keep(self, element: Element, node: Node) -> None:
         """Carry something over that the target has no word for, under a prefix of its own."""

@@ -14,6 +14,7 @@ from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_back
 from sdfcheck.convert.urdf_to_sdf.plan import plan
 from sdfcheck.convert.writer import Node, comment_of, render, undeclared_prefixes, with_line_ends
+from sdfcheck.model.poses import PoseError
 from sdfcheck.model.robot import Robot
 from sdfcheck.model.urdf_robot import RobotError, origin_of, read_urdf_robot
 from sdfcheck.source.document import Document
@@ -44,7 +45,11 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     writer = _Writer(document, robot, context)
     text = writer.write()
     source = expected(robot, made, context)
-    comparison = Comparison(source, read_back(text, document.path, context), correspondence(made, context))
+    try:
+        result = read_back(text, document.path, context)
+    except (RobotError, PoseError) as error:
+        raise refusal(root, f"with what is in <gazebo> blocks the result cannot be read: {error}") from None
+    comparison = Comparison(source, result, correspondence(made, context))
     text = with_line_ends(text, document.source.text)
     return conversion(text, context.losses, [comparison], verified=verified)
 

@@ -9,45 +9,25 @@ import numpy as np
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS
-from sdfcheck.convert.writer import Comment, Node, comment_of, copied
+from sdfcheck.convert.urdf_to_sdf.settings import (
+    BOUNDS,
+    COUNT,
+    FLAGS,
+    OF_COLLISIONS,
+    OF_JOINT,
+    TRUE,
+    merge,
+    value_of,
+)
+from sdfcheck.convert.writer import Node, comment_of, copied
 from sdfcheck.formats.values import number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.rotations import Array, from_rpy, transform
 from sdfcheck.source.element import Element
 
-_COUNT = ("max_contacts",)
-"""Where a whole number is wanted."""
-_SURFACE = {
-    "mu1": ("surface", "friction", "ode", "mu"),
-    "mu": ("surface", "friction", "ode", "mu"),
-    "mu2": ("surface", "friction", "ode", "mu2"),
-    "fdir1": ("surface", "friction", "ode", "fdir1"),
-    "kp": ("surface", "contact", "ode", "kp"),
-    "kd": ("surface", "contact", "ode", "kd"),
-    "maxVel": ("surface", "contact", "ode", "max_vel"),
-    "minDepth": ("surface", "contact", "ode", "min_depth"),
-    "maxContacts": _COUNT,
-    "max_contacts": _COUNT,
-    "laserRetro": ("laser_retro",),
-}
-"""What a block for a link says of each of its collisions."""
-_OF_JOINT = {
-    "stopCfm": ("physics", "ode", "limit", "cfm"),
-    "stopErp": ("physics", "ode", "limit", "erp"),
-    "fudgeFactor": ("physics", "ode", "fudge_factor"),
-    "provideFeedback": ("physics", "provide_feedback"),
-    "implicitSpringDamper": ("physics", "ode", "implicit_spring_damper"),
-    "cfmDamping": ("physics", "ode", "implicit_spring_damper"),
-    "springReference": ("axis", "dynamics", "spring_reference"),
-    "springStiffness": ("axis", "dynamics", "spring_stiffness"),
-}
-_NUMBERS = frozenset({"lower", "upper", "effort", "velocity", "damping", "friction"})
-_FLAGS = {"turnGravityOff": ("gravity", True), "selfCollide": ("self_collide", False)}
-"""Setting → SDFormat's name for it, and whether it says the contrary."""
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
 _PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
 _SCRIPTS = "file://media/materials/scripts/gazebo.material"
-_TRUE = frozenset({"true", "yes", "1"})
 
 
 class Extensions:
@@ -73,7 +53,9 @@ class Extensions:
         if reference in plan.home:
             self._of_link(block, reference, OF_JOINTS if is_joint else frozenset())
         elif not is_joint:
-            self._unknown(block, f"no link or joint is called `{reference}`")
+            gone = reference in plan.robot.joints
+            called = f"no link or joint is called `{reference}`"
+            self._unknown(block, f"joint `{reference}` has no counterpart" if gone else called)
 
     def _of_link(self, block: Element, link: str, others: frozenset[str]) -> None:
         """Put what a block says of a link where the link is now, without the settings that are ``others``'."""
@@ -113,7 +95,7 @@ class Extensions:
     # The model
 
     def _model_part(self, entry: Element, model: Node) -> None:
-        if entry.name in _SURFACE or entry.name == "material":
+        if entry.name in OF_COLLISIONS or entry.name == "material":
             text = (
                 f"<{entry.name}> outside a block for a link has no effect, in Gazebo neither; it is left out"
             )
@@ -144,7 +126,7 @@ class Extensions:
 
     def _joint_part(self, entry: Element, joint: Node) -> None:
         context, name = self.context, entry.name
-        if name in _OF_JOINT:
+        if name in OF_JOINT:
             self._joint_number(entry, joint)
         elif name == "axis":
             self._axis(entry, joint)
@@ -173,21 +155,24 @@ class Extensions:
                 continue
             merge(copied(part), axis.reach(part.name))
             for setting in part.children():
-                if setting.name in _NUMBERS and (value := number(setting.content)) is not None:
+                if setting.name in BOUNDS and (value := number(setting.content)) is not None:
                     context.overruled.setdefault(joint.attributes["name"], {})[setting.name] = value
 
     def _joint_number(self, entry: Element, joint: Node) -> None:
-        context, path = self.context, _OF_JOINT[entry.name]
+        context, path = self.context, OF_JOINT[entry.name]
         if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
             path = (*path[:-1], "cfm_damping")
         if path[0] == "axis" and joint.find("axis") is None:
-            text = f"<{entry.name}> means nothing on a fixed joint and is left out"
-            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+            told = f"<{entry.name}> means nothing on a fixed joint and is left out"
+            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, told)
             return
-        text = value_of(entry)
+        text: str | None
         if path[-1] in {"implicit_spring_damper", "cfm_damping", "provide_feedback"}:
-            text = "true" if text.lower() in _TRUE else "false"
-        joint.reach(*path).text = text
+            text = "true" if value_of(entry).lower() in TRUE else "false"
+        else:
+            text = context.numbers(entry)
+        if text is not None:
+            joint.reach(*path).text = text
 
 
 class _LinkPart:
@@ -200,25 +185,32 @@ class _LinkPart:
 
     def put(self, entry: Element, link: Node) -> None:
         context, name = self.context, entry.name
-        if name in _SURFACE:
-            place, text = _SURFACE[name], value_of(entry)
-            for collision in self._parts(link, "collision"):
-                collision.reach(*place).text = text.removesuffix(".0") if place == _COUNT else text
+        if name in OF_COLLISIONS:
+            self._of_collisions(entry, link)
         elif name in {"visual", "collision"}:
             for part in self._parts(link, name):
                 merge(copied(entry), part)
         elif name == "material":
             self._script(entry, link)
-        elif name in _FLAGS:
-            path, negated = _FLAGS[name]
-            link.reach(path).text = "true" if (value_of(entry).lower() in _TRUE) is not negated else "false"
+        elif name in FLAGS:
+            path, negated = FLAGS[name]
+            link.reach(path).text = "true" if (value_of(entry).lower() in TRUE) is not negated else "false"
         elif name == "dampingFactor":
-            for kind in ("linear", "angular"):
-                link.reach("velocity_decay", kind).text = value_of(entry)
+            text = self.context.numbers(entry)
+            for kind in ("linear", "angular") if text is not None else ():
+                link.reach("velocity_decay", kind).text = text
         elif entry.is_custom or context.allows(f"link/{name}"):
             self._native(entry, link)
         else:
             context.keep(entry, link)
+
+    def _of_collisions(self, entry: Element, link: Node) -> None:
+        text = self.context.numbers(entry, 3 if entry.name == "fdir1" else 1)
+        if text is None:
+            return
+        place = OF_COLLISIONS[entry.name]
+        for collision in self._parts(link, "collision"):
+            collision.reach(*place).text = text.removesuffix(".0") if place == COUNT else text
 
     def _parts(self, link: Node, role: str) -> Iterator[Node]:
         """The shapes that came from the link that the block names."""
@@ -260,7 +252,7 @@ class _LinkPart:
         here = np.eye(4)
         if written is not None and written.content:
             values = [float(part) for part in written.content.split()]
-            if written.attributes.get("degrees", "").lower() in _TRUE:
+            if written.attributes.get("degrees", "").lower() in TRUE:
                 values[3:] = [float(np.deg2rad(value)) for value in values[3:]]
             if len(values) == 6:
                 here = transform(from_rpy(*values[3:]), values[:3])
@@ -270,22 +262,3 @@ class _LinkPart:
             made.children.insert(0, pose)
         pose.attributes.clear()
         pose.text = pose_of(self.offset @ here) or "0 0 0 0 0 0"
-
-
-def merge(extra: Node, into: Node) -> None:
-    """Write what is in one element into another: values replace, structures are joined."""
-    into.attributes.update({k: v for k, v in extra.attributes.items() if k != "name"})
-    if extra.text:
-        into.text = extra.text
-    for child in extra.children:
-        if isinstance(child, Comment):
-            into.children.append(child)
-        elif (there := into.find(child.name)) is not None and child.name not in {"plugin", "sensor"}:
-            merge(child, there)
-        else:
-            into.children.append(child)
-
-
-def value_of(entry: Element) -> str:
-    """The text of a setting, or its ``value`` attribute."""
-    return " ".join((entry.content or entry.attributes.get("value", "")).split())

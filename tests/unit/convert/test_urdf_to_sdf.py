@@ -195,3 +195,29 @@ def test_a_link_takes_what_a_joint_of_its_name_cannot_have() -> None:
     merged = convert(robot.replace("true<", "false<"), Options(fixed_joints=FixedJoints.MERGE)).text
     assert "fixed" not in merged
     assert all(text.count('<sensor name="s"') == 1 for text in (kept, merged))
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        "<mu1/>",
+        "<mu1>much</mu1>",
+        '<kp value="1 2"/>',
+        "<fdir1>1 0</fdir1>",
+        "<dampingFactor>a</dampingFactor>",
+    ],
+)
+def test_a_setting_that_is_no_number_is_left_out(setting: str) -> None:
+    ball = "<collision><geometry><sphere radius='1'/></geometry></collision></link>"
+    robot = ARM.replace("</link>", ball, 1).replace(
+        "</robot>", f'<gazebo reference="base">{setting}</gazebo></robot>'
+    )
+    done = convert(robot)
+    assert kinds(done) == [LossKind.EXTENSION_NOT_CARRIED]
+    assert done.text == convert(ARM.replace("</link>", ball, 1)).text
+
+
+def test_a_block_that_cannot_be_read_as_sdformat_is_refused() -> None:
+    block = '<gazebo><link name="extra"><pose>here</pose></link></gazebo></robot>'
+    with pytest.raises(NotConvertible, match="cannot be read"):
+        convert(ARM.replace("</robot>", block))
