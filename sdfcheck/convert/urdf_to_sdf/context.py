@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
@@ -60,7 +61,8 @@ class Context:
     def numbers(self, setting: Element, count: int = 1) -> str | None:
         """The numbers of a setting as they are written; None, and told, if it has not so many."""
         text = value_of(setting)
-        if len(floats(text) or ()) == count:
+        found = floats(text) or ()
+        if len(found) == count and all(map(math.isfinite, found)):
             return text
         wanted = "a number" if count == 1 else f"{count} numbers"
         told = f"<{setting.name}> is left out: `{text}` is not {wanted}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion
 from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, pose_of, pose_text
@@ -26,6 +28,7 @@ _NAMESPACES = {
 }
 
 
+@np.errstate(all="ignore")  # what overflows is not equal to anything
 def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) -> Conversion:
     """Convert a URDF document to a text of SDFormat.
 
@@ -66,7 +69,7 @@ def _refuse_broken(root: Element, robot: Robot) -> None:
             seen.add(name)
     for joint in robot.joints.values():
         for end in (joint.parent, joint.child):
-            if end not in robot.links and end != WORLD:
+            if end not in robot.links and (end != WORLD or end == joint.child):
                 raise refusal(joint.element, f"joint `{joint.name}` names link `{end}`, which does not exist")
     if loops := robot.loops():
         raise refusal(loops[0].element, f"joint `{loops[0].name}` closes a loop or is a second parent")

@@ -250,12 +250,12 @@ class _LinkPart:
         if written is not None and written.attributes.get("relative_to"):
             return
         here = np.eye(4)
-        if written is not None and written.content:
-            values = [float(part) for part in written.content.split()]
+        text = self.context.numbers(written, 6) if written is not None and written.content else None
+        if written is not None and text is not None:
+            values = [float(part) for part in text.split()]
             if written.attributes.get("degrees", "").lower() in TRUE:
                 values[3:] = [float(np.deg2rad(value)) for value in values[3:]]
-            if len(values) == 6:
-                here = transform(from_rpy(*values[3:]), values[:3])
+            here = transform(from_rpy(*values[3:]), values[:3])
         pose = made.find("pose")
         if pose is None:
             pose = Node("pose")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.context import Context, comments_in, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD
-from sdfcheck.convert.writer import Node, number, spaced
+from sdfcheck.convert.writer import Node, number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.robot import Joint
 from sdfcheck.model.rotations import Array, inverse
@@ -79,7 +81,11 @@ class Joints:
 
     def _axis(self, joint: Joint, node: Node) -> None:
         axis, dynamics = joint.element.find("axis"), joint.element.find("dynamics")
-        node.add("xyz", spaced(axis.attributes.get("xyz", "1 0 0")) if axis is not None else "1 0 0")
+        text = spaced(axis.attributes.get("xyz", "1 0 0")) if axis is not None else "1 0 0"
+        turn = joint.pose[:3, :3]
+        if self.context.options.has_axes_of_models and not np.array_equal(turn, np.eye(3)):
+            text = numbers(turn @ joint.axes[0].direction)
+        node.add("xyz", text)
         self._mimic(joint, node)
         bounds = {**self._range(joint), **self._strength(joint)}
         if bounds:

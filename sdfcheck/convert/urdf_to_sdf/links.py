@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.urdf_to_sdf.context import (
     Context,
     comments_in,
@@ -16,6 +16,7 @@ from sdfcheck.convert.urdf_to_sdf.materials import Materials
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
 from sdfcheck.convert.writer import Node, comment_of, number, spaced
+from sdfcheck.formats.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.model.robot import Body
 from sdfcheck.model.rotations import Array
@@ -99,7 +100,10 @@ class Links:
     def _geometry(self, shape: Element, node: Node) -> None:
         if shape.name != "mesh":
             for name in _SHAPES[shape.name]:
-                node.add(name, spaced(shape.attributes.get(name, "")))
+                text = shape.attributes.get(name, "")
+                if floats(text) is None:
+                    raise refusal(shape, f"the {shape.name} has no {name}")
+                node.add(name, spaced(text))
             return
         node.add("uri", self.uri(shape, shape.attributes.get("filename", "").strip()))
         scale = spaced(shape.attributes.get("scale", ""))

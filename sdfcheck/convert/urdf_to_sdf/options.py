@@ -51,3 +51,8 @@ class Options:
     @property
     def has_mimic(self) -> bool:
         return self.version >= Version(1, 11)
+
+    @property
+    def has_axes_of_models(self) -> bool:
+        """Whether an axis is written in the frame of the model (up to 1.4)."""
+        return self.version < Version(1, 5)

@@ -133,3 +133,23 @@ def test_xacro_is_expanded_with_its_arguments(tmp_path: Path, capsys: pytest.Cap
     assert '<link name="tower">' in capsys.readouterr().out
     assert run(file, "--output-dir", tmp_path / "out") == 0
     assert (tmp_path / "out" / "r.sdf").exists()
+
+
+@pytest.mark.parametrize(
+    ("command", "text"),
+    [
+        (["urdf-to-sdf"], ROBOT),
+        (["sdf-to-urdf"], '<sdf version="1.9">\n<model name="m">\n<link name="a"/>\n</model>\n</sdf>\n'),
+        (
+            ["sdf-to-sdf", "--to", "1.5"],
+            '<sdf version="1.9">\n<model name="m">\n<link name="a"/>\n</model>\n</sdf>\n',
+        ),
+    ],
+    ids=lambda value: value[0],
+)
+def test_line_ends_stay(command: list[str], text: str, tmp_path: Path) -> None:
+    source, result = tmp_path / "source", tmp_path / "result"
+    source.write_bytes(text.replace("\n", "\r\n").encode())
+    assert main(["convert", *command, "--isolated", "-q", str(source), "-o", str(result)]) == 0
+    written = result.read_bytes()
+    assert written.count(b"\r\n") == written.count(b"\n") > 2

@@ -67,6 +67,13 @@ def test_one_changed_number_is_noticed(written: str, other: str) -> None:
     assert not Comparison(before.source, result, before.correspondence).verify().is_equal
 
 
+@pytest.mark.parametrize("version", [Version(1, 4), Version(1, 5), Version(1, 7)], ids=str)
+def test_axes_of_turned_joints_stay(version: Version) -> None:
+    done = convert(ARM.replace('xyz="0 0 0.75"', 'xyz="0 0 0.75" rpy="0.3 0.2 1.1"'), Options(version))
+    assert done.verification is not None
+    assert done.verification.is_equal, done.verification.differences
+
+
 def verified(done: Conversion, text: str) -> Verification:
     """The verification of another text in the place of the conversion's."""
     before = done.comparisons[0]
@@ -153,6 +160,11 @@ def test_a_link_without_mass_stays() -> None:
             + TIE.format("j").replace("<parent", '<origin xyz="0 0 inf"/><parent'),
             "'0 0 inf' is not 3 finite numbers",
         ),
+        (
+            '<link name="a"/><joint name="j" type="fixed"><parent link="a"/><child link="world"/></joint>',
+            "names link `world`, which does not exist",
+        ),
+        ('<link name="a"><visual><geometry><box/></geometry></visual></link>', "the box has no size"),
     ],
 )
 def test_what_cannot_be_converted_is_refused_with_its_place(body: str, reason: str) -> None:
