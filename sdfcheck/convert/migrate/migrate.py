@@ -17,6 +17,7 @@ from sdfcheck.convert.migrate.including import (
 from sdfcheck.convert.migrate.inertias import write_inertias
 from sdfcheck.convert.migrate.leftovers import drop_leftovers
 from sdfcheck.convert.migrate.migration import Migration
+from sdfcheck.convert.migrate.old_root import tidy_root, with_newer_root
 from sdfcheck.convert.migrate.older_words import (
     drop_frames,
     name_plugins,
@@ -60,6 +61,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
     Raises NotConvertible: the document is no SDFormat of a known version, or needs what
     the target cannot say in any way.
     """
+    given, document = document, with_newer_root(document)
     root = document.root
     assert root is not None
     if root.name != "sdf" or Version.parse(document.version or "") is None:
@@ -67,6 +69,8 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
     if not target >= LOWEST:
         raise refusal(root, f"{target} is older than anything that can be written")
     migration = Migration(document, target, keep_unknown=keep_unknown)
+    if document is not given:
+        tidy_root(migration.root)
     if target > migration.source:
         go_up(migration)
         write_out_merges(migration)

@@ -165,3 +165,11 @@ def test_a_second_model_at_the_top_is_told_of() -> None:
     done = migrate(text, Version(1, 8))
     assert done.text == text.replace("1.7", "1.8")
     assert [loss.message.partition(":")[0] for loss in done.losses] == ["model `b` is not read"]
+
+
+def test_the_root_of_the_oldest_files_gets_its_newer_name() -> None:
+    text = '<gazebo version="1.2">\n<model name="m"><link name="a"/></model>\n</gazebo>\n'
+    done = migrate(text, Version(1, 4))
+    assert done.text == text.replace("gazebo", "sdf").replace("1.2", "1.4")
+    assert done.verification is not None
+    assert done.verification.links == 1
