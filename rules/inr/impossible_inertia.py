@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
@@ -26,6 +26,11 @@ class ImpossibleInertia(Rule):
             "<inertial><mass>1</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>«0.1»</izz></inertia></inertial>",
             says="0.1 > 0.001 + 0.001",
         ),
+        Bad(
+            "<inertial><mass>1</mass><inertia><ixx>8.53333333333e-07</ixx><iyy>«1.70666666667e-06»</iyy>"
+            "<izz>8.53333333333e-07</izz></inertia></inertial>",
+            says="1.70666666667e-06 > 8.53333333333e-07 + 8.53333333333e-07",
+        ),
     )
     good = (
         Good(
@@ -35,6 +40,17 @@ class ImpossibleInertia(Rule):
     )
 
     def check(self, problem: problems.ImpossibleInertia) -> Iterator[Diagnostic]:
-        low, middle, high = (f"{moment:.6g}" for moment in problem.principal)
+        low, middle, high = _told_apart(problem.principal)
         message = f"no body has these principal moments: {high} > {low} + {middle}"
         yield self.diagnostic(problem.value, message, labels={problem.link: "the inertia of this link"})
+
+
+def _told_apart(principal: Sequence[float]) -> list[str]:
+    """The moments, smallest first, in as many digits as show by how much the largest is too large."""
+    excess = principal[2] - principal[1] - principal[0]
+    for digits in range(6, 18):
+        shown = [f"{moment:.{digits}g}" for moment in principal]
+        low, middle, high = map(float, shown)
+        if abs(high - middle - low - excess) <= excess / 2:
+            break
+    return shown

@@ -11,6 +11,7 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    used,
     warns,
 )
 from sdfcheck_rules.res.places import looked_for, place
@@ -83,7 +84,7 @@ class MissingFile(Rule):
         value, location = problem.value, problem.location
         where = looked_for(value, location.tried)
         if isinstance(problem, problems.MissingFile):
-            message = f"{problem.what} `{value.text.strip()}` does not exist"
+            message = f"{problem.what} `{value.text.strip()}` does not exist{used(problem.count)}"
             if problem.suggestion is not None:
                 message += f", did you mean `{problem.suggestion}`?"
             severity = Severity.ERROR if problem.has_kin else Severity.WARNING

@@ -81,4 +81,6 @@ def _message(problem: problems.ExpansionFailure) -> str:
         return f"macro `{detail}` calls itself without end"
     if kind == "expression" and problem.expression:
         return f"`{problem.expression}` cannot be evaluated: {detail}"
+    if kind == "file":
+        return f"an included file cannot be read: {detail}"
     return f"expansion fails: {detail}"

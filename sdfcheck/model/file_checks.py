@@ -99,6 +99,7 @@ class _Sorting:
         self.found: list[object] = []
         self.owners: dict[tuple[str, str], list[Value]] = {}
         self.folders: dict[str, list[Value]] = {}
+        self.files: dict[tuple[str, str], list[tuple[Value, Location, Path | None]]] = {}
 
     def take(self, value: Value, what: str) -> None:
         slip = malformed(value) or absolute(value)
@@ -118,12 +119,15 @@ class _Sorting:
         elif expected is not None and not self.has_folder(folder := os.path.dirname(expected) or os.curdir):
             self.folders.setdefault(folder, []).append(value)
         else:
-            self.found.append(_missing(value, what, location, expected))
+            self.files.setdefault((value.text.strip(), what), []).append((value, location, expected))
 
     def has_folder(self, folder: str) -> bool:
         return folder not in self.folders and os.path.isdir(folder)
 
     def conclude(self) -> list[object]:
+        for (_, what), names in self.files.items():
+            value, location, expected = names[0]
+            self.found.append(_missing(value, what, location, expected, len(names)))
         for uses in self.owners.values():
             location = locate(self.document, uses[0].text)
             self.found.append(MissingOwner(uses[0], location, tuple(uses)))
@@ -141,16 +145,16 @@ def _texture(document: Document, what: str, text: str) -> bool:
     return any(os.path.exists(folder / place / text) for place in _TEXTURE_FOLDERS)
 
 
-def _missing(value: Value, what: str, location: Location, expected: Path | None) -> MissingFile:
+def _missing(value: Value, what: str, location: Location, expected: Path | None, count: int) -> MissingFile:
     if expected is None:
-        return MissingFile(value, what, location, None, has_kin=False)
+        return MissingFile(value, what, location, None, has_kin=False, count=count)
     from sdfcheck.formats.suggest import suggest
 
     try:
         beside = [name for name in os.listdir(expected.parent) if name.endswith(expected.suffix)]
     except OSError:
         beside = []
-    return MissingFile(value, what, location, suggest(expected.name, beside), has_kin=bool(beside))
+    return MissingFile(value, what, location, suggest(expected.name, beside), bool(beside), count)
 
 
 def _expected(location: Location) -> Path | None:

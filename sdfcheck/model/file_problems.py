@@ -14,7 +14,8 @@ class MissingFile(Record):
     """A file that is not where its URI leads. ``what`` says what it would be: a mesh, a texture.
 
     ``suggestion`` is a file beside it that may be meant. ``has_kin``: its folder holds
-    others of its suffix; without any, such files may be kept elsewhere.
+    others of its suffix; without any, such files may be kept elsewhere. ``count`` is how
+    often the document names it.
     """
 
     value: Value
@@ -22,6 +23,7 @@ class MissingFile(Record):
     location: Location
     suggestion: str | None
     has_kin: bool
+    count: int = 1
 
 
 class MissingFolder(Record):
