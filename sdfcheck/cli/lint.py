@@ -64,6 +64,7 @@ class Request:
     show_files: bool
     show_settings: bool
     color: str
+    jobs: int
     quiet: bool
 
 
@@ -117,6 +118,13 @@ class Request:
 @click.option("--isolated", is_flag=True, help="Use no configuration file.")
 @click.option("--show-files", is_flag=True, help="List the files that would be checked.")
 @click.option("--show-settings", is_flag=True, help="Show the settings that apply to the first path.")
+@click.option(
+    "--jobs",
+    type=click.IntRange(1),
+    default=1,
+    metavar="N",
+    help="Lint many files in N processes.  [default: 1]",
+)
 @colored()
 @click.option("-q", "--quiet", is_flag=True, help="Report, and say nothing else.")
 def lint(**given: Any) -> int:
@@ -160,6 +168,10 @@ def lint(**given: Any) -> int:
 def _run(request: Request, paths: Sequence[Path], options: Options, teller: _Teller) -> Run:
     progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
     try:
+        if request.jobs > 1:
+            from sdfcheck.lint.parallel import run_in_parallel
+
+            return run_in_parallel(paths, options, request.jobs, progress=progress, notify=teller)
         return run(paths, options, progress=progress, notify=teller)
     finally:
         if progress:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from enum import Enum
@@ -81,8 +82,26 @@ class Options(NamedTuple):
 class InternalError(Exception):
     """A bug met on a file."""
 
-    def __init__(self, path: Path, error: Exception) -> None:
-        super().__init__(f"{path}: {type(error).__name__}: {error}")
+    def __init__(self, path: Path, error: str) -> None:
+        super().__init__(path, error)
+
+    def __str__(self) -> str:
+        return f"{self.args[0]}: {self.args[1]}"
+
+
+class Part(NamedTuple):
+    """What came of some of the files of a run.
+
+    ``foreign`` holds, by real path, what was found in files that only includes lead to,
+    and how much of that was silenced.
+    """
+
+    diagnostics: list[Diagnostic]
+    foreign: dict[str, tuple[Sequence[Diagnostic], int]]
+    files: list[Path]
+    skipped: list[tuple[Path, str]]
+    suppressed: int
+    rules: dict[str, RuleFacts]
 
 
 def run(
@@ -98,32 +117,51 @@ def run(
         WrongUsage: a path does not exist, or the configuration is faulty.
         InternalError: a bug.
     """
-    found = find(paths, options)
+    return joined([lint_part(find(paths, options), options, progress=progress, notify=notify)])
+
+
+def lint_part(
+    found: Found, options: Options, *, progress: Progress | None = None, notify: Notify = lambda notice: None
+) -> Part:
+    """Lint files that were found, and what they include; raises as :func:`run` does."""
     book = RuleBook(options.choice, options.target)
-    skipped = list(found.skipped)
-    files: list[Path] = []
-    diagnostics: list[Diagnostic] = []
-    used: dict[str, RuleFacts] = {}
+    part = Part([], {}, [], list(found.skipped), 0, {})
     suppressed = 0
     with Shelves(expand=options.expand, arguments=options.arguments) as shelves:
-        for file in selected(found, options, skipped, notify=notify, progress=progress):
+        for file in selected(found, options, part.skipped, notify=notify, progress=progress):
             settings = options.settings_for(file.path)
             active = book.active(settings, file.path)
             with _bugs_told_of(file.path):
                 kept, silenced = lint_file(file, book, settings, shelves)
-            files.append(file.path)
-            diagnostics += kept
+            part.files.append(file.path)
+            part.diagnostics.extend(kept)
             suppressed += silenced
-            used.update((facts.code, facts) for facts in active.facts)
-    for document in shelves.included(files):
+            part.rules.update((facts.code, facts) for facts in active.facts)
+    for document in shelves.included(part.files):
         with _bugs_told_of(document.path):
-            kept, silenced = lint_included(document, book, options.configuration)
-        diagnostics += kept
-        suppressed += silenced
-    diagnostics = said_once(diagnostics)
-    diagnostics.sort(key=lambda diagnostic: diagnostic.sort_key)
-    rules = tuple(used[code] for code in sorted(used))
-    return Run(tuple(diagnostics), tuple(files), tuple(sorted(skipped)), suppressed, rules=rules)
+            told = lint_included(document, book, options.configuration)
+        part.foreign[os.path.realpath(document.path)] = told
+    return part._replace(suppressed=suppressed)
+
+
+def joined(parts: Sequence[Part]) -> Run:
+    """The run that consists of some parts, in order."""
+    files = [path for part in parts for path in part.files]
+    own = {os.path.realpath(path) for path in files} if len(parts) > 1 else set()
+    foreign: dict[str, tuple[Sequence[Diagnostic], int]] = {}
+    for part in parts:
+        foreign = {**{path: told for path, told in part.foreign.items() if path not in own}, **foreign}
+    diagnostics = [diagnostic for part in parts for diagnostic in part.diagnostics]
+    for told, _ in foreign.values():
+        diagnostics += told
+    rules = {code: facts for part in parts for code, facts in part.rules.items()}
+    return Run(
+        tuple(sorted(said_once(diagnostics), key=lambda diagnostic: diagnostic.sort_key)),
+        tuple(files),
+        tuple(sorted(entry for part in parts for entry in part.skipped)),
+        sum(part.suppressed for part in parts) + sum(silenced for _, silenced in foreign.values()),
+        rules=tuple(rules[code] for code in sorted(rules)),
+    )
 
 
 @contextmanager
@@ -134,7 +172,7 @@ def _bugs_told_of(path: Path) -> Iterator[None]:
     except WrongUsage:
         raise
     except Exception as error:
-        raise InternalError(path, error) from error
+        raise InternalError(path, f"{type(error).__name__}: {error}") from error
 
 
 def find(paths: Sequence[Path], options: Options) -> Found:
