@@ -35,7 +35,7 @@ class InvalidIncludeParameter(Rule):
         Bad('<link element_id="«base::»" action="remove"/>', files=ARM, says="ends in `::`"),
         Bad('<link element_id="base" action="«delete»"/>', files=ARM, says="no action `delete`"),
         Bad('<«link» element_id="" action="add"/>', files=ARM, says="has no `name`"),
-        Bad('<link element_id="" «name»="" action="add"/>', files=ARM, says="name is empty"),
+        Bad('<link element_id="" «name»="" action="add"/>', files=ARM, says="has an empty name"),
         Bad('<link element_id="" name="«base»" action="add"/>', files=ARM, says="already"),
         Bad(
             '<visual element_id="«base::skim»" action="remove"/>',
@@ -84,7 +84,7 @@ class InvalidIncludeParameter(Rule):
             ParameterFault.OPEN_END: f"`{text}` ends in `::`",
             ParameterFault.UNKNOWN_ACTION: f"no action `{text}`, only add, modify, remove and replace",
             ParameterFault.NO_NAME: f"the {entry.name} to add has no `name`",
-            ParameterFault.EMPTY_NAME: f"the name is empty of the {entry.name} to add",
+            ParameterFault.EMPTY_NAME: f"the {entry.name} to add has an empty name",
             ParameterFault.TAKEN: f"the included model already has a {entry.name} `{text}` there",
             ParameterFault.NOTHING: f"the included model has no {entry.name} `{text}`",
             ParameterFault.OTHER_KIND: f"`{text}` is a {other}, not a {entry.name}",

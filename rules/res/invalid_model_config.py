@@ -67,7 +67,7 @@ class InvalidModelConfig(Rule):
 
     def check(self, problem: problems.InvalidModelConfig | problems.OldManifest) -> Iterator[Diagnostic]:
         if isinstance(problem, problems.OldManifest):
-            message = f"`{problem.uri.text}` has only a manifest.xml, which model.config came after"
+            message = f"`{problem.uri.text}` has only a manifest.xml, and readers look for a model.config"
             yield self.diagnostic(problem.uri, message)
             return
         place, fault = problem.place, problem.fault

@@ -41,7 +41,7 @@ class MalformedUri(Rule):
             URDF_MESH.format("«package:/arm/arm.stl»"),
             fixed=URDF_MESH.format("package://arm/arm.stl"),
             scaffold=IN_URDF_LINK,
-            says="two slashes",
+            says="not two slashes behind",
         ),
         Bad(
             MESH.format("«model:\\\\arm\\arm.dae»"),
@@ -63,7 +63,7 @@ class MalformedUri(Rule):
         Bad(
             MESH.format("«https:/fuel.example.org/arm»"),
             fixed=MESH.format("https://fuel.example.org/arm"),
-            says="two slashes",
+            says="not two slashes behind",
         ),
         Bad(
             URDF_MESH.format("« package://arm/arm.stl»"),
@@ -82,7 +82,7 @@ class MalformedUri(Rule):
         scheme = text.strip().partition(":")[0]
         message = {
             problems.UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
-            problems.UriFault.SLASHES: f"`{scheme}:` is followed by two slashes, not as in `{text}`",
+            problems.UriFault.SLASHES: f"not two slashes behind `{scheme}:` in `{text}`",
             problems.UriFault.SCHEME_CASE: f"the scheme `{scheme}` is spelt in small letters",
             problems.UriFault.UNKNOWN_SCHEME: f"no reader knows the scheme `{scheme}`",
             problems.UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
@@ -91,6 +91,6 @@ class MalformedUri(Rule):
         if meant is None:
             yield self.diagnostic(problem.value, message)
             return
-        message += f", did you mean `{meant}`?"
+        message += f"; did you mean `{meant}`?"
         fix = replace(problem.value, meant, f"write {meant}") if needs_no_escape(meant) else None
         yield self.diagnostic(problem.value, message, fix=fix)

@@ -61,7 +61,7 @@ class UnusableInclude(Rule):
         if isinstance(problem, problems.EmptyIncludeSetting):
             yield self.diagnostic(problem.element, f"`{problem.element.name}` of this include is empty")
             return
-        name = problem.file.name
+        name = f"`{problem.file.name}`"
         if problem.obstacle is Obstacle.UNREADABLE:
             message = f"{name} cannot be read"
         elif problem.obstacle is Obstacle.XACRO:

@@ -13,6 +13,7 @@ from sdfcheck import (
     Rule,
     Severity,
     edit,
+    named,
     problems,
     warns,
 )
@@ -81,7 +82,7 @@ class DeprecatedElement(Rule):
             return
         message = f"`{element.name}` is deprecated{since}"
         if successor is not None:
-            message += f"; use `{successor}`"
+            message += f"; use {named(successor.split(', '))}"
         yield self.diagnostic(element, message)
 
 

@@ -10,6 +10,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    named,
     problems,
     used,
     warns,
@@ -61,5 +62,5 @@ class RemovedElement(Rule):
         times = used(1 + len(problem.others))
         message = f"{what}{times} went out of the format after version {problem.until}"
         if problem.successor is not None:
-            message += f"; use `{problem.successor}`"
+            message += f"; use {named(problem.successor.split(', '))}"
         yield self.diagnostic(target, message)

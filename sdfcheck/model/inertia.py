@@ -253,5 +253,6 @@ def _look_at_automatic(inertial: Inertial) -> Iterator[Record]:
         geometry = collision.find("geometry")
         names = [c.name for c in geometry.children()] if geometry is not None else []
         if not names or names[0] in _NO_SOLID:
-            what = f"a {names[0]}" if names else "a collision without shape"
+            shape = "an empty geometry" if "empty" in names[:1] else f"a {names[0]}" if names else ""
+            what = shape or "a collision without shape"
             yield UnusableAutomaticInertia(collision, inertial.link, collision, f"{what} has no volume")
