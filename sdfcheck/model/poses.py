@@ -36,7 +36,7 @@ def written_pose(pose: Element | None) -> Array:
     numbers = floats(pose.content)
     attributes = pose.attributes
     is_quaternion = attributes.get("rotation_format", "").strip() == "quat_xyzw"
-    if numbers is None or len(numbers) != (7 if is_quaternion else 6):
+    if numbers is None or len(numbers) != (7 if is_quaternion else 6) or not all(map(math.isfinite, numbers)):
         raise PoseError(f"{pose.content!r} is not a pose")
     if is_quaternion:
         rotation = from_quaternion(*numbers[3:])

@@ -55,9 +55,9 @@ def convert(
     scope = choose(document, options.model)
     try:
         context = _prepare(scope, options, folder or document.path.parent)
+        _write(context)
     except (RobotError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
-    _write(context)
     text = _text(context)
     result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
     comparison = Comparison(_expected(context), result, _correspondence(context))

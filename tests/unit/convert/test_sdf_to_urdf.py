@@ -190,3 +190,22 @@ def test_line_ends_stay() -> None:
     text = '<sdf version="1.9">\r\n<model name="m"><link name="a"/></model>\r\n</sdf>\r\n'
     done = convert(read(text.encode(), Path("m.sdf"), Kind.SDF))
     assert done.text.count("\n") == done.text.count("\r\n") > 5
+
+
+@pytest.mark.parametrize(
+    "pose", ["inf 0 0 0 0 0", "0 0 0 nan 0 0", "0 0 0 1e999 0 0", "0 0 0", "a b c d e f"]
+)
+def test_a_pose_that_is_none_is_refused(pose: str) -> None:
+    for link in (
+        f"<pose>{pose}</pose>",
+        f'<sensor name="s" type="imu"><pose relative_to="l">{pose}</pose></sensor>',
+    ):
+        with pytest.raises(NotConvertible, match="is not a pose"):
+            _convert(f'<link name="a">{link}</link><link name="l"/>')
+
+
+def test_a_sensor_at_an_unknown_frame_is_refused() -> None:
+    with pytest.raises(NotConvertible, match="no frame 'f'"):
+        _convert(
+            '<link name="a"><sensor name="s" type="imu"><pose relative_to="f">1 0 0 0 0 0</pose></sensor></link>'
+        )
