@@ -11,7 +11,7 @@ from sdfcheck import Document, Value
 _SHOWN = 3
 
 
-def place(document: Document, path: Path) -> str:
+def place(document: Document, path: str | Path) -> str:
     """A path as seen from the folder of the document, if that is shorter."""
     whole = os.path.normpath(path)
     try:
@@ -21,7 +21,7 @@ def place(document: Document, path: Path) -> str:
     return min(short, whole, key=len)
 
 
-def looked_for(value: Value, paths: Sequence[Path]) -> str:
+def looked_for(value: Value, paths: Sequence[str]) -> str:
     """Where something was looked for, the first few places."""
     document = value.element.document
     places = list(dict.fromkeys(place(document, path) for path in paths))

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.lint.fixer import ROUNDS, Mended, mend
@@ -15,6 +15,7 @@ from sdfcheck.lint.session import Level, Notice, Notify, Options, run
 from sdfcheck.lint.wording import counted
 from sdfcheck.source.decode import decode, encoding_of
 from sdfcheck.source.overwrite import overwrite
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 

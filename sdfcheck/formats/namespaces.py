@@ -69,21 +69,27 @@ class _Declaration:
 
 def problems(document: Document) -> list[Problem]:
     """Everything about prefixes that is wrong in a document, in no particular order."""
-    if document.root is None or not document.is_recognized or _is_plain(document):
+    if document.root is None or not document.is_recognized:
         return []
-    return _Analysis(document).run() if _has_prefixes(document.source.text) else []
+    used = _plain_uses(document)
+    if used is None:
+        return _Analysis(document).run() if _has_prefixes(document.source.text) else []
+    return _Analysis(document).of_root(used) if len(used) < len(document.root.nsmap) else []
 
 
-def _is_plain(document: Document) -> bool:
-    """A quick look, wrong only to the safe side: are all prefixes declared on the root, unlike, and used?"""
+def _plain_uses(document: Document) -> set[str] | None:
+    """The namespaces in use, where that is all there is to know: prefixes are declared on the root only, and unlike.
+
+    None, to be safe, for everything else.
+    """
     root = document.root
     if root is None or not document.is_wellformed or document.source.text.count("xmlns") != len(root.nsmap):
-        return False
-    spaces = set(root.nsmap.values())
+        return None
+    spaces = {space for space in root.nsmap.values() if space.strip()}
     if len(spaces) < len(root.nsmap) or any(p is None or _is_reserved(p, n) for p, n in root.nsmap.items()):
-        return False
-    used = "boolean(//*[namespace-uri() = $space] | //@*[namespace-uri() = $space])"
-    return all(space.strip() and root.xpath(used, space=space) for space in spaces)
+        return None
+    use = "boolean(//*[namespace-uri() = $space] | //@*[namespace-uri() = $space])"
+    return {space for space in spaces if root.xpath(use, space=space)}
 
 
 def _has_prefixes(text: str) -> bool:
@@ -120,6 +126,14 @@ class _Analysis:
                 self.plugin_end = max(self.plugin_end, scan.close_ends[number])
             if text.find(":", start, end) >= 0 or text.find("xmlns", start, end) >= 0:
                 self.take(number)
+        self.conclude()
+        return self.found
+
+    def of_root(self, used: set[str]) -> list[Problem]:
+        """The same where the root declares all prefixes, and these namespaces are used."""
+        self.take(0)
+        for declaration in self.declarations:
+            declaration.used = declaration.namespace in used
         self.conclude()
         return self.found
 

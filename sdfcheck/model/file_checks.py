@@ -99,7 +99,7 @@ class _Sorting:
         self.found: list[object] = []
         self.owners: dict[tuple[str, str], list[Value]] = {}
         self.folders: dict[str, list[Value]] = {}
-        self.files: dict[tuple[str, str], list[tuple[Value, Location, Path | None]]] = {}
+        self.files: dict[tuple[str, str], list[tuple[Value, Location, str | None]]] = {}
 
     def take(self, value: Value, what: str) -> None:
         slip = malformed(value) or absolute(value)
@@ -145,24 +145,26 @@ def _texture(document: Document, what: str, text: str) -> bool:
     return any(os.path.exists(folder / place / text) for place in _TEXTURE_FOLDERS)
 
 
-def _missing(value: Value, what: str, location: Location, expected: Path | None, count: int) -> MissingFile:
+def _missing(value: Value, what: str, location: Location, expected: str | None, count: int) -> MissingFile:
     if expected is None:
         return MissingFile(value, what, location, None, has_kin=False, count=count)
     from sdfcheck.formats.suggest import suggest
 
+    folder, own = os.path.split(expected)
+    suffix = os.path.splitext(own)[1]
     try:
-        beside = [name for name in os.listdir(expected.parent) if name.endswith(expected.suffix)]
+        beside = [name for name in os.listdir(folder or os.curdir) if name.endswith(suffix)]
     except OSError:
         beside = []
-    return MissingFile(value, what, location, suggest(expected.name, beside), bool(beside), count)
+    return MissingFile(value, what, location, suggest(own, beside), bool(beside), count)
 
 
-def _expected(location: Location) -> Path | None:
+def _expected(location: Location) -> str | None:
     """Of the paths that were tried the one in the model or package that was found."""
     if location.owner is None:
         return next(iter(location.tried), None)
     first = location.tried[0]
-    return first if str(first).startswith(f"{os.path.normpath(location.owner)}{os.sep}") else None
+    return first if first.startswith(f"{os.path.normpath(location.owner)}{os.sep}") else None
 
 
 def _unportable(uses: list[Value]) -> Iterator[UnportableUri]:

@@ -7,12 +7,12 @@ Many configurations are worked out at once: arrays of poses have the shape (n, 4
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 import numpy as np
 
 from sdfcheck.model.robot import Axis, Joint, Robot
 from sdfcheck.model.rotations import Array, about_axis, inverse, transform
+from sdfcheck.source.record import NamedTuple
 
 Positions = Mapping[str, Array]
 """Joint → its positions (rad or m), shape (n, k): one for each axis; three for a ball joint (a rotation vector)."""

@@ -34,7 +34,7 @@ class Location(NamedTuple):
 
     scheme: str
     path: Path | None
-    tried: tuple[Path, ...] = ()
+    tried: tuple[str, ...] = ()
     near: Path | None = None
     name: str = ""
     owner: Path | None = None
@@ -95,7 +95,7 @@ def _locate(document: Document, text: str) -> Location:
         if not owners.there:
             # Only the case of letters can be wrong then.
             near = found.path or found.near
-            tried = tuple(Path(owner, inside) for owner in owners.tried)
+            tried = tuple(os.path.normpath(os.path.join(owner, inside)) for owner in owners.tried)
             return Location(scheme, None, tried, near, name)
         return found._replace(name=name, owner=Path(owners.there[0]))
     models = _models(document, name)
@@ -140,7 +140,7 @@ def _first(listings: _Listings, scheme: str, candidates: list[str]) -> Location:
             return Location(scheme, Path(path))
     tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
     near = next((found for path in tried if (found := _ignoring_case(path, listings)) is not None), None)
-    return Location(scheme, None, tuple(map(Path, tried)), None if near is None else Path(near))
+    return Location(scheme, None, tried, None if near is None else Path(near))
 
 
 def _models(document: Document, name: str) -> Iterator[str]:

@@ -68,7 +68,7 @@ def test_not_found_tells_what_was_tried_and_what_is_near(tmp_path: Path) -> None
     write(tmp_path, {"main.sdf": MODEL, "arm/meshes/Arm.dae": ""})
     location = locate(opened(tmp_path / "main.sdf"), "model://arm/meshes/arm.DAE")
     assert location.path is None
-    assert tmp_path / "arm/meshes/arm.DAE" in location.tried
+    assert str(tmp_path / "arm/meshes/arm.DAE") in location.tried
     assert location.near == tmp_path / "arm/meshes/Arm.dae"
     assert (location.name, location.owner) == ("arm", tmp_path / "arm")
 
