@@ -24,7 +24,7 @@ class ShadowedPrefix(Rule):
         Bad(
             '<sdf version="1.12" xmlns:p="https://example.org/p" «xmlns:q»="https://example.org/p">'
             '<world name="w" p:kind="2d" q:size="3"/></sdf>',
-            says="prefix `q` has the same name as `p`",
+            says="prefix `q` stands for the same namespace as `p`",
         ),
     )
     good = (
@@ -42,5 +42,5 @@ class ShadowedPrefix(Rule):
                 problem.span, message, labels={problem.outer: "declared with another name here"}
             )
         else:
-            message = f"prefix `{problem.prefix}` has the same name as `{problem.first_prefix}`"
+            message = f"prefix `{problem.prefix}` stands for the same namespace as `{problem.first_prefix}`"
             yield self.diagnostic(problem.span, message, labels={problem.first: "the other prefix"})

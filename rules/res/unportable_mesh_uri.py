@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used, warns
 
 MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 
@@ -24,15 +24,12 @@ class UnportableMeshUri(Rule):
         Bad(MESH.format("«meshes/arm.stl»"), says="relative path"),
         Bad(
             MESH.format("«model://arm/a.stl»") + MESH.format("model://arm/b.stl"),
-            says="so are 1 more",
+            says="(used 2 times) is not resolved",
         ),
     )
     good = (Good(MESH.format("package://arm/meshes/arm.stl")), Good(MESH.format("file:///opt/arm.stl")))
 
     def check(self, problem: problems.UnportableUri) -> Iterator[Diagnostic]:
         what = f"`{problem.scheme}://`" if problem.scheme else "a relative path"
-        others = len(problem.uses) - 1
-        message = f"{what} is not resolved by ROS programs" + (
-            f", and so are {others} more" if others else ""
-        )
+        message = f"{what}{used(len(problem.uses))} is not resolved by ROS programs"
         yield self.diagnostic(problem.value, message, help="`package://` is understood more widely")

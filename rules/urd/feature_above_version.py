@@ -25,7 +25,7 @@ class FeatureAboveVersion(Rule):
     bad = (
         Bad(
             CAPSULE.replace("capsule", "«capsule»", 1),
-            says="`capsule` came with URDF 1.1, and the robot is of 1.0",
+            says="`capsule` came with URDF 1.1, and the robot is of version 1.0",
         ),
         Bad(
             '<origin «quat_xyzw»="0 0 0 1"/><geometry><sphere radius="1"/></geometry>',
@@ -36,7 +36,9 @@ class FeatureAboveVersion(Rule):
 
     def check(self, problem: problems.FeatureAboveVersion) -> Iterator[Diagnostic]:
         place = problem.place
-        message = f"`{problem.what}` came with URDF {problem.since}, and the robot is of {problem.declared}"
+        message = (
+            f"`{problem.what}` came with URDF {problem.since}, and the robot is of version {problem.declared}"
+        )
         advice = f'declare it: <robot version="{problem.since}">'
         target = place.name_span if isinstance(place, Value) else place.span
         yield self.diagnostic(target, message, help=advice)
