@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from sdfcheck.model.inertia import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.model.joint_problems import *  # noqa: F403
     from sdfcheck.model.model_config import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.model.mujoco_urdf import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.model.names import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.model.robot_problems import *  # noqa: F403
     from sdfcheck.model.rotation_checks import *  # type: ignore[assignment]  # noqa: F403
@@ -44,6 +45,7 @@ _HOMES = (
     "sdfcheck.formats.vendor_problems",
     "sdfcheck.model.drake_problems",
     "sdfcheck.model.gazebo_problems",
+    "sdfcheck.model.mujoco_urdf",
 )
 
 

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_LINK,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -69,7 +70,8 @@ class NonUnitQuaternion(Rule):
         if problem.length == 0:
             fix = edit("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
             message = "the quaternion is zero, which is no rotation"
-            yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR)
+            affects = {Consumer.DRAKE: REFUSES}
+            yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR, affects=affects)
             return
         text = " ".join(f"{number:.14g}" for number in problem.normalized)
         is_unsafe = abs(problem.length - 1) > _ROUNDED

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, warns
+from sdfcheck import (
+    IN_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Rule,
+    Severity,
+    accepts,
+    problems,
+    refuses,
+    warns,
+)
 
 
 class NonPositiveMass(Rule):
@@ -18,7 +31,7 @@ class NonPositiveMass(Rule):
     affects = {
         Consumer.GAZEBO: refuses("refuses a negative mass"),
         Consumer.DRAKE: warns("takes a solid sphere in its place"),
-        Consumer.MUJOCO: refuses("refuses it for a link that moves"),
+        Consumer.MUJOCO: refuses("refuses a link that moves"),
     }
     scaffold = IN_LINK
 
@@ -45,10 +58,29 @@ class NonPositiveMass(Rule):
         link = problem.link.attributes.get("name", "")
         if problem.is_zero:
             message = f"link `{link}` has no mass: 0 kg"
-            yield self.diagnostic(problem.value, message, severity=Severity.WARNING)
+            affects = {
+                Consumer.GAZEBO: warns("takes it as it is"),
+                Consumer.MUJOCO: accepts("asks the mass of all that is fixed together"),
+            }
+            yield self.diagnostic(problem.value, message, severity=Severity.WARNING, affects=affects)
             return
         text = problem.value.text
         what = "negative" if problem.value.number < 0 else "not a number"
         yield self.diagnostic(
-            problem.value, f"mass {text} is {what}", labels={problem.link: "the mass of this link"}
+            problem.value,
+            f"mass {text} is {what}",
+            labels={problem.link: "the mass of this link"},
+            affects={}
+            if moves(problem.link)
+            else {Consumer.MUJOCO: accepts("needs no mass where nothing moves")},
         )
+
+
+def moves(link: Element) -> bool:
+    """Does a joint of URDF lead to the link that is not fixed?"""
+    robot, name = link.parent, link.attributes.get("name")
+    joints = robot.children("joint") if robot is not None else ()
+    ends = ((joint.attributes.get("type"), joint.find("child")) for joint in joints)
+    return any(
+        end is not None and end.attributes.get("link") == name and kind != "fixed" for kind, end in ends
+    )

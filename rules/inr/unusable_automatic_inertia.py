@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class UnusableAutomaticInertia(Rule):
@@ -41,4 +41,6 @@ class UnusableAutomaticInertia(Rule):
     def check(self, problem: problems.UnusableAutomaticInertia) -> Iterator[Diagnostic]:
         name = problem.link.attributes.get("name", "")
         message = f"the inertia of link `{name}` cannot be computed: {problem.reason}"
-        yield self.diagnostic(problem.place, message)
+        is_density = problem.place.name == "density"
+        affects = {Consumer.DRAKE: warns("takes a solid sphere in its place")} if is_density else {}
+        yield self.diagnostic(problem.place, message, affects=affects)

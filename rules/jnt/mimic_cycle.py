@@ -72,4 +72,8 @@ class MimicCycle(Rule):
             leader: f"the leader of `{name}`"
             for leader, name in zip(leaders[1:_SHOWN], names[1:], strict=False)
         }
-        yield self.diagnostic(leaders[0], f"joints mimic each other in a ring: {ring}", labels=labels)
+        message, affects = (
+            f"joints mimic each other in a ring: {ring}",
+            dict.fromkeys(Consumer, warns("takes it as it is")),
+        )
+        yield self.diagnostic(leaders[0], message, labels=labels, affects=affects)

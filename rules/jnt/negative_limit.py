@@ -61,4 +61,9 @@ class NegativeLimit(Rule):
     def check(self, problem: problems.NegativeLimit) -> Iterator[Diagnostic]:
         value = problem.value
         message = f"{problem.quantity} {value.text.strip()} of {problem.joint.title} is negative"
-        yield self.diagnostic(value, message)
+        affects = {}
+        if problem.quantity == "velocity" and value.attribute is not None:
+            affects = {Consumer.DRAKE: refuses("aborts")}
+        elif problem.quantity != "damping":
+            affects = {Consumer.DRAKE: warns("takes it as no limit")}
+        yield self.diagnostic(value, message, affects=affects)

@@ -7,9 +7,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Element,
     Good,
     Rule,
     Severity,
+    accepts,
     named,
     problems,
     refuses,
@@ -70,9 +72,19 @@ class SeveralParents(Rule):
 
     def check(self, problem: problems.SeveralParents) -> Iterator[Diagnostic]:
         joints = named(problem.joints, most=4)
+        holders = (problem.child.element.parent, problem.first.element.parent)
+        is_held = any(joint is not None and _is_held(joint) for joint in holders)
+        affects = {Consumer.DRAKE: accepts("holds the link")} if is_held else {}
         yield self.diagnostic(
             problem.child,
             f"link `{problem.link}` is child of {len(problem.joints)} joints: {joints}",
             labels={problem.first: "first a child here"},
             severity=Severity.ERROR if problem.refused else None,
+            affects=affects,
         )
+
+
+def _is_held(joint: Element) -> bool:
+    """Does a joint of SDFormat hold its child to the world? Then another one makes no loop."""
+    parent = joint.find("parent")
+    return parent is not None and parent.content.strip() == "world"

@@ -11,6 +11,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    accepts,
     edit,
     problems,
 )
@@ -100,7 +101,8 @@ class UnknownJointEnd(Rule):
             message += f" (named {1 + len(problem.others)} times)"
         if meant is None:
             advice = "only Drake takes `world` for granted, others want a link of that name"
-            yield self.diagnostic(value, message, help=advice if name == "world" else None)
+            known = {Consumer.DRAKE: accepts("takes it for granted")} if name == "world" else {}
+            yield self.diagnostic(value, message, help=advice if known else None, affects=known)
             return
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"

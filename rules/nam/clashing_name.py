@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    accepts,
+    problems,
+    warns,
+)
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 
@@ -43,11 +56,14 @@ class ClashingName(Rule):
     def check(self, problem: problems.ClashingName) -> Iterator[Diagnostic]:
         first, scope = problem.first_kind, problem.parent.title
         message = f"{problem.kind} `{problem.name}` has the name of a {first} in {scope}"
+        affects = {} if problem.makes_frame else {Consumer.DRAKE: accepts("takes both")}
         if problem.renamed:
+            affects = {Consumer.GAZEBO: warns("renames it")}
             message += ", so libsdformat renames it"
         yield self.diagnostic(
             problem.value,
             message,
             labels={problem.first: f"the {first}"},
             severity=None if problem.makes_frame and not problem.renamed else Severity.WARNING,
+            affects=affects,
         )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
 
 
 class DuplicateName(Rule):
@@ -42,4 +42,5 @@ class DuplicateName(Rule):
             problem.value,
             f"there is another {problem.kind} `{problem.name}` in {where}",
             labels={problem.first: "the first one"},
+            affects={} if problem.kind == "link" else {Consumer.MUJOCO: accepts("takes both")},
         )

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, Span, Value, problems
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Rule,
+    Severity,
+    Span,
+    Value,
+    problems,
+    warns,
+)
 from sdfcheck.problems import ParameterFault
 
 ARM = {
@@ -73,7 +86,9 @@ class InvalidIncludeParameter(Rule):
         place: Element | Value | Span = problem.place
         if problem.fault is ParameterFault.UNKNOWN_ATTRIBUTE and isinstance(place, Value):
             place = place.name_span
-        yield self.diagnostic(place, message, severity=severity)
+        doubtful = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("changes nothing"))
+        affects = doubtful if problem.fault is ParameterFault.NO_CHANGE else {}
+        yield self.diagnostic(place, message, severity=severity, affects=affects)
 
     def message(self, problem: problems.InvalidParameter) -> str:
         place, entry, other = problem.place, problem.entry, problem.other

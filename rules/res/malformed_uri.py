@@ -79,6 +79,9 @@ class MalformedUri(Rule):
 
     def check(self, problem: problems.MalformedUri) -> Iterator[Diagnostic]:
         text, fault, meant = problem.value.text, problem.fault, problem.meant
+        holder = problem.value.element.parent
+        is_include = holder is not None and holder.name == "include"
+        affects = {Consumer.GAZEBO: REFUSES} if is_include else {}
         scheme = text.strip().partition(":")[0]
         message = {
             problems.UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
@@ -89,8 +92,8 @@ class MalformedUri(Rule):
             problems.UriFault.BLANK: f"a blank too many in `{text}`",
         }[fault]
         if meant is None:
-            yield self.diagnostic(problem.value, message)
+            yield self.diagnostic(problem.value, message, affects=affects)
             return
         message += f"; did you mean `{meant}`?"
         fix = replace(problem.value, meant, f"write {meant}") if needs_no_escape(meant) else None
-        yield self.diagnostic(problem.value, message, fix=fix)
+        yield self.diagnostic(problem.value, message, fix=fix, affects=affects)

@@ -7,9 +7,13 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Element,
     Good,
+    Reaction,
     Rule,
     Severity,
+    Value,
+    accepts,
     problems,
     used,
     warns,
@@ -17,6 +21,9 @@ from sdfcheck import (
 from sdfcheck_rules.res.places import looked_for, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
+
+
+ELSEWHERE = warns("refuses the file where it is not found")
 
 
 class MissingFile(Rule):
@@ -33,7 +40,11 @@ class MissingFile(Rule):
     code = "RES001"
     name = "missing-file"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: warns("shows nothing in its place"), Consumer.DRAKE: REFUSES}
+    affects = {
+        Consumer.GAZEBO: warns("shows nothing in its place"),
+        Consumer.DRAKE: REFUSES,
+        Consumer.MUJOCO: REFUSES,
+    }
     explains = (problems.MissingFile, problems.MissingFolder, problems.MissingOwner)
     scaffold = IN_VISUAL
 
@@ -88,7 +99,8 @@ class MissingFile(Rule):
             if problem.suggestion is not None:
                 message += f", did you mean `{problem.suggestion}`?"
             severity = Severity.ERROR if problem.has_kin else Severity.WARNING
-            yield self.diagnostic(value, message, severity=severity, help=where)
+            affects = reactions(value, REFUSES if problem.has_kin else ELSEWHERE)
+            yield self.diagnostic(value, message, severity=severity, help=where, affects=affects)
             return
         times = f", needed for {len(problem.uses)} files" if len(problem.uses) > 1 else ""
         if isinstance(problem, problems.MissingFolder):
@@ -97,4 +109,17 @@ class MissingFile(Rule):
             setting = "model-paths" if location.scheme == "model" else "package-paths"
             message = f"{location.scheme} `{location.name}` is not on the search path{times}"
             where += f"; set `{setting}` in the configuration if it is elsewhere"
-        yield self.diagnostic(value, message, severity=Severity.WARNING, help=where)
+        affects = reactions(value, ELSEWHERE)
+        yield self.diagnostic(value, message, severity=Severity.WARNING, help=where, affects=affects)
+
+
+def reactions(value: Value, missing: Reaction) -> dict[Consumer, Reaction]:
+    """Drake looks for the meshes of links, MuJoCo for those of collisions that are paths."""
+    roles = {each.name for each in value.element.iterancestors() if isinstance(each, Element)}
+    is_mesh = (value.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
+    opened = is_mesh and "collision" in roles and ":/" not in value.text
+    unread = accepts("does not look for it")
+    return {
+        Consumer.DRAKE: missing if is_mesh and roles & {"visual", "collision"} else unread,
+        Consumer.MUJOCO: missing if opened else unread,
+    }

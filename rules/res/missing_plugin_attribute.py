@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
+
+OLDER = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("older releases refuse the file"))
 
 
 class MissingPluginAttribute(Rule):
@@ -44,8 +58,8 @@ class MissingPluginAttribute(Rule):
         )
         value = element.attribute(name)
         target = element.span if value is None else value.name_span
-        severity = Severity.ERROR
+        severity, affects = Severity.ERROR, {}
         if problem.until is not None:
             message += f", required up to version {problem.until}"
-            severity = Severity.WARNING
-        yield self.diagnostic(target, message, severity=severity)
+            severity, affects = Severity.WARNING, OLDER
+        yield self.diagnostic(target, message, severity=severity, affects=affects)

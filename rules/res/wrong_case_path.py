@@ -10,6 +10,7 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    refuses,
     replace,
     warns,
 )
@@ -17,6 +18,9 @@ from sdfcheck_rules.res.places import needs_no_escape, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
+
+
+ELSEWHERE = refuses("refuses the file where the case of letters counts")
 
 
 class WrongCasePath(Rule):
@@ -55,9 +59,9 @@ class WrongCasePath(Rule):
     def check(self, problem: problems.WrongCase) -> Iterator[Diagnostic]:
         value, meant = problem.value, problem.meant
         there = meant or place(value.element.document, problem.near)
-        severity = self.severity
+        severity, affects = self.severity, {}
         if value.element.parent is not None and value.element.parent.name == "include":
-            severity = Severity.ERROR
+            severity, affects = Severity.ERROR, dict.fromkeys(self.affects, ELSEWHERE)
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
         message = f"`{value.text.strip()}` is spelt `{there}` on disk"
-        yield self.diagnostic(value, message, severity=severity, fix=fix)
+        yield self.diagnostic(value, message, severity=severity, fix=fix, affects=affects)

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_COLLISION,
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    unreadable,
+    warns,
+)
 
 INERTIAL = (
     '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
@@ -74,7 +87,7 @@ class MalformedValue(Rule):
             message = f"`{name}` should be {reading.expected}, not `{part}`"
         else:
             message = f"`{name}` should be {reading.expected}, and `{part}` is none"
-        yield self.diagnostic(problem.span, message)
+        yield self.diagnostic(problem.span, message, affects=unreadable(value))
 
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""
@@ -83,7 +96,8 @@ class MalformedValue(Rule):
         if parent is not None and parent.name == "include" and not problem.reading.refused:
             return
         if problem.reading.refused:
-            yield self.diagnostic(problem.span, message)
+            yield self.diagnostic(problem.span, message, affects=unreadable(problem.value))
             return
         message += f", so {problem.definition.default} is taken"
-        yield self.diagnostic(problem.span, message, severity=Severity.WARNING)
+        affects = dict.fromkeys(Consumer, warns("takes the default"))
+        yield self.diagnostic(problem.span, message, severity=Severity.WARNING, affects=affects)

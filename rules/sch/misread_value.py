@@ -59,10 +59,13 @@ class MisreadValue(Rule):
             )
             return
         reading, part = problem.reading, problem.span.text
+        affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else {}
         cause = reading.cause.name if reading.cause else ""
         if cause == "EXTRA":
             yield self.diagnostic(
-                problem.span, f"`{name}` is read as {reading.read_as}: a second number is ignored"
+                problem.span,
+                f"`{name}` is read as {reading.read_as}: a second number is ignored",
+                affects=affects,
             )
             return
         as_meant = cause == "HEXADECIMAL" or part.rstrip(",") == reading.read_as
@@ -70,5 +73,6 @@ class MisreadValue(Rule):
             problem.span,
             f"`{part}` is read as {reading.read_as}",
             severity=Severity.WARNING if as_meant else None,
+            affects=affects,
             help="numbers have a decimal point and are parted by spaces" if cause == "COMMA" else None,
         )

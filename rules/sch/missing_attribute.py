@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    lacking,
+    problems,
+    warns,
+)
 
 
 class MissingAttribute(Rule):
@@ -49,7 +62,8 @@ class MissingAttribute(Rule):
         value = element.attribute(name)
         target = element.span if value is None else value.name_span
         if problem.until is None:
-            yield self.diagnostic(target, message)
+            yield self.diagnostic(target, message, affects=lacking(element, name))
             return
         message += f", required up to version {problem.until}"
-        yield self.diagnostic(target, message, severity=Severity.WARNING)
+        affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))
+        yield self.diagnostic(target, message, severity=Severity.WARNING, affects=affects)

@@ -13,6 +13,8 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    unreadable,
+    warns,
 )
 
 
@@ -71,8 +73,9 @@ class MissingElement(Rule):
     def check(self, problem: problems.MissingElement) -> Iterator[Diagnostic]:
         message = f"{problem.element.title} has no `{problem.child}`"
         if problem.refused:
-            yield self.diagnostic(problem.element, message)
+            yield self.diagnostic(problem.element, message, affects=unreadable(problem.element))
             return
         if problem.default is not None:
             message += f", so {problem.default} is taken"
-        yield self.diagnostic(problem.element, message, severity=Severity.WARNING)
+        affects = dict.fromkeys(Consumer, warns("takes a default"))
+        yield self.diagnostic(problem.element, message, severity=Severity.WARNING, affects=affects)

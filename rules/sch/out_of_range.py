@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_COLLISION,
+    IN_WORLD,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    unreadable,
+    warns,
+)
 
 CAMERA = (
     '<sdf version="1.12"><model name="m"><link name="base"><sensor name="s" type="camera">'
@@ -62,4 +75,8 @@ class OutOfRange(Rule):
         message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
         if problem.instead is not None:
             message += f", so {problem.instead} is taken"
-        yield self.diagnostic(problem.span, message, severity=Severity.ERROR if problem.refused else None)
+        severity, affects = None, {}
+        if problem.refused:
+            severity = Severity.ERROR
+            affects = {**dict.fromkeys(Consumer, REFUSES), **unreadable(problem.value)}
+        yield self.diagnostic(problem.span, message, severity=severity, affects=affects)

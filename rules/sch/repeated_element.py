@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    SDF,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    repeating,
+    warns,
+)
 
 SHOWN = 3
 """Further ones that are pointed at."""
@@ -66,9 +79,10 @@ class RepeatedElement(Rule):
                 f"{element.title} cannot stand beside {first.title}: a file holds one model, light or actor",
                 labels={first: "the first one"},
                 severity=Severity.ERROR,
+                affects=dict.fromkeys(Consumer, REFUSES),
             )
             return
         often = f"{2 + len(problem.others)} times" if problem.others else "again"
         message = f"`{element.name}` is given {often} in {problem.parent.title}; only the first counts"
         labels = {first: "the first one", **dict.fromkeys(problem.others[:SHOWN], "and again")}
-        yield self.diagnostic(element, message, labels=labels)
+        yield self.diagnostic(element, message, labels=labels, affects=repeating(element))

@@ -13,6 +13,8 @@ from sdfcheck import (
     Severity,
     listed,
     problems,
+    unreadable,
+    warns,
 )
 
 MANY = 8
@@ -82,4 +84,7 @@ class UnknownChoice(Rule):
             message,
             help=known if guess is None or len(choices) <= MANY else None,
             severity=None if problem.refused else Severity.WARNING,
+            affects=unreadable(value)
+            if problem.refused
+            else dict.fromkeys(Consumer, warns("takes a default")),
         )

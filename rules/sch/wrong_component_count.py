@@ -12,6 +12,8 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    unreadable,
+    warns,
 )
 
 
@@ -57,7 +59,8 @@ class WrongComponentCount(Rule):
         numbers = "1 number" if reading.got == 1 else f"{reading.got} numbers"
         message = f"`{name}` has {numbers} and needs {' or '.join(map(str, reading.wanted))}"
         if reading.refused:
-            yield self.diagnostic(problem.span, message)
+            yield self.diagnostic(problem.span, message, affects=unreadable(problem.value))
             return
         message += ", so the rest is ignored"
-        yield self.diagnostic(problem.span, message, severity=Severity.WARNING)
+        affects = dict.fromkeys(Consumer, warns("ignores the rest"))
+        yield self.diagnostic(problem.span, message, severity=Severity.WARNING, affects=affects)

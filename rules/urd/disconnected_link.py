@@ -48,7 +48,12 @@ class DisconnectedLink(Rule):
         if isinstance(problem, problems.MisnamedLink):
             value, count = problem.value, len(problem.ends)
             message = f"no joint names link `{value.text}`, and {count} name `{problem.meant}`, which is none"
-            yield self.diagnostic(value, message, labels={problem.ends[0]: "the first of them"})
+            yield self.diagnostic(
+                value,
+                message,
+                labels={problem.ends[0]: "the first of them"},
+                affects=dict.fromkeys(Consumer, REFUSES),
+            )
             return
         message = f"no joint ties {problem.link.title} to the rest of the robot"
         yield self.diagnostic(problem.link, message, labels={problem.main: "the root of the rest"})

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 MASS = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
@@ -25,7 +25,6 @@ class MasslessMovingLink(Rule):
     affects = {
         Consumer.GAZEBO: warns("drops the link and those below it"),
         Consumer.DRAKE: warns("cannot simulate it"),
-        Consumer.MUJOCO: REFUSES,
     }
     explains = (problems.MasslessMovingLink,)
     scaffold = ARM

@@ -9,8 +9,10 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    accepts,
     problems,
     refuses,
+    unreadable,
     warns,
 )
 
@@ -40,7 +42,10 @@ class MissingGeometry(Rule):
         Bad(
             '<collision name="c"><«geometry»/></collision>', says="the geometry of collision `c` has no shape"
         ),
-        Bad("<visual><geometry><«mesh»/></geometry></visual>", says="the mesh of `visual` has no `filename`"),
+        Bad(
+            "<visual><geometry><«mesh»/></geometry></visual>",
+            says="the mesh of `visual` has no `filename`",
+        ),
         Bad(
             '<visual><geometry><«sphear» radius="1"/></geometry></visual>',
             says="`sphear` is no shape of URDF; did you mean `sphere`?",
@@ -56,13 +61,18 @@ class MissingGeometry(Rule):
 
     def check(self, problem: problems.MissingGeometry | problems.UnknownShape) -> Iterator[Diagnostic]:
         element, shown = problem.element, problem.shown
+        affects = {Consumer.MUJOCO: unreadable(shown)[Consumer.MUJOCO]}
+        if element.name.startswith("drake:"):
+            affects[Consumer.DRAKE] = accepts("knows it")
         if isinstance(problem, problems.UnknownShape):
             guess = f"; did you mean `{problem.suggestion}`?" if problem.suggestion else ""
             severity = Severity.WARNING if element.is_custom else None
-            yield self.diagnostic(element, f"`{element.name}` is no shape of URDF{guess}", severity=severity)
+            yield self.diagnostic(
+                element, f"`{element.name}` is no shape of URDF{guess}", severity=severity, affects=affects
+            )
         elif element.name == "mesh":
-            yield self.diagnostic(element, f"the mesh of {shown.title} has no `filename`")
+            yield self.diagnostic(element, f"the mesh of {shown.title} has no `filename`", affects=affects)
         elif element.name == "geometry":
-            yield self.diagnostic(element, f"the geometry of {shown.title} has no shape")
+            yield self.diagnostic(element, f"the geometry of {shown.title} has no shape", affects=affects)
         else:
-            yield self.diagnostic(element, f"{shown.title} has no `geometry`")
+            yield self.diagnostic(element, f"{shown.title} has no `geometry`", affects=affects)

@@ -62,7 +62,8 @@ class MissingLimit(Rule):
             message = (
                 f"the limit of {joint.title} has no `lower` and no `upper`, so both are 0 and it cannot move"
             )
-            yield self.diagnostic(problem.limit, message, severity=Severity.WARNING)
+            affects = dict.fromkeys(Consumer, warns("locks the joint"))
+            yield self.diagnostic(problem.limit, message, severity=Severity.WARNING, affects=affects)
         elif problem.limit is None:
             yield self.diagnostic(joint, f"{joint.title} is {problem.type} and has no `limit`")
         else:

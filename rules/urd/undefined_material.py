@@ -76,6 +76,9 @@ class UndefinedMaterial(Rule):
                 f"material `{name}` was defined otherwise before",
                 labels={problem.first: "what most readers take"},
                 severity=Severity.WARNING,
+                affects={
+                    reader: warns("takes one of the two") for reader in (Consumer.GAZEBO, Consumer.URDFDOM)
+                },
             )
             return
         if problem.later is not None:

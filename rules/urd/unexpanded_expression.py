@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    refuses,
+    warns,
+)
+
+PARTLY = (Consumer.GAZEBO, Consumer.URDFDOM, Consumer.MUJOCO)
 
 
 class UnexpandedExpression(Rule):
@@ -45,4 +59,5 @@ class UnexpandedExpression(Rule):
             message += (
                 f", nor {'is 1 other expression' if others == 1 else f'are {others} other expressions'}"
             )
-        yield self.diagnostic(problem.span, message)
+        affects = {} if others else dict.fromkeys(PARTLY, warns("refuses the file, or drops the part"))
+        yield self.diagnostic(problem.span, message, affects=affects)

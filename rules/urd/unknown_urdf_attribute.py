@@ -11,6 +11,7 @@ from sdfcheck import (
     Rule,
     Severity,
     edit,
+    lacking,
     problems,
     used,
     warns,
@@ -64,8 +65,13 @@ class UnknownUrdfAttribute(Rule):
         if near is not None:
             message += f"; did you mean `{near}`?"
         severity = Severity.ERROR if problem.needed else None
+        affects = lacking(value.element, near or "") if problem.needed else {}
         yield self.diagnostic(
-            value.name_span, message + used(len(problem.uses)), severity=severity, fix=rename(problem)
+            value.name_span,
+            message + used(len(problem.uses)),
+            severity=severity,
+            fix=rename(problem),
+            affects=affects,
         )
 
 

@@ -13,6 +13,7 @@ from sdfcheck import (
     edit,
     named,
     problems,
+    unreadable,
     used,
     warns,
 )
@@ -71,8 +72,13 @@ class UnknownUrdfElement(Rule):
             places = named(problem.places, "or")
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
         severity = Severity.ERROR if problem.needed else None
+        affects = unreadable(problem.parent) if problem.needed else {}
         yield self.diagnostic(
-            element, message + used(len(problem.uses)), severity=severity, fix=rename(problem)
+            element,
+            message + used(len(problem.uses)),
+            severity=severity,
+            fix=rename(problem),
+            affects=affects,
         )
 
 

@@ -1,6 +1,8 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+
+PASSED_OVER = dict.fromkeys(Consumer, warns("passes over it"))
 
 
 class ContentAfterRoot(Rule):
@@ -34,12 +36,16 @@ class ContentAfterRoot(Rule):
 
     def check(self, problem: problems.ContentAfterRoot) -> Iterator[Diagnostic]:
         span, text = problem.span, problem.span.text
+        affects = {}
         if text.startswith("</"):
             message = f"`{text}` closes nothing: the root element is closed already"
+            affects = PASSED_OVER
         elif text.startswith("<?xml"):
             message = "a second document begins behind the root element"
+            affects = PASSED_OVER
         elif span.start and span.source.text[span.start - 1] == "<":
             message = f"a second root element, `{text}`"
+            affects = PASSED_OVER
         else:
             message = "text behind the root element"
-        yield self.diagnostic(span, message, labels={problem.root: "the root element"})
+        yield self.diagnostic(span, message, labels={problem.root: "the root element"}, affects=affects)

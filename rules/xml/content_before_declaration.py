@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, accepts, edit, problems
 
 
 class ContentBeforeDeclaration(Rule):
@@ -13,6 +13,7 @@ class ContentBeforeDeclaration(Rule):
     code = "XML004"
     name = "content-before-declaration"
     severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.LateDeclaration,)
 
     bad = (
@@ -47,4 +48,7 @@ class ContentBeforeDeclaration(Rule):
             fix = edit("move the declaration to the front", edits)
         else:
             fix = edit("remove what stands before it", (Edit(before, ""),))
-        yield self.diagnostic(declaration, "the XML declaration must be the first thing in the file", fix=fix)
+        message = "the XML declaration must be the first thing in the file"
+        affects = {} if before.text.strip() else dict.fromkeys(Consumer, accepts("takes the blank"))
+        severity = None if affects else Severity.ERROR
+        yield self.diagnostic(declaration, message, fix=fix, severity=severity, affects=affects)

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, Span, problems, replace
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    Span,
+    accepts,
+    problems,
+    replace,
+)
 
 Kind = problems.SyntaxKind
 
@@ -71,6 +84,13 @@ WRITTEN = {
 """What to write in place of the span where that is plain, and how to say so."""
 HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT}
 """What simulators read all the same, so that the file means the same after the fix."""
+
+
+TAKEN = frozenset(
+    (Kind.ANGLE_IN_VALUE, Kind.NESTED_COMMENT, Kind.SECTION_END_IN_TEXT, Kind.ILLEGAL_CHARACTER)
+)
+READ = accepts("reads it all the same")
+"""What tinyxml2, which the readers use, makes of these."""
 
 
 class SyntaxError(Rule):  # noqa: A001 - the name of the defect
@@ -162,6 +182,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         text = span.text.splitlines()[0][:60] if span.text else ""
         message = MESSAGES[kind].format(text=text, name=name)
         labels = {}
+        affects = dict.fromkeys(Consumer, READ) if kind in TAKEN else {}
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
         elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:
@@ -177,7 +198,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         if other is not None and not labels and kind in LABELS:
             is_closed = kind is Kind.EXTRA_END_TAG and other.text == name
             labels = {other: "closed here already" if is_closed else LABELS[kind].format(name=name)}
-        yield self.diagnostic(span, message, labels=labels, fix=fix_for(problem))
+        yield self.diagnostic(span, message, labels=labels, fix=fix_for(problem), affects=affects)
 
 
 def missing_end(span: Span, text: str, name: str) -> str:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
 
 class TooDeep(Rule):
@@ -13,7 +13,7 @@ class TooDeep(Rule):
     code = "XML010"
     name = "too-deep"
     severity = Severity.ERROR
-    affects = dict.fromkeys(Consumer, REFUSES)
+    affects = dict.fromkeys(Consumer, warns("some versions refuse the file"))
     explains = (problems.TooDeep,)
 
     bad = (

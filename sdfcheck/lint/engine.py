@@ -79,6 +79,7 @@ _ANALYSES_FOR = {
         Kind.SDF: ("sdfcheck.model.gazebo:classic_problems",),
         Kind.URDF: ("sdfcheck.model.gazebo:classic_problems",),
     },
+    "mujoco": {Kind.URDF: ("sdfcheck.model.mujoco_urdf:problems",)},
 }
 """Reader → analyses of what it does not support; they run for those who ask about the reader."""
 

@@ -40,11 +40,11 @@ def reactions(
     facts: RuleFacts, dialect: str, special: Iterable[tuple[str, Reaction]] = ()
 ) -> tuple[tuple[str, Reaction], ...]:
     """What each reader does about a rule's defect in a document, sorted by reader; ``special`` comes first."""
-    from sdfcheck.lint.reaction import Reaction
+    from sdfcheck.lint.reaction import READS, Consumer, Reaction
 
     told = {reader: by[dialect] for reader, by in facts.affects.items() if dialect in by}
     found = {reader: Reaction.of(said) for reader, said in told.items()}
-    found.update(special)
+    found.update((reader, said) for reader, said in special if dialect in READS[Consumer(reader)])
     return tuple(sorted(found.items(), key=lambda item: item[0]))
 
 

@@ -1,0 +1,1 @@
+"""MuJoCo: what its reader of URDF does not take."""
