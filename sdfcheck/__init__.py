@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     )
     from sdfcheck.lint.rule import Rule, Target, edit, replace
     from sdfcheck.lint.run import Run
-    from sdfcheck.lint.urdf_readers import lacking, repeating, unreadable
+    from sdfcheck.lint.urdf_readers import lacking, repeating, undersized, unreadable
     from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.model.load import Unreadable, load, parse
@@ -65,7 +65,7 @@ _HOMES = {
     "sdfcheck.lint.reaction": "REFUSES Consumer Reaction Verdict accepts by_effect refuses warns",
     "sdfcheck.lint.rule": "Rule Target edit replace",
     "sdfcheck.lint.run": "Run",
-    "sdfcheck.lint.urdf_readers": "lacking repeating unreadable",
+    "sdfcheck.lint.urdf_readers": "lacking repeating undersized unreadable",
     "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.model.load": "Unreadable load parse",
@@ -137,6 +137,7 @@ __all__ = [
     "refuses",
     "repeating",
     "replace",
+    "undersized",
     "unreadable",
     "used",
     "warns",

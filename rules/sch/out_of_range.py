@@ -11,6 +11,7 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    undersized,
     unreadable,
     warns,
 )
@@ -75,7 +76,7 @@ class OutOfRange(Rule):
         message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
         if problem.instead is not None:
             message += f", so {problem.instead} is taken"
-        severity, affects = None, {}
+        severity, affects = None, undersized(problem.value)
         if problem.refused:
             severity = Severity.ERROR
             affects = {**dict.fromkeys(Consumer, REFUSES), **unreadable(problem.value)}

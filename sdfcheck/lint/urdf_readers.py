@@ -44,9 +44,18 @@ def lacking(element: Element, attribute: str) -> Mapping[Consumer, Reaction]:
     if (element.name, attribute) == ("axis", "xyz"):
         return {Consumer.URDFDOM: warns("takes no axis"), Consumer.DRAKE: warns("takes a default")}
     found = dict(unreadable(element))
+    if element.name == "material" and "visual" in _place(element):
+        found[Consumer.DRAKE] = accepts("needs no name there")
     if element.name in {"robot", "material"}:
         found[Consumer.MUJOCO] = _UNREAD
     return found
+
+
+def undersized(at: Value) -> Mapping[Consumer, Reaction]:
+    """Reactions to a shape of no size; none in SDFormat, and where Drake takes a sphere for a point."""
+    if at.element.document.kind is Kind.SDF or "geometry" not in _place(at.element):
+        return {}
+    return {Consumer.MUJOCO: _UNREAD if is_unread_by_mujoco(at) else REFUSES}
 
 
 def repeating(element: Element) -> Mapping[Consumer, Reaction]:
