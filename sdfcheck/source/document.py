@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
+_TAIL = re.compile(r"\s*>(?:\s|<!--(?:(?!-->)[\s\S])*-->)*")
 _DEFAULT_NAMESPACE = re.compile(r"xmlns\s*=")
 
 _LINTED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG))
@@ -158,7 +159,8 @@ class Document:
         except etree.XMLSyntaxError:
             if _lacks_only_prefixes(parser):
                 # Then names are kept as they are written, colon and all.
-                return etree.fromstring(_encoded(text), self._parser(recover=True)), None  # type: ignore[return-value]
+                found: Element = etree.fromstring(_encoded(text), self._parser(recover=True))  # type: ignore[assignment]
+                return (found if _is_all(found, text) else None), None
             return None, _first_fault(parser)
         self.is_wellformed = text is self.source.text
         return root, None
@@ -215,6 +217,12 @@ def _encoded(text: str) -> bytes:
 
 def _lacks_only_prefixes(parser: etree.XMLParser) -> bool:
     return all(entry.type == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE for entry in parser.error_log)
+
+
+def _is_all(root: Element, text: str) -> bool:
+    """Does nothing but comments follow the root? Past a prefix that lacks, the parser does not look."""
+    end = f"</{root.name}"
+    return text.count(end) == 1 and _TAIL.fullmatch(text, text.index(end) + len(end)) is not None
 
 
 def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:

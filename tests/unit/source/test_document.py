@@ -12,6 +12,7 @@ from lxml import etree
 
 from sdfcheck.source.document import Document, problems, read
 from sdfcheck.source.problems import (
+    ContentAfterRoot,
     SyntaxDefect,
     UnknownEntity,
     UnrecognizedDocument,
@@ -242,3 +243,9 @@ def test_doubt_is_where_the_text_was_guessed_at() -> None:
     assert found.is_doubtful(world.span)
     assert not found.is_doubtful(world.find("light").span)  # type: ignore[union-attr]
     assert not document(SMALL).is_doubtful(world.span)
+
+
+@pytest.mark.parametrize("text", ["<a><p:b/></a><c/>", "<a><p:b/></a><a/>", "<p:a/></b>", "<a><p:b/></a> c"])
+def test_what_follows_the_root_is_told_of_also_behind_an_undeclared_prefix(text: str) -> None:
+    found = read(text.encode(), Path("model.sdf"))
+    assert any(isinstance(each, ContentAfterRoot | SyntaxDefect) for each in found.problems)
