@@ -50,5 +50,4 @@ class ContentBeforeDeclaration(Rule):
             fix = edit("remove what stands before it", (Edit(before, ""),))
         message = "the XML declaration must be the first thing in the file"
         affects = {} if before.text.strip() else dict.fromkeys(Consumer, accepts("takes the blank"))
-        severity = None if affects else Severity.ERROR
-        yield self.diagnostic(declaration, message, fix=fix, severity=severity, affects=affects)
+        yield self.diagnostic(declaration, message, fix=fix, affects=affects)
