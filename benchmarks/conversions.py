@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import statistics
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from benchmarks.process import measure
+from benchmarks.process import installed, measure
 
-CONVERT = [sys.executable, "-m", "sdfcheck", "convert", "urdf-to-sdf", "--isolated", "--quiet"]
+CONVERT = [installed("sdfcheck"), "convert", "urdf-to-sdf", "--isolated", "--quiet"]
 FILES = 100
 SIZE = 20_000
 

@@ -6,10 +6,18 @@ import click
 from lxml import etree
 
 
+def _parse(path: str) -> etree._Element:
+    try:
+        return etree.parse(path).getroot()
+    except etree.XMLSyntaxError:
+        root = etree.parse(path, etree.XMLParser(recover=True)).getroot()
+        return etree.Element("nothing") if root is None else root
+
+
 def main(paths: list[str]) -> None:
     count = 0
     for path in paths:
-        for element in etree.parse(path).getroot().iter(etree.Element):
+        for element in _parse(path).iter(etree.Element):
             _ = element.tag, element.attrib, element.text
             count += 1
     click.echo(count)

@@ -21,6 +21,11 @@ class Failure(Exception):
     """A measured process did not do its work."""
 
 
+def installed(program: str) -> str:
+    """The path of a program of this environment."""
+    return str(Path(sys.executable).with_name(program))
+
+
 def measure(command: list[str], folder: Path, *, accepted: tuple[int, ...] = (0,)) -> Measurement:
     """Run a command in a folder, its output thrown away.
 

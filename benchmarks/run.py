@@ -19,26 +19,29 @@ from pathlib import Path
 from typing import NamedTuple
 
 from benchmarks import conversions
-from benchmarks.process import Measurement, measure
+from benchmarks.process import Measurement, installed, measure
 from benchmarks.worlds import write_robots, write_world
 
 HERE = Path(__file__).parent
 SMALL = HERE.parent / "fixtures" / "robots" / "diff_drive" / "model.sdf"
-REAL_WORLD = HERE.parents[1] / "shared" / "corpus" / "gz-sim" / "examples" / "worlds" / "3k_shapes.sdf"
-LINT = [sys.executable, "-m", "sdfcheck", "lint", "--isolated", "--output-format", "concise"]
-FLOOR = [sys.executable, str(HERE / "floor.py")]
+ROVER = HERE.parent / "fixtures" / "robots" / "rover" / "rover.urdf.xacro"
+REAL_FILES = HERE.parents[1] / "shared" / "corpus"
+REAL_WORLD = REAL_FILES / "gz-sim" / "examples" / "worlds" / "3k_shapes.sdf"
+LINT = [installed("sdfcheck"), "lint", "--isolated", "--output-format", "concise"]
+FLOOR = (sys.executable, str(HERE / "floor.py"))
 PEER = [sys.executable, str(HERE / "libsdformat.py")]
 GROWTH = (300, 3_000, 30_000)
 
 
 class Input(NamedTuple):
-    """What is linted: the paths given to sdfcheck, the files they stand for, how often."""
+    """What is linted: the paths given to sdfcheck, the files they stand for, how often; and against what."""
 
     name: str
-    given: Path
+    given: tuple[Path, ...]
     files: tuple[Path, ...]
     pairs: int
     peer_runs: int
+    against: tuple[str, ...] = FLOOR
 
     @property
     def size(self) -> int:
@@ -74,15 +77,28 @@ def inputs(folder: Path, factor: float) -> Iterator[Input]:
     def pairs(number: int) -> int:
         return max(3, round(number * factor))
 
-    yield Input("one small file", SMALL, (SMALL,), pairs(15), 5)
+    yield Input("one small file", (SMALL,), (SMALL,), pairs(15), 5)
+    large = folder / "large.urdf"
+    large.write_text(conversions.urdf("large", 100_000))
+    yield Input("a URDF file of 100 kB", (large,), (large,), pairs(11), 0)
+    expand = (installed("xacro"),)
+    yield Input("a xacro file, against `xacro`", (ROVER,), (ROVER,), pairs(11), 0, expand)
     if REAL_WORLD.is_file():
-        yield Input("a real world of 3 000 models", REAL_WORLD, (REAL_WORLD,), pairs(7), 1)
+        yield Input("a real world of 3 000 models", (REAL_WORLD,), (REAL_WORLD,), pairs(7), 1)
+        real = tuple(sorted(real_files()))
+        yield Input(f"{len(real)} real files", real, real, pairs(5), 0)
     robots = folder / "robots"
-    yield Input("a folder of 450 models", robots, tuple(write_robots(robots, 450)), pairs(5), 1)
+    yield Input("a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1)
     for models, number in zip(GROWTH, (9, 7, 3), strict=True):
         world = write_world(folder / f"solids_{models}.sdf", models)
         name = f"a generated world of {models:,} models".replace(",", " ")
-        yield Input(name, world, (world,), pairs(number), 1 if models < 3_000 else 0)
+        yield Input(name, (world,), (world,), pairs(number), 1 if models < 3_000 else 0)
+
+
+def real_files() -> Iterator[Path]:
+    """The SDFormat and URDF files of the collection, the one large world aside."""
+    for suffix in (".sdf", ".world", ".urdf"):
+        yield from (path for path in REAL_FILES.rglob(f"*{suffix}") if path.is_file() and path != REAL_WORLD)
 
 
 def compare(subject: Input, folder: Path, peer: str | None) -> Result:
@@ -90,10 +106,11 @@ def compare(subject: Input, folder: Path, peer: str | None) -> Result:
     files = [str(file) for file in subject.files]
     floors: list[Measurement] = []
     lints: list[Measurement] = []
-    measure([*LINT, str(subject.given)], folder, accepted=(0, 1))
+    lint = [*LINT, *map(str, subject.given)]
+    measure(lint, folder, accepted=(0, 1))
     for _ in range(subject.pairs):
-        floors.append(measure([*FLOOR, *files], folder))
-        lints.append(measure([*LINT, str(subject.given)], folder, accepted=(0, 1)))
+        floors.append(measure([*subject.against, *files], folder))
+        lints.append(measure(lint, folder, accepted=(0, 1)))
     floor = statistics.median(m.seconds for m in floors)
     seconds = None
     if peer and subject.peer_runs:
@@ -122,14 +139,15 @@ def growth(results: list[Result]) -> float:
 def table(results: list[Result], peer: str | None) -> Iterator[str]:
     """The results as a Markdown table."""
     other = f"libsdformat {peer}" if peer else "libsdformat"
-    yield f"| input | size | floor | sdfcheck | sdfcheck / floor | peak memory | {other} | {other} / floor |"
-    yield "|---|--:|--:|--:|--:|--:|--:|--:|"
+    yield f"| input | size | floor | sdfcheck | a file | sdfcheck / floor | peak memory | {other} | {other} / floor |"
+    yield "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
     for result in results:
         cells = [
             result.name,
             _bytes(result.size),
             _seconds(result.floor),
             _seconds(result.lint),
+            f"{result.lint / result.files * 1000:.2f} ms" if result.files > 1 else "",
             f"{result.ratio:.2f}×",
             _bytes(result.peak),
             "" if result.peer is None else _seconds(result.peer),
