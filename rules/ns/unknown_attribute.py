@@ -64,6 +64,8 @@ class UnknownAttribute(Rule):
         attribute = element.attribute(name)
         place = attribute.name_span if attribute is not None else element.span
         message = f"unknown attribute `{name}` of {element.title}"
+        if problem.more:
+            message += f", and {problem.more} more"
         fix: Fix | None = None
         advice: str | None = "give it a prefix if it is your own"
         if guess is not None and element.attribute(guess) is None:

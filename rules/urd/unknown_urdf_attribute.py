@@ -62,6 +62,8 @@ class UnknownUrdfAttribute(Rule):
     def check(self, problem: problems.UnknownUrdfAttribute) -> Iterator[Diagnostic]:
         value, near = problem.value, problem.suggestion
         message = f"unknown attribute `{value.attribute}` of {value.element.title}"
+        if problem.more:
+            message += f", and {problem.more} more"
         if near is not None:
             message += f"; did you mean `{near}`?"
         severity = Severity.ERROR if problem.needed else None

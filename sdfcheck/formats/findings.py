@@ -8,13 +8,14 @@ problem.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats import history, problems
 from sdfcheck.formats.belonging import likely_parents
-from sdfcheck.formats.folding import folded
+from sdfcheck.formats.folding import MOST, counted, folded
 from sdfcheck.formats.needed import NOT_GIVEN
-from sdfcheck.formats.schema import AttributeDefinition, Definition, schema
+from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.text_pieces import stray_line
 from sdfcheck.formats.topology import standard_inside
@@ -66,6 +67,8 @@ class Findings:
         self.version = survey.version
         self.found: list[object] = []
         self.stray: set[Element] = set()
+        self.strange: Counter[Element] = Counter()
+        """How many unknown attributes an element has."""
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.missing_children: list[tuple[Element, Definition, str]] = []
         self.too_new: dict[tuple[str, str], list[Element]] = {}
@@ -204,6 +207,9 @@ class Findings:
             parent = element.parent if element.parent is not None else element
             self.found.append(problems.RemovedElement(element, parent, name, old, successor))
         elif old is None:
+            self.strange[element] += 1
+            if self.strange[element] > MOST:
+                return
             lacking = [each for each in definition.attributes if each not in element.attributes]
             suggestion = suggest(name, lacking)
             needed = suggestion in definition.required_attributes
@@ -214,7 +220,7 @@ class Findings:
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
         if (element, name) in self.survey.slips:
             return
-        until = _required_until(definition, name)
+        until = history.required_until(definition, name)
         self.found.append(problems.MissingAttribute(element, name, empty=False, until=until))
 
     def attribute_value(
@@ -222,7 +228,7 @@ class Findings:
     ) -> None:
         value = Value(element, known.name, text)
         if not text.strip():
-            until = _required_until(definition, known.name)
+            until = history.required_until(definition, known.name)
             if known.name == "name" and known.required:
                 self.found.append(problems.EmptyName(value, until))
             elif known.required:
@@ -247,9 +253,12 @@ class Findings:
         lacking = {
             (parent, name): self.absent(parent, place, name) for parent, place, name in self.missing_children
         }
+        taken: dict[tuple[Element, str | None], bool] = {}
         for problem, place in self.unknown:
-            parent, name = problem.parent, problem.suggestion
-            if name is None or (parent.has(name) and place.children[name].single):
+            parent, name = key = problem.parent, problem.suggestion
+            if key not in taken:
+                taken[key] = name is None or (parent.has(name) and place.children[name].single)
+            if taken[key] or name is None:
                 self.found.append(problem)
                 continue
             self.survey.slips.add((parent, name))
@@ -276,7 +285,7 @@ class Findings:
                 self.found.append(problems.TooNewAttribute(first, attribute, since, declaration, all_uses))
             else:
                 self.found.append(problems.TooNewElement(first, parent, since, declaration, all_uses))
-        return folded(self.found)
+        return folded(counted(self.found, self.strange))
 
 
 def _meant_version(text: str) -> str | None:
@@ -284,14 +293,3 @@ def _meant_version(text: str) -> str | None:
     found = _VERSION.match(text)
     version = Version.parse(f"1.{found[1]}") if found else None
     return str(version) if version else None
-
-
-def _required_until(definition: Definition, attribute: str) -> Version | None:
-    """The last version that requires an attribute; None if the newest one does."""
-    last = None
-    for minor in range(OLDEST.minor, NEWEST.minor + 1):
-        there = schema(Version(1, minor)).at(definition.place)
-        known = there.attributes.get(attribute) if there else None
-        if known is not None and known.required:
-            last = Version(1, minor)
-    return None if last == NEWEST else last

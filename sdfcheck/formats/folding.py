@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Hashable
 
-from sdfcheck.formats.problems import RemovedElement, RepeatedElement
+from sdfcheck.formats.problems import RemovedElement, RepeatedElement, UnknownAttribute
 from sdfcheck.source.element import Element
+
+MOST = 10
+"""So many unknown attributes of one element are told of apart."""
 
 
 def folded(found: list[object]) -> list[object]:
@@ -21,6 +25,20 @@ def folded(found: list[object]) -> list[object]:
             first_of_kind.append(problem)
         alike.setdefault(kind, []).append(problem.element)
     return [_with_others(problem, alike) for problem in first_of_kind]
+
+
+def counted(found: list[object], strange: Counter[Element]) -> list[object]:
+    """The problems; where an element has too many unknown attributes, its first says how many there are."""
+    told: set[Element] = set()
+    result = []
+    for problem in found:
+        if isinstance(problem, UnknownAttribute) and strange[problem.element] > MOST:
+            element = problem.element
+            more = 0 if element in told else strange[element] - 1
+            told.add(element)
+            problem = UnknownAttribute(element, problem.attribute, problem.suggestion, problem.needed, more)  # noqa: PLW2901
+        result.append(problem)
+    return result
 
 
 def _kind(problem: object) -> Hashable:

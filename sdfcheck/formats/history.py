@@ -149,3 +149,14 @@ def _minors(life: str) -> frozenset[int]:
 
 def _sorted_versions(minors: frozenset[int]) -> tuple[Version, ...]:
     return tuple(Version(NEWEST.major, minor) for minor in sorted(minors))
+
+
+def required_until(definition: Definition, attribute: str) -> Version | None:
+    """The last version that requires an attribute; None if the newest one does."""
+    last = None
+    for minor in range(OLDEST.minor, NEWEST.minor + 1):
+        there = schema(Version(1, minor)).at(definition.place)
+        known = there.attributes.get(attribute) if there else None
+        if known is not None and known.required:
+            last = Version(1, minor)
+    return None if last == NEWEST else last

@@ -36,12 +36,17 @@ class UnknownVersion(Record):
 
 
 class UnknownAttribute(Record):
-    """An attribute that no version knows there; ``needed``: the suggestion is required and missing."""
+    """An attribute that no version knows there.
+
+    ``needed``: the suggestion is required and missing. ``more``: so many others of the element are unknown, of
+    which only some are told.
+    """
 
     element: Element
     attribute: str
     suggestion: str | None
     needed: bool = False
+    more: int = 0
 
 
 class UnknownElement(Record):

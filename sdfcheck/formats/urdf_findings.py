@@ -6,10 +6,11 @@ Loaded only when there is something to explain.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats import problems, urdf_problems
-from sdfcheck.formats.folding import folded
+from sdfcheck.formats.folding import MOST, folded
 from sdfcheck.formats.reading import Outcome
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.text_pieces import stray_line
@@ -37,6 +38,8 @@ class UrdfFindings:
         self.found: list[object] = []
         self.stray: set[Element] = set()
         self.unknown: dict[tuple[str, str], list[Element]] = {}
+        self.strange: Counter[Element] = Counter()
+        """How many unknown attributes an element has."""
         self.unknown_values: dict[tuple[str, str], list[Value]] = {}
         self.parents: dict[Element, Element] = {}
         """What the unknown elements stand in; xacro's conditions around them do not count."""
@@ -116,6 +119,9 @@ class UrdfFindings:
         if known is None:
             if key[0] != "{" and ":" not in key and "\ua4fd" not in key:
                 self.places[element] = definition
+                self.strange[element] += 1
+                if self.strange[element] > MOST:
+                    return
                 self.unknown_values.setdefault((element.name, key), []).append(Value(element, key, text))
             return
         if known.since > self.survey.version:
@@ -221,7 +227,11 @@ class UrdfFindings:
             needed = needed and (element.name != "axis" or _moves(element.parent))
             if element.name == "dynamics":
                 needed = near is not None and not {"damping", "friction"} & element.attributes.keys()
-            self.found.append(urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed))
+            count = self.strange.pop(element, 0)
+            more = count - 1 if count > MOST else 0
+            self.found.append(
+                urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more)
+            )
         return folded(self.found)
 
 

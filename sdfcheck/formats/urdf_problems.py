@@ -23,12 +23,16 @@ class UnknownUrdfElement(Record):
 
 
 class UnknownUrdfAttribute(Record):
-    """An attribute that no reader of URDF looks for; ``needed`` and ``uses`` as above."""
+    """An attribute that no reader of URDF looks for; ``needed`` and ``uses`` as above.
+
+    ``more``: so many others of the element are unknown, of which only some are told.
+    """
 
     value: Value
     suggestion: str | None
     uses: tuple[Value, ...]
     needed: bool
+    more: int = 0
 
 
 class FeatureAboveVersion(Record):

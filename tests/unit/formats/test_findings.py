@@ -244,3 +244,10 @@ def test_attributes_that_are_no_longer_required() -> None:
 
 def test_empty_names() -> None:
     assert only_in_link('<visual name=" ">' + BOX + "</visual>", problems.EmptyName).until is None
+
+
+def test_many_unknown_attributes_of_one_element_are_counted() -> None:
+    attributes = " ".join(f'a{number}="1"' for number in range(30))
+    inside = in_link(f"<inertial {attributes}><mass>1</mass></inertial>")
+    strange = [problem for problem in inside if isinstance(problem, problems.UnknownAttribute)]
+    assert [problem.more for problem in strange] == [29] + [0] * 9
