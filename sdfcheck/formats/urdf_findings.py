@@ -155,6 +155,7 @@ class UrdfFindings:
         name = element.name
         if name == "axis" and not _moves(parent):
             return
+        self.stray.add(element)  # its text is where the value was put
         if name == "limit" and parent is not None:
             kind = parent.attributes.get("type", "")
             self.found.append(urdf_problems.MissingLimit(parent, element, kind, missing))

@@ -137,9 +137,17 @@ def _moving_links(document: Document) -> Iterable[Element]:
     if root.name == "robot":
         return root.children("link")
     moving = {
-        scope.element for scope in scopes(document).all() if scope.kind == "model" and not scope.is_static
+        scope.element
+        for scope in scopes(document).all()
+        if scope.kind == "model" and not scope.is_static and not _may_be_static(scope.element)
     }
     return [link for link in survey(document).index.get("link", []) if link.parent in moving]
+
+
+def _may_be_static(model: Element) -> bool:
+    """Does a model say something about it that is neither true nor false? That is told of."""
+    static = model.find("static")
+    return static is not None and static.content.lower() not in {"true", "1", "false", "0", ""}
 
 
 def _look_at(inertial: Inertial, is_urdf: bool) -> Iterator[Record]:

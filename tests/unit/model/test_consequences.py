@@ -54,6 +54,12 @@ def test_a_slip_in_sdf_is_told_once(inside: str, expected: tuple[str, str, str])
     assert told(text) == [expected]
 
 
+def test_what_is_static_by_a_slip_needs_no_mass() -> None:
+    link = f'<link name="l"><visual name="v">{SPHERE}</visual></link>'
+    text = f'<sdf version="1.9"><model name="m"><static>ture</static>{link}</model></sdf>'
+    assert told(text) == [("SCH011", "error", "ture")]
+
+
 def test_a_slip_in_the_name_of_the_version_is_told() -> None:
     text = f'<sdf versiun="1.9"><model name="m"><link name="base">{MASS}</link></model></sdf>'
     assert told(text) == [("NS001", "error", "versiun")]
@@ -83,6 +89,10 @@ ENDS = '<parent link="base"/><child link="arm"/>'
         (
             f'<link name="arm"/><joint name="j" type="fixed">{ENDS}</joint>{BACK}',
             ("JNT008", "error", "arm"),
+        ),
+        (
+            '<link name="arm"/><joint name="j" type="fixed"><parent>base</parent><child link="arm"/></joint>',
+            ("SCH005", "error", "parent"),
         ),
     ],
 )
