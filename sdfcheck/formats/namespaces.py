@@ -23,6 +23,7 @@ from sdfcheck.formats.namespace_problems import (
     UnusedPrefix,
 )
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
@@ -88,8 +89,15 @@ def _plain_uses(document: Document) -> set[str] | None:
     spaces = {space for space in root.nsmap.values() if space.strip()}
     if len(spaces) < len(root.nsmap) or any(p is None or _is_reserved(p, n) for p, n in root.nsmap.items()):
         return None
-    use = "boolean(//*[namespace-uri() = $space] | //@*[namespace-uri() = $space])"
-    return {space for space in spaces if root.xpath(use, space=space)}
+    return {space for prefix, space in root.nsmap.items() if _is_used(root, f"{prefix}:", space)}
+
+
+def _is_used(root: Element, head: str, space: str) -> bool:
+    if head not in root.document.source.text:
+        return False
+    if next(root.iter(f"{{{space}}}*"), None) is not None:
+        return True
+    return bool(root.xpath("boolean(//@*[namespace-uri() = $space])", space=space))
 
 
 def _has_prefixes(text: str) -> bool:
