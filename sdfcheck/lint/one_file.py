@@ -52,9 +52,9 @@ class Shelves:
 
     def xacro(self, settings: Settings, path: Path) -> Xacro:
         """How to expand a file: by whom (None: not at all) and with which sets of arguments."""
-        from sdfcheck.lint.engine import Xacro
-
         if not self._expand:
+            from sdfcheck.lint.engine import Xacro
+
             return Xacro(None, ())
         from sdfcheck.source.xacro.expansion import Expander, Surroundings
 
@@ -62,6 +62,9 @@ class Shelves:
         if search not in self._expanders:
             around = Surroundings(dict(search.packages), search.packages_in)
             self._expanders[search] = Expander(around)
+            self._expanders[search].start()
+        from sdfcheck.lint.engine import Xacro
+
         sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
         return Xacro(self._expanders[search], tuple(dict(given) for given in sets))
 
@@ -93,12 +96,13 @@ def lint_file(
     file: Selected, book: RuleBook, settings: Settings, shelves: Shelves
 ) -> tuple[Sequence[Diagnostic], int]:
     """The diagnostics of one file, and how many were silenced."""
-    from sdfcheck.lint.engine import lint_source
-
     # The parser tells what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
-    dispatch, library = book.dispatch(settings, file.path), shelves.library(settings)
+    # What expands gets ready in its process while the rest is loaded here.
     xacro = shelves.xacro(settings, file.path) if kind is Kind.XACRO else None
+    from sdfcheck.lint.engine import lint_source
+
+    dispatch, library = book.dispatch(settings, file.path), shelves.library(settings)
     result = lint_source(file.data, file.path, kind, dispatch, library, xacro)
     return _silence(result, book, settings, file.path)
 

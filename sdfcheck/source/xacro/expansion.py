@@ -86,6 +86,10 @@ class Expander:
     def close(self) -> None:
         self._worker.close()
 
+    def start(self) -> None:
+        """Let the process get ready while the caller has other things to do."""
+        self._worker.start()
+
     def packages_for(self, path: Path) -> Packages:
         """The packages that the file at ``path`` may name."""
         root = self.surroundings.root or project_root(path)

@@ -42,7 +42,7 @@ class Worker:
         import json
         from threading import Timer
 
-        process = self._process or self._start()
+        process = self.start()
         assert process.stdin
         assert process.stdout
         timer = Timer(limits.wall + _GRACE, _kill, [process])
@@ -67,7 +67,10 @@ class Worker:
             self._stop()
         self._process = self._stop = None
 
-    def _start(self) -> subprocess.Popen[bytes]:
+    def start(self) -> subprocess.Popen[bytes]:
+        """The process, which is started if it does not run; it gets ready while the caller goes on."""
+        if self._process is not None:
+            return self._process
         import subprocess
         from weakref import finalize
 
