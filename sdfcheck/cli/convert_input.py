@@ -51,6 +51,7 @@ class Reader:
         self._configuration = Configuration(config, isolated=isolated)
         self._arguments = dict(pair(text, ":=", "name:=value") for text in arguments)
         self._lint = lint
+        self._libraries: dict[SearchPaths, Library] = {}
         self._expander: Expander | None = None
 
     def __enter__(self) -> Reader:
@@ -69,7 +70,9 @@ class Reader:
             WrongUsage: it does not exist, cannot be read or is of another kind.
         """
         settings = self._configuration.settings_for(file)
-        library = Library(SearchPaths(settings.model_paths, settings.package_paths, settings.packages))
+        search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
+        # Shared, so that what lies around the files is looked up once.
+        library = self._libraries.setdefault(search, Library(search))
         try:
             data = file.read_bytes()
         except OSError as error:
