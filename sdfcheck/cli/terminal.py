@@ -14,7 +14,7 @@ import click
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
-def wants_color(choice: str, stream: TextIO, environment: Mapping[str, str] = os.environ) -> bool:
+def wants_color(choice: str, stream: TextIO | None, environment: Mapping[str, str] = os.environ) -> bool:
     """Whether to colour what goes to ``stream``; ``choice`` is auto, always or never."""
     if choice != "auto":
         return choice == "always"
@@ -22,11 +22,17 @@ def wants_color(choice: str, stream: TextIO, environment: Mapping[str, str] = os
         return False
     if environment.get("FORCE_COLOR"):
         return True
-    return stream.isatty() and environment.get("TERM") != "dumb"
+    return stream is not None and stream.isatty() and environment.get("TERM") != "dumb"
 
 
 def emit(text: str) -> None:
-    """Write to stdout, as UTF-8 wherever no person is looking; a reader that has left is no error."""
+    """Write to stdout, as UTF-8 wherever no person is looking; a reader that has left is no error.
+
+    Raises:
+        WrongUsage: stdout is closed or takes no more.
+    """
+    if sys.stdout is None:
+        raise WrongUsage("cannot write the output: stdout is closed")
     try:
         if sys.stdout.isatty() or not hasattr(sys.stdout, "buffer"):
             encoding = sys.stdout.encoding or "utf-8"
@@ -38,6 +44,8 @@ def emit(text: str) -> None:
     except BrokenPipeError:
         # Python flushes once more at exit, which must not complain either.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        raise WrongUsage(f"cannot write the output: {error.strerror}") from None
 
 
 def say(text: str) -> None:

@@ -77,3 +77,15 @@ def test_a_reader_that_leaves_is_no_error(tmp_path: Path) -> None:
         check=False,
     )
     assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no device that is always full")
+@pytest.mark.parametrize(("target", "says"), [(">/dev/full", "No space left"), (">&-", "stdout is closed")])
+def test_an_output_that_takes_nothing_is_told_of(target: str, says: str, tmp_path: Path) -> None:
+    file = tmp_path / "a.sdf"
+    file.write_text("<sdf/>")
+    command = f'exec "{sys.executable}" -m sdfcheck lint --isolated "{file}" {target}'
+    done = subprocess.run(["sh", "-c", command], stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == 2
+    assert done.stderr.startswith("error: cannot write the output: ")
+    assert says in done.stderr
