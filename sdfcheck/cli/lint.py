@@ -14,8 +14,9 @@ from sdfcheck.cli.output import FORMATS, Output, outputs, write
 from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
 from sdfcheck.lint.config import Configuration
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
-from sdfcheck.lint.session import Level, Notice, Options, find, run, selected
+from sdfcheck.lint.session import Level, Notice, Options, find, selected
 from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -64,7 +65,7 @@ class Request:
     show_files: bool
     show_settings: bool
     color: str
-    jobs: int
+    jobs: int | None
     quiet: bool
 
 
@@ -121,9 +122,8 @@ class Request:
 @click.option(
     "--jobs",
     type=click.IntRange(1),
-    default=1,
     metavar="N",
-    help="Lint many files in N processes.  [default: 1]",
+    help="Lint many files in N processes.  [default: one for each processor, at most 8]",
 )
 @colored()
 @click.option("-q", "--quiet", is_flag=True, help="Report, and say nothing else.")
@@ -168,11 +168,7 @@ def lint(**given: Any) -> int:
 def _run(request: Request, paths: Sequence[Path], options: Options, teller: _Teller) -> Run:
     progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
     try:
-        if request.jobs > 1:
-            from sdfcheck.lint.parallel import run_in_parallel
-
-            return run_in_parallel(paths, options, request.jobs, progress=progress, notify=teller)
-        return run(paths, options, progress=progress, notify=teller)
+        return run_in_parallel(paths, options, request.jobs, progress=progress, notify=teller)
     finally:
         if progress:
             progress.clear()

@@ -47,6 +47,10 @@ class Shelves:
         return self
 
     def __exit__(self, *raised: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End what expands xacro."""
         for expander in self._expanders.values():
             expander.close()
 

@@ -1,49 +1,170 @@
-"""A run in several processes, for folders with many files."""
+"""A run in several processes, for folders with many files.
+
+The files are dealt out in portions: this process and its workers each take the next one
+when they are done with the last. Where a process can be copied, a worker has at once
+whatever this one has loaded.
+"""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+import signal
+import sys
+from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.run import Run
-from sdfcheck.lint.session import Notice, Notify, Options, Part, Progress, find, joined, lint_part, run
+from sdfcheck.lint.session import Linter, Notice, Notify, Options, Part, Progress, find, joined
 from sdfcheck.source.discover import Found
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.wrong_usage import WrongUsage
 
-LEAST = 100
-"""So many files are linted while a process starts; with fewer for each, one process is as fast."""
-_ROUNDS = 4
-"""Parts for each process, so that none waits long for the last."""
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
+    from multiprocessing.context import ForkContext, SpawnContext
+    from multiprocessing.queues import SimpleQueue
+
+COPIES = sys.platform == "linux"
+"""Whether a worker is a copy of this process; on macOS the system's own libraries would mind."""
+LEAST = 16 if COPIES else 100
+"""So many files are linted while a worker gets ready; with fewer for each, one process is as fast."""
+MOST = 8
+"""More processes than that are of little use, so that nobody gets them unasked."""
+_PORTIONS = 8
+"""For each process, so that none waits long for the last."""
+
+
+class Done(NamedTuple):
+    """What was made of one portion, and what there is to say about it."""
+
+    part: Part
+    notices: list[Notice]
 
 
 def run_in_parallel(
-    paths: Sequence[Path], options: Options, jobs: int, *, progress: Progress | None, notify: Notify
+    paths: Sequence[Path],
+    options: Options,
+    jobs: int | None = None,
+    *,
+    progress: Progress | None = None,
+    notify: Notify = lambda notice: None,
 ) -> Run:
-    """The same as :func:`sdfcheck.lint.session.run`, by at most ``jobs`` processes and one for each CPU."""
+    """The same as :func:`sdfcheck.lint.session.run`, by ``jobs`` processes; None: by as many as are of use."""
     found = find(paths, options)
-    count = len(found.files)
-    jobs = min(jobs, os.cpu_count() or 1, count // LEAST)
+    jobs = min(jobs or MOST, processors(), len(found.files) // LEAST)
     if jobs < 2:
-        return run(paths, options, progress=progress, notify=notify)
-    from concurrent.futures import ProcessPoolExecutor
+        with Linter(options) as linter:
+            return joined([linter.lint(found, progress=progress, notify=notify)])
+    done = _share(_portions(found, jobs * _PORTIONS), options, jobs, progress)
+    in_order = [done[number] for number in sorted(done)]
+    for _, notices in in_order:
+        for notice in notices:
+            notify(notice)
+    return joined([part for part, _ in in_order])
+
+
+def processors() -> int:
+    """How many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _portions(found: Found, number: int) -> list[Found]:
+    """About so many portions of what was found; neighbours stay together, as they refer to one another."""
+    size = -(-len(found.files) // number)
+    portions = [Found(found.files[at : at + size]) for at in range(0, len(found.files), size)]
+    portions[0] = portions[0]._replace(skipped=found.skipped, barren=found.barren)
+    return portions
+
+
+def _share(
+    portions: Sequence[Found], options: Options, jobs: int, progress: Progress | None
+) -> dict[int, Done]:
+    """What came of the portions, by their numbers; the work of this process and ``jobs - 1`` workers."""
     from multiprocessing import get_context
 
-    size = -(-count // (jobs * _ROUNDS))
-    # Neighbours stay together: they refer to one another.
-    parts = [Found(found.files[at : at + size]) for at in range(0, count, size)]
-    parts[0] = parts[0]._replace(skipped=found.skipped, barren=found.barren)
-    results = []
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        for part, notices in pool.map(_lint, parts, [options] * len(parts)):
-            results.append(part)
-            for notice in notices:
-                notify(notice)
-            if progress is not None and part.files:
-                progress(sum(len(each.files) for each in results), count, part.files[-1])
-    return joined(results)
+    import sdfcheck.lint.engine  # noqa: F401  (before there are copies)
+
+    context = get_context("fork") if COPIES else get_context("spawn")
+    tasks: SimpleQueue[int | None] = context.SimpleQueue()
+    for number in range(len(portions)):
+        tasks.put(number)
+    for _ in range(jobs):
+        tasks.put(None)
+    workers = [_Worker(context, tasks, portions, options) for _ in range(jobs - 1)]
+    try:
+        done = _work(iter(tasks.get, None), portions, options, progress)
+        for worker in workers:
+            done.update(worker.result())
+    finally:
+        for worker in workers:
+            worker.end()
+    return done
 
 
-def _lint(found: Found, options: Options) -> tuple[Part, list[Notice]]:
-    """What one process does with a part of the files."""
-    notices: list[Notice] = []
-    return lint_part(found, options, notify=notices.append), notices
+def _work(
+    numbers: Iterable[int], portions: Sequence[Found], options: Options, progress: Progress | None = None
+) -> dict[int, Done]:
+    """Lint the portions of these numbers."""
+    count = sum(len(portion.files) for portion in portions)
+    done = {}
+    with Linter(options) as linter:
+        for number in numbers:
+            before = sum(len(portion.files) for portion in portions[:number])
+            notices: list[Notice] = []
+            told = _shifted(progress, before, count) if progress else None
+            done[number] = Done(linter.lint(portions[number], progress=told, notify=notices.append), notices)
+    return done
+
+
+def _shifted(progress: Progress, before: int, count: int) -> Progress:
+    """The same for a portion that comes after so many files, of all that there are."""
+    return lambda done, _, path: progress(before + done, count, path)
+
+
+class _Worker:
+    """Another process that takes its share, and the way by which its results come back."""
+
+    def __init__(
+        self,
+        context: ForkContext | SpawnContext,
+        tasks: SimpleQueue[int | None],
+        portions: Sequence[Found],
+        options: Options,
+    ) -> None:
+        self._results, theirs = context.Pipe(duplex=False)
+        self._process = context.Process(target=_serve, args=(theirs, tasks, portions, options))
+        self._process.start()
+        theirs.close()
+
+    def result(self) -> dict[int, Done]:
+        """What the worker has done; raises what it has raised."""
+        try:
+            told: dict[int, Done] | Exception = self._results.recv()
+        except EOFError:
+            self._process.join()
+            cause = f"one of the processes was ended from outside (exit code {self._process.exitcode})"
+            raise WrongUsage(f"{cause}; --jobs 1 needs the least memory") from None
+        if isinstance(told, Exception):
+            raise told
+        return told
+
+    def end(self) -> None:
+        """Nobody waits for it any longer."""
+        self._process.terminate()
+
+
+def _serve(
+    results: Connection, tasks: SimpleQueue[int | None], portions: Sequence[Found], options: Options
+) -> None:
+    """What a worker does: it sends its share, or the exception that it met."""
+    # Who interrupts the run speaks to the process that was started.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    told: dict[int, Done] | Exception
+    try:
+        told = _work(iter(tasks.get, None), portions, options)
+    except Exception as error:
+        told = error
+    results.send(told)

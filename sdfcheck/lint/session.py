@@ -117,31 +117,47 @@ def run(
         WrongUsage: a path does not exist, or the configuration is faulty.
         InternalError: a bug.
     """
-    return joined([lint_part(find(paths, options), options, progress=progress, notify=notify)])
+    with Linter(options) as linter:
+        return joined([linter.lint(find(paths, options), progress=progress, notify=notify)])
 
 
-def lint_part(
-    found: Found, options: Options, *, progress: Progress | None = None, notify: Notify = lambda notice: None
-) -> Part:
-    """Lint files that were found, and what they include; raises as :func:`run` does."""
-    book = RuleBook(options.choice, options.target)
-    part = Part([], {}, [], list(found.skipped), 0, {})
-    suppressed = 0
-    with Shelves(expand=options.expand, arguments=options.arguments) as shelves:
+class Linter:
+    """Lints the files of a run, all at once or by parts; what some of them include is read once for all."""
+
+    __slots__ = ("_book", "_options", "_shelves")
+
+    def __init__(self, options: Options) -> None:
+        self._options = options
+        self._book = RuleBook(options.choice, options.target)
+        self._shelves = Shelves(expand=options.expand, arguments=options.arguments)
+
+    def __enter__(self) -> Linter:
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        self._shelves.close()
+
+    def lint(
+        self, found: Found, *, progress: Progress | None = None, notify: Notify = lambda notice: None
+    ) -> Part:
+        """Lint files that were found, and what they include first; raises as :func:`run` does."""
+        options, book = self._options, self._book
+        part = Part([], {}, [], list(found.skipped), 0, {})
+        suppressed = 0
         for file in selected(found, options, part.skipped, notify=notify, progress=progress):
             settings = options.settings_for(file.path)
             active = book.active(settings, file.path)
             with _bugs_told_of(file.path):
-                kept, silenced = lint_file(file, book, settings, shelves)
+                kept, silenced = lint_file(file, book, settings, self._shelves)
             part.files.append(file.path)
             part.diagnostics.extend(kept)
             suppressed += silenced
             part.rules.update((facts.code, facts) for facts in active.facts)
-    for document in shelves.included(part.files):
-        with _bugs_told_of(document.path):
-            told = lint_included(document, book, options.configuration)
-        part.foreign[os.path.realpath(document.path)] = told
-    return part._replace(suppressed=suppressed)
+        for document in self._shelves.included(part.files):
+            with _bugs_told_of(document.path):
+                told = lint_included(document, book, options.configuration)
+            part.foreign[os.path.realpath(document.path)] = told
+        return part._replace(suppressed=suppressed)
 
 
 def joined(parts: Sequence[Part]) -> Run:

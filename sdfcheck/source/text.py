@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from itertools import accumulate
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
@@ -32,6 +33,9 @@ class Source:
         self.text = text
         self._line_starts: list[int] | None = None
 
+    def __reduce__(self) -> tuple[object, ...]:
+        return Source, (self.path, self.text)
+
     def __repr__(self) -> str:
         return f"Source({str(self.path)!r}, {len(self.text)} characters)"
 
@@ -39,8 +43,13 @@ class Source:
     def line_starts(self) -> list[int]:
         """Offsets at which lines begin; LF, CRLF and CR all end a line."""
         if self._line_starts is None:
-            ends = _LINE_END.finditer(self.text)
-            self._line_starts = [0, *(match.end() for match in ends)]
+            if "\r" in self.text:
+                self._line_starts = [0, *(match.end() for match in _LINE_END.finditer(self.text))]
+            else:
+                self._line_starts = [0]
+                lines = self.text.split("\n")
+                lines.pop()
+                self._line_starts += accumulate(len(line) + 1 for line in lines)
         return self._line_starts
 
     def position(self, offset: int) -> Position:
