@@ -62,6 +62,10 @@ class Scan:
     def place(self, index: int) -> ElementPlace:
         return ElementPlace(self.starts[index], self.ends[index], self.closes[index], self.close_ends[index])
 
+    def inside(self, index: int, tag: StartTag) -> tuple[int, int]:
+        """From behind an element's start tag to where, at the latest, its first text ends."""
+        return self.ends[index], self.closes[index]
+
 
 def scan(source: Source) -> Scan:
     """Scan any text, and write it anew in well-formed XML."""

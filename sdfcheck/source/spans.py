@@ -33,7 +33,12 @@ class Spans:
 
     def place(self, element: Element) -> ElementPlace:
         """Offsets of the element's start and end tags in its :meth:`home`."""
-        return self.scan.place(self._numbers[element])
+        scan, index = self.found(element)
+        return scan.place(index)
+
+    def found(self, element: Element) -> tuple[Scan, int]:
+        """The scan that has the element, and its number there."""
+        return self.scan, self._numbers[element]
 
     def home(self, element: Element) -> Source:
         """The text in which the element stands."""
@@ -94,8 +99,8 @@ class Spans:
 
     def text(self, element: Element) -> Span:
         """The text that simulators read, without blanks around it; the element's name if there is none."""
-        place = self.place(element)
-        for piece in _PIECE.finditer(self.home(element).text, place.end, place.close):
+        scan, index = self.found(element)
+        for piece in _PIECE.finditer(self.home(element).text, *scan.inside(index, self.start_tag(element))):
             if piece["markup"]:
                 break
             group = "cdata" if piece["cdata"] is not None else "text"

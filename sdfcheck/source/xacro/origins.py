@@ -15,7 +15,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.quick_scan import quick_scan
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.scan import ElementPlace, Scan, scan
+from sdfcheck.source.scan import Scan
 from sdfcheck.source.spans import Spans
 from sdfcheck.source.start_tag import START, StartTag, parse_start_tag
 from sdfcheck.source.text import Source, Span, Step
@@ -83,11 +83,7 @@ class Sources:
         found = self._scans.get(id(source))
         if found is None:
             self._kept.append(source)
-            try:
-                found = quick_scan(source)
-            except IndexError:  # more end tags than start tags
-                found = scan(source)
-            self._scans[id(source)] = found
+            found = self._scans[id(source)] = quick_scan(source)
         return found
 
 
@@ -167,17 +163,18 @@ class OriginSpans(Spans):
     def origins(self, element: Element) -> tuple[Step, ...]:
         return self.provenance.chain(self._numbers[element])
 
-    def place(self, element: Element) -> ElementPlace:
+    def found(self, element: Element) -> tuple[Scan, int]:
         number = self._numbers[element]
         scan = self.provenance.sources.scan(self.provenance.source(number))
         index = self._indices.get(number)
         if index is None:
             index = max(bisect_right(scan.starts, self.provenance.offset(number)) - 1, 0)
             self._indices[number] = index
-        return scan.place(index)
+        return scan, index
 
     def start_tag(self, element: Element) -> StartTag:
-        return parse_start_tag(self.home(element), self.place(element).start)[0]
+        scan, index = self.found(element)
+        return parse_start_tag(self.home(element), scan.starts[index])[0]
 
     def part(self, span: Span, index: int) -> Span:
         """The ``index``-th word; an expression is one word, whatever comes of it."""
