@@ -176,7 +176,9 @@ class _Analysis:
         if prefix in own:
             self.found.append(RedeclaredPrefix(span, own[prefix].span, prefix))
             return
-        end = self.scan.close_ends[number]
+        # What is declared on the root of a well-formed text holds to the end.
+        whole = number == 0 and self.document.is_wellformed
+        end = len(self.source.text) if whole else self.scan.close_ends[number]
         declaration = _Declaration(prefix, namespace, attribute, span, number, end)
         declaration.used = True  # what is wrong need not be superfluous besides
         if _is_reserved(prefix, namespace):
@@ -268,8 +270,8 @@ class _Analysis:
             self.found.append(DeclaredBelowRoot(below[0].span, prefix, wholes, text, root))
 
     def scope_end(self, declaration: _Declaration) -> Span:
-        close = self.scan.closes[declaration.number]
-        return self.source.span(close, declaration.end)
+        place = self.scan.place(declaration.number)
+        return self.source.span(place.close, place.close_end)
 
     def root_insertion(self) -> Span:
         tag = self.scan.odd.get(0) or self.parse(self.source, self.scan.starts[0])[0]

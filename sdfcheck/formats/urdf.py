@@ -196,6 +196,9 @@ def _range(keys: dict[str, str]) -> Range | None:
     return found
 
 
+_REMEMBERED = 1000
+"""So many accepted texts are kept for each attribute: most robots repeat themselves."""
+
 _COUNTS = {"double": 1, "vector3": 3, "color": 4, "quaternion": 4}
 
 
@@ -208,9 +211,15 @@ def _acceptance(attribute: UrdfAttribute) -> Callable[[str], object]:
     count = _COUNTS.get(attribute.type)
     if count is None:
         return str.isdecimal if attribute.type in {"int", "unsigned int"} else _anything
-    bounds = attribute.range
+    return _numbers(count, attribute.range)
+
+
+def _numbers(count: int, bounds: Range | None) -> Callable[[str], object]:
+    sound: set[str] = set()
 
     def accepts(text: str) -> bool:
+        if text in sound:
+            return True
         # Stripping leaves nothing when all characters are of the given ones.
         if text.strip("0123456789.+-eE ") or len(text) > 150:
             return False
@@ -221,9 +230,12 @@ def _acceptance(attribute: UrdfAttribute) -> Callable[[str], object]:
             numbers = [float(part) for part in parts]
         except ValueError:
             return False
-        if bounds is not None:
-            return all(map(bounds.holds, numbers))
-        return max(numbers) < inf and min(numbers) > -inf
+        fits = (
+            max(numbers) < inf and min(numbers) > -inf if bounds is None else all(map(bounds.holds, numbers))
+        )
+        if fits and len(sound) < _REMEMBERED:
+            sound.add(text)
+        return fits
 
     return accepts
 

@@ -133,7 +133,7 @@ class UrdfWalk:
         self.attributes(element, definition)
         if definition.since > self.version:
             self.findings.too_new(element, definition.since)
-        if not definition.open:
+        if not definition.open and (definition.children or len(element) or element.text):
             self.children(element, definition)
 
     def attributes(self, element: Element, definition: UrdfElement) -> None:

@@ -5,6 +5,8 @@ What refers to parts of the robot by name is noted for ``sdfcheck.model.vendor_r
 
 from __future__ import annotations
 
+import re
+
 from sdfcheck.formats import vendor_problems as problems
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.text_pieces import part
@@ -38,18 +40,21 @@ class VendorCheck:
         root = self.document.root
         if root is None:
             return []
+        # As an attribute, a tag has a blank before it.
+        has_attributes = re.search(rf"\s{re.escape(self.mark)}", self.document.source.text) is not None
         waiting = [root]
         while waiting:
             element = waiting.pop()
-            self.attributes(element)
+            if has_attributes:
+                self.attributes(element)
             seen: dict[str, Element] = {}
             below: list[Element] = []
             for child in element.children():
-                name = child.name
-                if ":" not in name:
-                    if name not in _CLOSED:
+                tag = child.tag
+                if tag[0] != "{" and ":" not in tag and COLON not in tag:
+                    if tag not in _CLOSED and (has_attributes or len(child)):
                         below.append(child)
-                elif name.startswith(self.mark) and self.element(child, element, name, seen):
+                elif (name := child.name).startswith(self.mark) and self.element(child, element, name, seen):
                     below.append(child)
             waiting += reversed(below)
         self.too_new()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -84,8 +83,8 @@ class Shelves:
         for library in self._libraries.values():
             for document in library.unseen():
                 if not own:
-                    own.update(os.path.realpath(path) for path in files)
-                key = os.path.realpath(document.path)
+                    own.update(map(library.disk.real, files))
+                key = library.disk.real(document.path)
                 # Of what is no XML the parser cannot tell the kind.
                 if key not in own and (document.kind in _INCLUDABLE or document.root is None):
                     own.add(key)

@@ -111,15 +111,18 @@ class _Sorting:
                 self.lacks(value, what, location)
 
     def lacks(self, value: Value, what: str, location: Location) -> None:
-        expected = _expected(location)
         if slip := misspelt(value, location):
             self.found.append(slip)
-        elif location.is_searched_for and location.owner is None:
+            return
+        if location.is_searched_for and location.owner is None:
             self.owners.setdefault((location.scheme, location.name), []).append(value)
-        elif expected is not None and not self.has_folder(folder := os.path.dirname(expected) or os.curdir):
-            self.folders.setdefault(folder, []).append(value)
-        else:
+            return
+        expected = _expected(location)
+        folder = None if expected is None else os.path.dirname(expected) or os.curdir
+        if folder is None or self.has_folder(folder):
             self.files.setdefault((value.text.strip(), what), []).append((value, location, expected))
+        else:
+            self.folders.setdefault(folder, []).append(value)
 
     def has_folder(self, folder: str) -> bool:
         return folder not in self.folders and os.path.isdir(folder)

@@ -43,8 +43,7 @@ def absolute(value: Value) -> AbsolutePath | None:
 def misspelt(value: Value, location: Location) -> MalformedUri | WrongCase | None:
     """A slip that explains why a URI leads nowhere."""
     text = value.text.strip()
-    tight = _BLANKS.sub("/", text)
-    if tight != text:
+    if len(text.split()) > 1 and (tight := _BLANKS.sub("/", text)) != text:
         return MalformedUri(value, UriFault.BLANK, tight)
     if location.near is not None:
         return WrongCase(value, location.near, _recased(text, location))

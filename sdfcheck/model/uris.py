@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
+from sdfcheck.source.disk import Disk
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 
@@ -27,17 +28,24 @@ _CLIMB = 6
 class Location(NamedTuple):
     """Where a URI leads.
 
-    ``path`` is the file or folder, None if nothing is there. ``tried`` are the paths
-    that were looked at, ``near`` one that differs only in case. ``name`` is the model or
-    package that is named, ``owner`` its folder if that was found, though not the file in it.
+    ``path`` is the file or folder, None if nothing is there; then ``inside`` was looked
+    for below ``folders``, and ``near`` is one that differs only in case. ``name`` is the
+    model or package that is named, ``owner`` its folder if that was found, though not the file in it.
     """
 
     scheme: str
     path: Path | None
-    tried: tuple[str, ...] = ()
+    folders: tuple[str, ...] = ()
+    inside: str = ""
     near: Path | None = None
     name: str = ""
     owner: Path | None = None
+
+    @property
+    def tried(self) -> tuple[str, ...]:
+        """The paths that were looked at."""
+        paths = (os.path.normpath(os.path.join(folder, self.inside)) for folder in self.folders)
+        return tuple(dict.fromkeys(paths))
 
     @property
     def is_remote(self) -> bool:
@@ -82,24 +90,25 @@ def _locate(document: Document, text: str) -> Location:
     scheme = match[1].lower() if match else ""
     if scheme and scheme not in LOCAL_SCHEMES:
         return Location(scheme, None)
-    listings = document.view(_Listings)
+    disk = _disk(document)
     rest = text[match.end() :] if match else text
     folder = document.view(_above)[0]
     if scheme == "file":
-        return _first(listings, scheme, [os.path.join(folder, file_path(text))])
+        return _first(disk, scheme, (folder,), file_path(text))
     name, _, inside = rest.partition("/")
     if scheme:
         owners = _owners(document, scheme, name)
-        inner = [os.path.join(owner, inside) for owner in owners.there or owners.near]
-        found = _first(listings, scheme, inner)
+        found = _first(disk, scheme, owners.there or owners.near, inside)
         if not owners.there:
             # Only the case of letters can be wrong then.
             near = found.path or found.near
-            tried = tuple(os.path.normpath(os.path.join(owner, inside)) for owner in owners.tried)
-            return Location(scheme, None, tried, near, name)
+            return Location(scheme, None, owners.tried, inside, near, name)
         return found._replace(name=name, owner=Path(owners.there[0]))
-    models = _models(document, name)
-    return _first(listings, "", [os.path.join(folder, rest), *(os.path.join(m, inside) for m in models)])
+    folders = [
+        os.path.join(folder, rest),
+        *(os.path.join(model, inside) for model in _models(document, name)),
+    ]
+    return _first(disk, "", tuple(folders))
 
 
 class _Owners(NamedTuple):
@@ -122,8 +131,8 @@ def _owners(document: Document, scheme: str, name: str) -> _Owners:
         candidates = _models(document, name) if scheme == "model" else _packages(document, name)
         tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
         there = tuple(path for path in tried if os.path.isdir(path))
-        listings = document.view(_Listings)
-        near = () if there else tuple(found for path in tried if (found := _ignoring_case(path, listings)))
+        disk = _disk(document)
+        near = () if there else tuple(found for path in tried if (found := disk.ignoring_case(path)))
         known[scheme, name] = _Owners(tried, there, near)
     return known[scheme, name]
 
@@ -134,13 +143,21 @@ def file_path(uri: str) -> str:
     return rest[2:] if rest[:2] == "//" else rest
 
 
-def _first(listings: _Listings, scheme: str, candidates: list[str]) -> Location:
-    for path in candidates:
-        if os.path.exists(path):
+def _first(disk: Disk, scheme: str, folders: tuple[str, ...], inside: str = "") -> Location:
+    paths = [os.path.join(folder, inside) if inside else folder for folder in folders]
+    for path in paths:
+        if disk.has(path):
             return Location(scheme, Path(path))
-    tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
-    near = next((found for path in tried if (found := _ignoring_case(path, listings)) is not None), None)
-    return Location(scheme, None, tried, None if near is None else Path(near))
+    near = next((found for path in paths if (found := disk.ignoring_case(os.path.normpath(path)))), None)
+    return Location(scheme, None, folders, inside, None if near is None else Path(near))
+
+
+def _disk(document: Document) -> Disk:
+    return document.view(_own_disk) if document.library is None else document.library.disk
+
+
+def _own_disk(document: Document) -> Disk:
+    return Disk()
 
 
 def _models(document: Document, name: str) -> Iterator[str]:
@@ -171,36 +188,3 @@ def _above(document: Document) -> list[str]:
     home = Path(os.path.expanduser("~"))
     shared = {home, *home.parents, Path(folder.anchor)} - {folder}
     return [given, *(str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared)]
-
-
-class _Listings(dict[str, Mapping[str, str]]):
-    """What folders hold: names in lower case → names; none for what is no folder. Each is read once."""
-
-    def __init__(self, document: Document) -> None:
-        super().__init__()
-
-    def __missing__(self, folder: str) -> Mapping[str, str]:
-        try:
-            names = sorted(os.listdir(folder), reverse=True)
-        except OSError:
-            names = []
-        listed = self[folder] = {name.lower(): name for name in names}
-        return listed
-
-
-def _ignoring_case(path: str, listings: _Listings) -> str | None:
-    """A path that exists and differs from this one only in the case of letters."""
-    missing: list[str] = []
-    at = path
-    while not os.path.exists(at):
-        above, name = os.path.split(at)
-        if not name:
-            return None
-        missing.append(name)
-        at = above or "."
-    for name in reversed(missing):
-        same = listings[at].get(name.lower())
-        if same is None:
-            return None
-        at = os.path.join(at, same)
-    return os.path.normpath(at) if os.path.exists(at) else None

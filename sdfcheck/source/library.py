@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sdfcheck.source.disk import Disk
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -48,10 +49,11 @@ class SearchPaths(NamedTuple):
 class Library:
     """Reads the files that documents refer to, each once, and remembers them for the run."""
 
-    __slots__ = ("_documents", "_hashes", "_packages", "_roots", "_unseen", "model_folders", "search")
+    __slots__ = ("_documents", "_hashes", "_packages", "_roots", "_unseen", "disk", "model_folders", "search")
 
     def __init__(self, search: SearchPaths | None = None) -> None:
         self.search = search or SearchPaths()
+        self.disk = Disk()
         self.model_folders = tuple(dict.fromkeys(self.search.model_folders))
         self._documents: dict[str, Document | None] = {}
         self._hashes: dict[str, int] = {}
@@ -61,7 +63,7 @@ class Library:
 
     def document(self, path: Path, kind: Kind | None = None) -> Document | None:
         """The document of a file; None if it cannot be read."""
-        key = os.path.realpath(path)
+        key = self.disk.real(path)
         if key not in self._documents:
             document = self._documents[key] = self._read(path, key, kind)
             if document is not None:
@@ -72,7 +74,7 @@ class Library:
         """The document of a file that was read before and held these bytes; it goes by this path now."""
         if not self._documents:
             return None
-        key = os.path.realpath(path)
+        key = self.disk.real(path)
         document = self._documents.get(key)
         if document is None or self._hashes[key] != hash(data):
             return None
@@ -107,7 +109,7 @@ class Library:
         except OSError:
             return None
         plain = os.path.normpath(path)
-        document = read(data, Path(plain) if os.path.realpath(plain) == key else path, kind)
+        document = read(data, Path(plain) if self.disk.real(plain) == key else path, kind)
         self._hashes[key] = hash(data)
         document.library = self
         return document

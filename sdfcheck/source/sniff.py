@@ -263,8 +263,9 @@ def _without_comments(text: str) -> str:
 
 def _is_template(text: str, path: Path) -> bool:
     """Whether template code is left; most of its marks count only if the file's name says template."""
-    marks = _TEMPLATE_MARKS if path.suffix.lower() in _TEMPLATE_SUFFIXES else _TEMPLATE_TAGS
-    return _holds(text, marks)
+    if path.suffix.lower() in _TEMPLATE_SUFFIXES:
+        return _holds(text, _TEMPLATE_MARKS)
+    return "%" in text and _holds(text, _TEMPLATE_TAGS)
 
 
 def _is_chemistry(text: str) -> bool:

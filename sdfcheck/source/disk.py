@@ -1,0 +1,63 @@
+"""What is on disk, asked for once and remembered."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+
+class Disk:
+    """Answers about paths; those that were given stay as they are for a run."""
+
+    __slots__ = ("_existing", "_listings", "_real")
+
+    def __init__(self) -> None:
+        self._existing: dict[str, bool] = {}
+        self._listings: dict[str, Mapping[str, str]] = {}
+        self._real: dict[str, str] = {}
+
+    def has(self, path: str) -> bool:
+        """Is there a file or folder?"""
+        found = self._existing.get(path)
+        if found is None:
+            found = self._existing[path] = os.path.exists(path)
+        return found
+
+    def real(self, path: str | os.PathLike[str]) -> str:
+        """The absolute path without symbolic links; folders on the way are followed once."""
+        folder, name = os.path.split(path)
+        if name in {"", os.curdir, os.pardir}:
+            return os.path.realpath(path)
+        above = self._real.get(folder)
+        if above is None:
+            above = self._real[folder] = os.path.realpath(folder)
+        found = os.path.join(above, name)
+        return os.path.realpath(found) if os.path.islink(found) else found
+
+    def ignoring_case(self, path: str) -> str | None:
+        """A path that exists and differs from this one only in the case of letters."""
+        missing: list[str] = []
+        at = path
+        while not self.has(at):
+            above, name = os.path.split(at)
+            if not name:
+                return None
+            missing.append(name)
+            at = above or os.curdir
+        for name in reversed(missing):
+            same = self._listing(at).get(name.lower())
+            if same is None:
+                return None
+            at = os.path.join(at, same)
+        return os.path.normpath(at) if self.has(at) else None
+
+    def _listing(self, folder: str) -> Mapping[str, str]:
+        """What a folder holds: names in lower case → names; none for what is no folder."""
+        listed = self._listings.get(folder)
+        if listed is None:
+            try:
+                names = sorted(os.listdir(folder), reverse=True)
+            except OSError:
+                names = []
+            listed = self._listings[folder] = {name.lower(): name for name in names}
+        return listed
