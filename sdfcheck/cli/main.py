@@ -46,7 +46,7 @@ def sdfcheck() -> None:
 def run() -> NoReturn:
     """The program ``sdfcheck``: a short-lived process, which is not taken apart piece by piece in the end."""
     # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
-    gc.set_threshold(100_000, 50, 100)
+    gc.set_threshold(500_000, 50, 100)
     code = main()
     try:
         for stream in filter(None, (sys.stdout, sys.stderr)):
