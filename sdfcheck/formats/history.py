@@ -141,12 +141,14 @@ def _places() -> dict[str, tuple[Place, ...]]:
     return {name: tuple(sorted(entries)) for name, entries in found.items()}
 
 
+@cache
 def _minors(life: str) -> frozenset[int]:
     if not life:
         return _ALL
     return frozenset(minor for first, last in spans(life) for minor in range(first, last + 1))
 
 
+@cache
 def _sorted_versions(minors: frozenset[int]) -> tuple[Version, ...]:
     return tuple(Version(NEWEST.major, minor) for minor in sorted(minors))
 

@@ -94,7 +94,7 @@ class Configuration:
         Raises:
             WrongUsage: the configuration that counts is faulty.
         """
-        return self.settings_in(Path(os.path.abspath(path)).parent)
+        return self._fixed or self.settings_in(Path(os.path.abspath(path)).parent)
 
     def settings_in(self, folder: Path) -> Settings:
         """The settings of the files in an (absolute) folder."""

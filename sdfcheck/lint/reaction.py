@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from enum import Enum
+from functools import cache
 from typing import TYPE_CHECKING
 
 from sdfcheck.source.record import NamedTuple
@@ -63,6 +64,7 @@ class Reaction(NamedTuple):
         return f"{self.verdict.value}: {self.words}"
 
     @classmethod
+    @cache
     def of(cls, text: str) -> Reaction:
         """The reaction that ``str`` wrote."""
         verdict, _, words = text.partition(": ")

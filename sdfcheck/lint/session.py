@@ -14,7 +14,7 @@ from sdfcheck.lint.fold import said_once
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
-from sdfcheck.lint.select import SILENT, Choice
+from sdfcheck.lint.select import SILENT, ActiveRules, Choice
 from sdfcheck.source.discover import DiscoveredFile, Found, discover
 from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.record import NamedTuple
@@ -144,6 +144,7 @@ class Linter:
         options, book = self._options, self._book
         part = Part([], {}, [], list(found.skipped), 0, {})
         suppressed = 0
+        seen: ActiveRules | None = None
         for file in selected(found, options, part.skipped, notify=notify, progress=progress):
             settings = options.settings_for(file.path)
             active = book.active(settings, file.path)
@@ -152,7 +153,9 @@ class Linter:
             part.files.append(file.path)
             part.diagnostics.extend(kept)
             suppressed += silenced
-            part.rules.update((facts.code, facts) for facts in active.facts)
+            if active is not seen:
+                part.rules.update((facts.code, facts) for facts in active.facts)
+                seen = active
         for document in self._shelves.included(part.files):
             with _bugs_told_of(document.path):
                 told = lint_included(document, book, options.configuration)

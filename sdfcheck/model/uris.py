@@ -104,11 +104,11 @@ def _locate(document: Document, text: str) -> Location:
             near = found.path or found.near
             return Location(scheme, None, owners.tried, inside, near, name)
         return found._replace(name=name, owner=Path(owners.there[0]))
-    folders = [
-        os.path.join(folder, rest),
-        *(os.path.join(model, inside) for model in _models(document, name)),
-    ]
-    return _first(disk, "", tuple(folders))
+    beside = os.path.join(folder, rest)
+    if disk.has(beside):
+        return Location(scheme, Path(beside))
+    models = _owners(document, "model", name).tried
+    return _first(disk, "", (beside, *(os.path.join(model, inside) for model in models)))
 
 
 class _Owners(NamedTuple):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
 from lxml import etree
 
@@ -104,11 +104,13 @@ class Element(etree.ElementBase):
         tag: Any
 
         def __iter__(self) -> Iterator[Element]: ...  # type: ignore[override]
+        def iterchildren(self, *tags: Any) -> Iterator[Any]: ...  # type: ignore[override]
         def items(self) -> list[tuple[str, str]]: ...
 
     @property
     def name(self) -> str:
-        return written_name(self.tag, self.prefix)
+        tag: str = self.tag
+        return written_name(tag, self.prefix) if tag[0] == "{" or COLON in tag else tag
 
     @property
     def title(self) -> str:
@@ -147,8 +149,12 @@ class Element(etree.ElementBase):
     def attributes(self) -> dict[str, str]:
         """All attributes by their names as written; declarations of prefixes are not among them."""
         items = self.items()
-        if all(key[0] != "{" and COLON not in key for key, _ in items):
-            return dict(items)
+        for key, _ in items:
+            if key[0] == "{" or COLON in key:
+                return self._as_written(items)
+        return dict(items)
+
+    def _as_written(self, items: list[tuple[str, str]]) -> dict[str, str]:
         prefixes = {uri: prefix for prefix, uri in self.nsmap.items() if prefix}
         prefixes["http://www.w3.org/XML/1998/namespace"] = "xml"
         names: dict[str, str] = {}
@@ -161,12 +167,13 @@ class Element(etree.ElementBase):
         """The child elements, or those of one name; comments are passed over."""
         if name is None or ":" not in name:
             # What has no colon is in no namespace: lxml compares such names itself.
-            return cast("Iterator[Element]", self.iterchildren(name or "*"))
+            return self.iterchildren(name or "*")
         return (child for child in self.children() if child.name == name)
 
     def find(self, name: str) -> Element | None:  # type: ignore[override]
         """The first child element of that name (as written, prefix included)."""
-        return next(self.children(name), None)
+        children = self.children(name) if ":" in name else self.iterchildren(name)
+        return next(children, None)
 
     def has(self, name: str) -> bool:
         """Is there a child element of that name?"""
