@@ -74,13 +74,14 @@ def newest_name(top: Row) -> str:
     return at(top.extra("name"), NEWEST.minor) or top.name
 
 
-def spans(life: str) -> list[tuple[int, int]]:
+@cache
+def spans(life: str) -> tuple[tuple[int, int], ...]:
     """The minor versions of a life such as ``2-6,10``, both ends included."""
     found = []
     for span in life.split(","):
         first, _, last = span.partition("-")
         found.append((int(first), int(last or first)))
-    return found
+    return tuple(found)
 
 
 @cache

@@ -49,6 +49,7 @@ class UrdfAttribute:
         "readers",
         "required",
         "since",
+        "sound",
         "type",
         "units",
     )
@@ -68,6 +69,8 @@ class UrdfAttribute:
         """Who reads it; empty: urdfdom, and with it almost everybody."""
         self.accepts: Callable[[str], object] = _acceptance(self)
         """True for text that is surely read as written and nothing can be said against."""
+        self.sound: set[str] = set()
+        """Texts that ``accepts`` has accepted, remembered by those who walk over documents."""
 
     def __repr__(self) -> str:
         return f"UrdfAttribute({self.element}/@{self.name})"
@@ -196,9 +199,6 @@ def _range(keys: dict[str, str]) -> Range | None:
     return found
 
 
-_REMEMBERED = 1000
-"""So many accepted texts are kept for each attribute: most robots repeat themselves."""
-
 _COUNTS = {"double": 1, "vector3": 3, "color": 4, "quaternion": 4}
 
 
@@ -215,11 +215,7 @@ def _acceptance(attribute: UrdfAttribute) -> Callable[[str], object]:
 
 
 def _numbers(count: int, bounds: Range | None) -> Callable[[str], object]:
-    sound: set[str] = set()
-
     def accepts(text: str) -> bool:
-        if text in sound:
-            return True
         # Stripping leaves nothing when all characters are of the given ones.
         if text.strip("0123456789.+-eE ") or len(text) > 150:
             return False
@@ -230,12 +226,9 @@ def _numbers(count: int, bounds: Range | None) -> Callable[[str], object]:
             numbers = [float(part) for part in parts]
         except ValueError:
             return False
-        fits = (
-            max(numbers) < inf and min(numbers) > -inf if bounds is None else all(map(bounds.holds, numbers))
-        )
-        if fits and len(sound) < _REMEMBERED:
-            sound.add(text)
-        return fits
+        if bounds is not None:
+            return all(map(bounds.holds, numbers))
+        return max(numbers) < inf and min(numbers) > -inf
 
     return accepts
 

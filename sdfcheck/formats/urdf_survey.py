@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from sdfcheck.formats.urdf import VERSIONS, UrdfElement, is_expression, urdf
 from sdfcheck.source.document import Document
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from sdfcheck.formats.urdf_findings import UrdfFindings
+
+_REMEMBERED = 1000
+"""So many accepted texts are kept for each attribute: most robots repeat themselves."""
 
 _WRAPPED_VALUE = re.compile(r"=\s*(?:\"[^\"<]*[\t\n\r]|'[^'<]*[\t\n\r])")
 
@@ -101,25 +104,26 @@ class UrdfWalk:
             self.extensions()
         return self._findings.conclude() if self._findings else []
 
-    def children(self, parent: Element, place: UrdfElement) -> None:
+    def children(self, parent: Element, place: UrdfElement) -> None:  # noqa: C901 - the hot loop
         """Check the children of one container, and theirs."""
         allowed = place.children
         seen: dict[str, Element] = {}
         if (text := parent.text) and not text.isspace():
             self.findings.stray_text(parent)
-        for child in cast("Iterable[Element]", parent):
+        for child in parent:
             tag = child.tag
             if (text := child.tail) and not text.isspace():
                 self.findings.stray_text(parent)
-            if tag not in allowed:
+            definition = allowed.get(tag)
+            if definition is None:
                 if not callable(tag):  # no comment or instruction
                     self.findings.unexpected(child, parent, place)
                 continue
-            definition = allowed[tag]
-            if tag in seen and definition.single:
+            if tag not in seen:
+                seen[tag] = child
+            elif definition.single:
                 self.findings.repeated(child, seen[tag], parent, place)
                 continue
-            seen.setdefault(tag, child)
             self.element(child, definition)
         for name in place.required_children:
             if name not in seen:
@@ -144,9 +148,16 @@ class UrdfWalk:
             attribute = allowed.get(key)
             if attribute is not None and attribute.required:
                 required += 1
-            if attribute is None or attribute.since > self.version or not attribute.accepts(text):
+            if attribute is None or attribute.since > self.version:
                 self.findings.attribute(element, definition, key, text)
-            elif self.is_wrapped and attribute.is_number:
+                continue
+            if text not in attribute.sound:
+                if not attribute.accepts(text):
+                    self.findings.attribute(element, definition, key, text)
+                    continue
+                if len(attribute.sound) < _REMEMBERED:
+                    attribute.sound.add(text)
+            if self.is_wrapped and attribute.is_number:
                 self.findings.attribute_value(element, attribute, text)
         if required < len(definition.required_attributes):
             given = {key for key, _ in items}
@@ -171,5 +182,5 @@ def _is_xacro(root: Element) -> bool:
     """Whether elements are left that xacro is to replace."""
     if "<xacro:" not in root.document.source.text:
         return False
-    below = cast("Iterable[Element]", root.iterdescendants("*"))
+    below: Iterable[Element] = root.iterdescendants("*")  # type: ignore[assignment]
     return any(element.name.startswith("xacro:") for element in below)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin
 from sdfcheck.lint.fix import Fix
+from sdfcheck.source.disk import Disk
 from sdfcheck.source.text import Source, Span
 
 if TYPE_CHECKING:
@@ -76,11 +76,12 @@ def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins]
     if not foreign:
         return list(diagnostics)
-    places = {_place(diagnostic) for diagnostic in foreign}
-    own = places.intersection(_place(each) for each in diagnostics if not each.origins)
-    return [each for each in diagnostics if not each.origins or _place(each) not in own]
+    disk = Disk()
 
+    def place(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
+        span = diagnostic.span
+        return diagnostic.code, disk.real(span.source.path), span.start, span.end
 
-def _place(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
-    span = diagnostic.span
-    return diagnostic.code, os.path.realpath(span.source.path), span.start, span.end
+    places = set(map(place, foreign))
+    own = places.intersection(place(each) for each in diagnostics if not each.origins)
+    return [each for each in diagnostics if not each.origins or place(each) not in own]

@@ -16,6 +16,7 @@ from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, ActiveRules, Choice
 from sdfcheck.source.discover import DiscoveredFile, Found, discover
+from sdfcheck.source.disk import Disk
 from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
@@ -166,7 +167,8 @@ class Linter:
 def joined(parts: Sequence[Part]) -> Run:
     """The run that consists of some parts, in order."""
     files = [path for part in parts for path in part.files]
-    own = {os.path.realpath(path) for path in files} if len(parts) > 1 else set()
+    may_clash = len(parts) > 1 and any(part.foreign for part in parts)
+    own = set(map(Disk().real, files)) if may_clash else set()
     foreign: dict[str, tuple[Sequence[Diagnostic], int]] = {}
     for part in parts:
         foreign = {**{path: told for path, told in part.foreign.items() if path not in own}, **foreign}
