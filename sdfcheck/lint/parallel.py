@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -88,13 +89,18 @@ def _share(
     import sdfcheck.lint.engine  # noqa: F401  (before there are copies)
 
     context = get_context("fork") if COPIES else get_context("spawn")
-    tasks: SimpleQueue[int | None] = context.SimpleQueue()
+    try:
+        tasks: SimpleQueue[int | None] = context.SimpleQueue()
+    except (ImportError, OSError):  # a system without semaphores, or that lets nobody have one
+        return _work(range(len(portions)), portions, options, progress)
     for number in range(len(portions)):
         tasks.put(number)
     for _ in range(jobs):
         tasks.put(None)
-    workers = [_Worker(context, tasks, portions, options) for _ in range(jobs - 1)]
+    workers: list[_Worker] = []
     try:
+        with suppress(OSError):  # the system has its limits: then there are fewer
+            workers.extend(_Worker(context, tasks, portions, options) for _ in range(jobs - 1))
         done = _work(iter(tasks.get, None), portions, options, progress)
         for worker in workers:
             done.update(worker.result())

@@ -89,6 +89,24 @@ def test_one_process_needs_no_worker(
     assert len(done.files) == 14
 
 
+@pytest.mark.parametrize(
+    ("what", "error"),
+    [
+        ("multiprocessing.context.BaseContext.SimpleQueue", ImportError("no semaphores")),
+        ("multiprocessing.process.BaseProcess.start", OSError("too many processes")),
+    ],
+)
+def test_a_system_that_grants_no_process_gets_by_with_one(
+    folder: Path, two_processors: None, monkeypatch: pytest.MonkeyPatch, what: str, error: Exception
+) -> None:
+    def refuse(*given: Any) -> Any:
+        raise error
+
+    monkeypatch.setattr(what, refuse)
+    options = Options(Configuration(isolated=True))
+    assert shape(parallel.run_in_parallel([Path()], options)) == shape(run([Path()], options))
+
+
 def test_what_goes_wrong_in_a_worker_is_told(
     folder: Path, two_processors: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
