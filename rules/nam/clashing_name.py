@@ -23,7 +23,9 @@ class ClashingName(Rule):
 
     Links, joints, frames and nested models are frames to each other and share one name
     space, so a clash is refused; in files up to version 1.6 libsdformat renames the later
-    one, and references mean the earlier. A visual and a collision do no harm by one
+    one, and references mean the earlier. In URDF joints and links have names of their own,
+    until libsdformat makes SDFormat of it: only a fixed joint, which it merges away, gets by
+    with a warning. A visual and a collision do no harm by one
     name, but the specification wants siblings to differ and `gz sdf --check` says so.
     """
 
@@ -47,6 +49,12 @@ class ClashingName(Rule):
             scaffold="",
             says="so libsdformat renames it",
         ),
+        Bad(
+            '<robot name="r"><link name="a"/><link name="b"/><joint name="«b»" type="continuous">'
+            '<parent link="a"/><child link="b"/></joint></robot>',
+            scaffold="",
+            says="joint `b` has the name of a link in robot `r`",
+        ),
     )
     good = (
         Good('<link name="arm"><sensor name="arm" type="imu"/></link>', why="a child is no sibling"),
@@ -55,15 +63,18 @@ class ClashingName(Rule):
 
     def check(self, problem: problems.ClashingName) -> Iterator[Diagnostic]:
         first, scope = problem.first_kind, problem.parent.title
+        is_refused = problem.makes_frame and not problem.renamed and not problem.merged
         message = f"{problem.kind} `{problem.name}` has the name of a {first} in {scope}"
         affects = {} if problem.makes_frame else {Consumer.DRAKE: accepts("takes both")}
         if problem.renamed:
             affects = {Consumer.GAZEBO: warns("renames it")}
             message += ", so libsdformat renames it"
+        if problem.merged:
+            affects = {Consumer.GAZEBO: warns("makes two frames of that name")}
         yield self.diagnostic(
             problem.value,
             message,
             labels={problem.first: f"the {first}"},
-            severity=None if problem.makes_frame and not problem.renamed else Severity.WARNING,
+            severity=None if is_refused else Severity.WARNING,
             affects=affects,
         )

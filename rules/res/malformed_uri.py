@@ -11,6 +11,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    accepts,
     problems,
     replace,
     warns,
@@ -19,6 +20,10 @@ from sdfcheck_rules.res.places import needs_no_escape
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 URDF_MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
+# libsdformat cuts off a scheme, whichever it is, together with its slashes.
+CUT_OFF = frozenset(
+    {problems.UriFault.SLASHES, problems.UriFault.SCHEME_CASE, problems.UriFault.UNKNOWN_SCHEME}
+)
 
 
 class MalformedUri(Rule):
@@ -81,7 +86,10 @@ class MalformedUri(Rule):
         text, fault, meant = problem.value.text, problem.fault, problem.meant
         holder = problem.value.element.parent
         is_include = holder is not None and holder.name == "include"
-        affects = {Consumer.GAZEBO: REFUSES} if is_include else {}
+        affects = {}
+        if is_include:
+            is_cut = fault in CUT_OFF and "://" in text
+            affects = {Consumer.GAZEBO: accepts("looks for what follows the scheme") if is_cut else REFUSES}
         scheme = text.strip().partition(":")[0]
         message = {
             problems.UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    accepts,
+    problems,
+    warns,
+)
 
 INERTIAL = (
     '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
@@ -9,6 +21,8 @@ IMAGE = (
     '<sdf version="1.12"><model name="m"><link name="base"><sensor name="s" type="camera">'
     "<camera>{}</camera></sensor></link></model></sdf>"
 )
+# Behind a number, these do not change what it was meant to be.
+TRAILERS = ",;\"'"
 
 
 class MisreadValue(Rule):
@@ -17,7 +31,7 @@ class MisreadValue(Rule):
     libsdformat takes the longest number from the front of a text and forgets the rest: a
     decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one
     counts. A value also ends at a comment. What is read as it was meant all the same (a
-    comma behind a number, a hexadecimal number) gets a warning.
+    comma or quote behind a number, a hexadecimal number) gets a warning.
     """
 
     code = "SCH012"
@@ -68,7 +82,9 @@ class MisreadValue(Rule):
                 affects=affects,
             )
             return
-        as_meant = cause == "HEXADECIMAL" or part.rstrip(",") == reading.read_as
+        as_meant = cause == "HEXADECIMAL" or part.rstrip(TRAILERS) == reading.read_as
+        if as_meant and not affects:
+            affects = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), accepts("reads what was meant"))
         yield self.diagnostic(
             problem.span,
             f"`{part}` is read as {reading.read_as}",

@@ -98,8 +98,7 @@ class Findings:
         if ":" in name:
             self.custom(child, parent, place)
             return None
-        newest = history.in_version(place, NEWEST)
-        definition = newest.children.get(name) if newest else None
+        definition = history.later(place, name)
         if definition is not None:
             since = history.since(place, name)
             self.note_too_new(child, parent, definition.place, since)

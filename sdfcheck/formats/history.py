@@ -61,6 +61,16 @@ def since(parent: Definition, name: str) -> Version:
     return known[0] if parent.version in known or not later else later[0]
 
 
+def later(parent: Definition, name: str) -> Definition | None:
+    """A child that the parent's version has not yet, as the last version that has it defines it."""
+    newest = in_version(parent, NEWEST)
+    if newest is not None and name in newest.children:
+        return newest.children[name]
+    last = max(versions(parent, name), default=parent.version)
+    holder = in_version(parent, last) if last > parent.version else None
+    return holder.children[name] if holder is not None else None
+
+
 def last_version(parent: Definition, name: str) -> Version | None:
     """The last version before the parent's own that had what it has no more."""
     return max((version for version in versions(parent, name) if version < parent.version), default=None)

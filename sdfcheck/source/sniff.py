@@ -205,7 +205,7 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
         return Kind.SRDF
     if name not in _ROOTS and suffix in _SUFFIXES and _is_misspelt(name, suffix, text, start):
         return Kind.MISSPELT_ROOT
-    if suffix == ".xacro" or _holds(text, ("<xacro:",)):
+    if ".xacro" in suffixes or _holds(text, ("<xacro:",)):
         return Kind.XACRO
     if name in _ROOTS:
         return _ROOTS[name]

@@ -99,6 +99,15 @@ def test_what_is_too_new_is_looked_into() -> None:
     assert kinds == {"TooNewElement", "MalformedValue", "MissingElement"}
 
 
+def test_too_new_is_also_what_came_and_went() -> None:
+    axis = "<axis><xyz>0 0 1</xyz><use_parent_model_frame>1</use_parent_model_frame></axis>"
+    model = f'<link name="a"/><link name="b"/><joint name="j" type="revolute">{axis}</joint>'
+    told = found(f'<sdf version="1.4"><model name="m">{model}</model></sdf>')
+    (problem,) = (each for each in told if isinstance(each, problems.TooNewElement))
+    assert (problem.element.name, str(problem.since)) == ("use_parent_model_frame", "1.5")
+    assert not any(isinstance(each, problems.MisplacedElement) for each in told)
+
+
 def test_too_new_attributes() -> None:
     problem = only_in_link(
         '<pose relative_to="l" degrees="true">0 0 0 0 0 0</pose>', problems.TooNewAttribute, "1.8"

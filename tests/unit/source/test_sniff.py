@@ -27,6 +27,7 @@ ETHANOL = b"ethanol\n  RDKit\n\n  9  8  0     0  0  0  0  0  0999 V2000\n> <PUBC
         ("a.urdf", b'<robot name="r"><xacro:leg/></robot>', Kind.XACRO),
         ("a.SDF.XACRO", b'<sdf version="1.9"/>', Kind.XACRO),
         ("a.xacro", b"<root/>", Kind.XACRO),
+        ("a.xacro.urdf", b'<robot name="r"/>', Kind.XACRO),
         ("model.config", b'<model><name>m</name><sdf version="1.9">m.sdf</sdf></model>', Kind.MODEL_CONFIG),
         ("model.config", b"<configuration/>", Kind.OTHER_XML),
         ("a.sdf", b'<element name="link" required="0"/>', Kind.SDF_SPECIFICATION),
