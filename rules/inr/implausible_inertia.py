@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck_rules.inr.ratios import times
 
 
 class ImplausibleInertia(Rule):
@@ -42,13 +43,6 @@ class ImplausibleInertia(Rule):
     )
 
     def check(self, problem: problems.ImplausibleInertia) -> Iterator[Diagnostic]:
-        ratio = problem.ratio
-        much = f"{_rounded(ratio)} times" if ratio > 1 else f"1/{_rounded(1 / ratio)} of"
-        message = f"the inertia is {much} that of a solid of this mass in the link's shapes"
+        message = f"the inertia is {times(problem.ratio)} that of a solid of this mass in the link's shapes"
         labels = {problem.link: "this link", problem.shape: "compared with this shape"}
         yield self.diagnostic(problem.inertia, message, labels=labels)
-
-
-def _rounded(ratio: float) -> str:
-    """One digit and zeros, as far as people read them."""
-    return f"{float(f'{ratio:.1g}'):.0f}" if ratio < 1e7 else f"{ratio:.0e}"

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck_rules.inr.ratios import times
 
 
 class PlaceholderInertia(Rule):
@@ -25,7 +26,7 @@ class PlaceholderInertia(Rule):
         Bad(
             "<inertial><mass>0.1</mass><«inertia»><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
             '<collision name="c"><geometry><box><size>0.1 0.1 0.1</size></box></geometry></collision>',
-            says="6e+03 times",
+            says="6000 times",
         ),
         Bad(
             "<«inertial»><mass>0.1</mass></inertial>"
@@ -45,5 +46,5 @@ class PlaceholderInertia(Rule):
         how = (
             "unit inertia" if problem.written else "an inertia that is left out, so 1 kg·m² about each axis,"
         )
-        message = f"{how} is {problem.ratio:.1g} times what {problem.mass:.6g} kg in this link's shapes have"
+        message = f"{how} is {times(problem.ratio)} what {problem.mass:.6g} kg in this link's shapes have"
         yield self.diagnostic(problem.place, message, labels={problem.link: "this link"})

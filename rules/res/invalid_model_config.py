@@ -14,6 +14,11 @@ MESSAGES = {
     problems.ConfigFault.BAD_VERSION: "`{}` is no version of SDFormat",
     problems.ConfigFault.TOO_NEW: "version {} is newer than any reader knows",
     problems.ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
+    problems.ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
+}
+SEVERITIES = {
+    problems.ConfigFault.NO_NAME: Severity.WARNING,
+    problems.ConfigFault.UNMADE_FILE: Severity.INFO,
 }
 
 
@@ -23,7 +28,8 @@ class InvalidModelConfig(Rule):
     A model folder is included through it: libsdformat takes the `sdf` element of the
     highest version that it knows. A missing file or version, or a version from the
     future, fails the including document; with neither `name` nor `sdf` libsdformat
-    crashes. A missing name alone is a warning.
+    crashes. A missing name alone is a warning. A file that a build is to make from a
+    template beside it is only pointed out.
     """
 
     code = "RES007"
@@ -35,6 +41,12 @@ class InvalidModelConfig(Rule):
 
     bad = (
         Bad('<sdf version="1.12">«gone.sdf»</sdf>', file=CONFIG, files={}, says="no file `gone.sdf`"),
+        Bad(
+            '<sdf version="1.12">«arm.sdf»</sdf>',
+            file=CONFIG,
+            files={"arm.sdf.jinja": "{{ arm }}"},
+            says="`arm.sdf` has yet to be made from `arm.sdf.jinja`",
+        ),
         Bad("<«sdf»>arm.sdf</sdf>", file=CONFIG, files={"arm.sdf": ARM}, says="no `version`"),
         Bad('<sdf version="«1.99»">arm.sdf</sdf>', file=CONFIG, files={"arm.sdf": ARM}, says="newer"),
         Bad(
@@ -72,8 +84,7 @@ class InvalidModelConfig(Rule):
             return
         place, fault = problem.place, problem.fault
         named = place.text.strip() if isinstance(place, Value) else place.name
-        message = MESSAGES[fault].format(named)
-        if problem.near is not None:
+        message = MESSAGES[fault].format(named, problem.near)
+        if problem.near is not None and fault is not problems.ConfigFault.UNMADE_FILE:
             message += f", did you mean `{problem.near}`?"
-        severity = Severity.WARNING if fault is problems.ConfigFault.NO_NAME else Severity.ERROR
-        yield self.diagnostic(place, message, severity=severity)
+        yield self.diagnostic(place, message, severity=SEVERITIES.get(fault, Severity.ERROR))

@@ -9,8 +9,8 @@ ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 class UnresolvedInclude(Rule):
     """The uri of an include leads to no file.
 
-    libsdformat refuses the document. A `model://` that no folder near by nor any on the
-    search path has is a warning, because another computer may have it: set `model-paths`
+    libsdformat refuses the document. A `model://`, or a bare name, that no folder near by nor any
+    on the search path has is a warning, because another computer may have it: set `model-paths`
     in the configuration. Models on the network, such as those of Gazebo Fuel, are
     pointed out only; nothing is ever fetched. A folder needs a `model.config` that says
     which of its files is the model.
@@ -35,6 +35,7 @@ class UnresolvedInclude(Rule):
             files={},
             says="model `arm` is not on the search path",
         ),
+        Bad("<include><uri>«arm»</uri></include>", files={}, says="model `arm` is not on the search path"),
         Bad(
             "<include><uri>«https://fuel.gazebosim.org/1.0/openrobotics/models/arm»</uri></include>",
             files={},
@@ -87,13 +88,13 @@ class UnresolvedInclude(Rule):
             missing = text.partition(f"{location.name}/")[2]
             message = f"there is no `{missing}` in {location.scheme} `{location.name}`"
             yield self.diagnostic(problem.uri, message, help=where)
-        elif location.is_searched_for:
-            setting = "model-paths" if location.scheme == "model" else "package-paths"
+        elif problem.is_searched_for:
+            kind = location.scheme or "model"
             yield self.diagnostic(
                 problem.uri,
-                f"{location.scheme} `{location.name}` is not on the search path{times}",
+                f"{kind} `{location.name or text}` is not on the search path{times}",
                 severity=Severity.WARNING,
-                help=f"{where}; set `{setting}` in the configuration if it is elsewhere",
+                help=f"{where}; set `{kind}-paths` in the configuration if it is elsewhere",
             )
         else:
             yield self.diagnostic(problem.uri, f"`{text}` leads to no file", help=where)

@@ -25,7 +25,6 @@ from sdfcheck.model.names import ReservedName
 from sdfcheck.model.parameters import PARAMETERS, parameters
 from sdfcheck.model.scopes import NEVER_A_REFERENCE
 from sdfcheck.model.uri_spelling import absolute, malformed, misspelt
-from sdfcheck.model.uris import Location
 from sdfcheck.source.document import Document
 
 _SETTINGS = ("name", "static", "placement_frame")
@@ -99,7 +98,7 @@ def _told_once(found: list[object]) -> list[object]:
     others: list[object] = []
     by_text: dict[str, list[UnresolvedInclude]] = {}
     for problem in found:
-        if isinstance(problem, UnresolvedInclude) and _is_elsewhere(problem.location):
+        if isinstance(problem, UnresolvedInclude) and (problem.location.is_remote or problem.is_searched_for):
             by_text.setdefault(problem.uri.text, []).append(problem)
         else:
             others.append(problem)
@@ -108,10 +107,6 @@ def _told_once(found: list[object]) -> list[object]:
         for same in by_text.values()
     )
     return [*others, *joined]
-
-
-def _is_elsewhere(location: Location) -> bool:
-    return location.is_remote or (location.is_searched_for and location.owner is None)
 
 
 def _descriptions(folder: Path) -> tuple[str, ...]:

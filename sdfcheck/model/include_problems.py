@@ -22,6 +22,16 @@ class UnresolvedInclude(Record):
     location: Location
     uses: tuple[Value, ...]
 
+    @property
+    def is_searched_for(self) -> bool:
+        """Does it name a model or package, to be found on a search path, which nothing near by is?
+
+        To libsdformat a bare word is the name of a model, too.
+        """
+        location, text = self.location, self.uri.text.strip()
+        is_word = not location.scheme and not {*text} & {"/", "\\", "."}
+        return is_word or (location.is_searched_for and location.owner is None)
+
 
 class FolderWithoutConfig(Record):
     """A uri that leads to a folder without ``model.config``; ``descriptions`` are files that may be meant."""

@@ -15,12 +15,13 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import Record
-from sdfcheck.source.sniff import Kind
+from sdfcheck.source.sniff import TEMPLATE_SUFFIXES, Kind
 
 CONFIG = "model.config"
 OLD_CONFIG = "manifest.xml"
 
 _NUMBERS = re.compile(r"\s*(\d+)\.(\d+)\s*")
+_MADE_FROM = TEMPLATE_SUFFIXES | {".xacro"}
 
 
 class ConfigFault(Enum):
@@ -35,6 +36,7 @@ class ConfigFault(Enum):
     BAD_VERSION = "bad version"
     TOO_NEW = "too new"
     MISSING_FILE = "missing file"
+    UNMADE_FILE = "file not made yet"
 
 
 class InvalidModelConfig(Record):
@@ -110,9 +112,22 @@ def _of_entry(document: Document, entry: Element, *, is_chosen: bool) -> list[In
         if is_chosen:
             found.append(InvalidModelConfig(entry, ConfigFault.EMPTY_FILE))
     elif not os.path.isfile(document.path.parent / entry.content) and document.library is not None:
-        near = _near(document.path.parent, entry.content)
-        found.append(InvalidModelConfig(entry.own_value, ConfigFault.MISSING_FILE, near))
+        template = _template(document.path.parent, entry.content)
+        fault = ConfigFault.MISSING_FILE if template is None else ConfigFault.UNMADE_FILE
+        near = template or _near(document.path.parent, entry.content)
+        found.append(InvalidModelConfig(entry.own_value, fault, near))
     return found
+
+
+def _template(folder: Path, name: str) -> str | None:
+    """The file in the folder from which one of that name is to be made."""
+    stems = {name, os.path.splitext(name)[0]}
+    try:
+        split = map(os.path.splitext, sorted(os.listdir(folder)))
+    except OSError:
+        return None
+    made = (stem + suffix for stem, suffix in split if stem in stems and suffix.lower() in _MADE_FROM)
+    return next(made, None)
 
 
 def _version(entry: Element) -> tuple[int, int] | None:

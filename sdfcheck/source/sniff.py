@@ -100,7 +100,7 @@ ROOTS = ("sdf", "robot", "model")
 # Nothing but robot descriptions goes by these suffixes, so other content is a mistake.
 _UNSHARED_SUFFIXES = frozenset({".urdf", ".world", ".xacro"})
 _SUFFIXES = _UNSHARED_SUFFIXES | {".sdf"}
-_TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
+TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
 
 _WIDE_MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
@@ -263,7 +263,7 @@ def _without_comments(text: str) -> str:
 
 def _is_template(text: str, path: Path) -> bool:
     """Whether template code is left; most of its marks count only if the file's name says template."""
-    if path.suffix.lower() in _TEMPLATE_SUFFIXES:
+    if path.suffix.lower() in TEMPLATE_SUFFIXES:
         return _holds(text, _TEMPLATE_MARKS)
     return "%" in text and _holds(text, _TEMPLATE_TAGS)
 
