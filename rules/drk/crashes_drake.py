@@ -8,10 +8,11 @@ BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 
 
 class CrashesDrake(Rule):
-    """The file ends the process that loads it with Drake.
+    """The file ends the process that loads it with Drake, or ends it unread.
 
-    An empty type of a transmission is a segmentation fault; the others are assertions, which end a
-    C++ program and tell no place in the file.
+    An empty type of a transmission is a segmentation fault; most others are assertions, which end a
+    C++ program and tell no place in the file. A negative damping is refused, and so is a file that
+    holds neither exactly one model nor exactly one world.
     """
 
     code = "DRK015"
@@ -39,6 +40,25 @@ class CrashesDrake(Rule):
             "<drake:mu_dynamic>0.5</drake:mu_dynamic></drake:proximity_properties>",
             says="a friction without `ode` beside `drake:mu_dynamic`: Drake aborts",
         ),
+        Bad(
+            "<geometry><plane><normal>«0 0 0»</normal></plane></geometry>",
+            says="a plane without direction: Drake aborts",
+        ),
+        Bad(
+            '<«sdf» version="1.9"><light name="sun" type="directional"/></sdf>',
+            says="a file with neither model nor world: Drake refuses the file",
+            scaffold="",
+        ),
+        Bad(
+            '<sdf version="1.9"><world name="w"/><«model» name="m"><link name="l"/></model></sdf>',
+            says="a model beside a world: Drake refuses the file",
+            scaffold="",
+        ),
+        Bad(
+            '<sdf version="1.9"><world name="w"/><«world» name="v"/></sdf>',
+            says="a second world: Drake refuses the file",
+            scaffold="",
+        ),
     )
     good = (
         Good(
@@ -49,6 +69,11 @@ class CrashesDrake(Rule):
         Good(
             f"{BOX}<surface><friction><torsional/></friction></surface>",
             why="only Drake's own friction trips it",
+        ),
+        Good(
+            "<geometry><heightmap><uri>a.png</uri><texture><normal>flat.png</normal></texture></heightmap></geometry>"
+            "<surface><friction><ode><mu>0.2</mu></ode></friction></surface>",
+            why="Drake makes nothing of a heightmap",
         ),
     )
 

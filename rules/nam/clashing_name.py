@@ -24,8 +24,8 @@ class ClashingName(Rule):
     Links, joints, frames and nested models are frames to each other and share one name
     space, so a clash is refused; in files up to version 1.6 libsdformat renames the later
     one, and references mean the earlier. In URDF joints and links have names of their own,
-    until libsdformat makes SDFormat of it: only a fixed joint, which it merges away, gets by
-    with a warning. A visual and a collision do no harm by one
+    until libsdformat makes SDFormat of it: even a fixed joint, which it merges away, leaves a frame
+    of its name. A visual and a collision do no harm by one
     name, but the specification wants siblings to differ and `gz sdf --check` says so.
     """
 
@@ -63,14 +63,12 @@ class ClashingName(Rule):
 
     def check(self, problem: problems.ClashingName) -> Iterator[Diagnostic]:
         first, scope = problem.first_kind, problem.parent.title
-        is_refused = problem.makes_frame and not problem.renamed and not problem.merged
+        is_refused = problem.makes_frame and not problem.renamed
         message = f"{problem.kind} `{problem.name}` has the name of a {first} in {scope}"
         affects = {} if problem.makes_frame else {Consumer.DRAKE: accepts("takes both")}
         if problem.renamed:
             affects = {Consumer.GAZEBO: warns("renames it")}
             message += ", so libsdformat renames it"
-        if problem.merged:
-            affects = {Consumer.GAZEBO: warns("makes two frames of that name")}
         yield self.diagnostic(
             problem.value,
             message,

@@ -26,6 +26,7 @@ _ABORTS = Effect(Outcome.ABORT)
 _REFUSED_TYPES = frozenset(("gearbox", "revolute2"))
 _OF_ACTUATORS = ("drake:rotor_inertia", "drake:gear_ratio", "drake:controller_gains")
 _FRICTIONS = ("drake:mu_dynamic", "drake:mu_static")
+_NOT_MADE = ("heightmap", "polyline", "image", "cone", "empty")
 _SPRUNG = frozenset(("continuous", "prismatic", "revolute"))
 
 
@@ -33,7 +34,9 @@ def problems(document: Document) -> Iterator[object]:
     """Everything that Drake does not take as it is meant, in no particular order."""
     surveyed = survey(document)
     index = surveyed.index
-    yield from ignored_parts(index, "sdf")
+    unread = list(_contents(surveyed))
+    yield from unread
+    yield from (part for part in ignored_parts(index, "sdf") if not unread or not _is_at_root(part.target))
     yield from unsupported_meshes(mesh for mesh in index.get("mesh", ()) if _is_shape(mesh))
     for joint in index.get("joint", ()):
         yield from _joint_type(joint)
@@ -41,10 +44,30 @@ def problems(document: Document) -> Iterator[object]:
         yield from _axis(joint)
     yield from _frictions(surveyed)
     for normal in index.get("normal", ()):
-        if not any(map(number, normal.content.split())) and normal.content:
+        # That of a texture is a picture.
+        of_plane = normal.parent is not None and normal.parent.name == "plane"
+        if of_plane and normal.content and not any(map(number, normal.content.split())):
             yield CrashesDrake(normal.own_value, "a plane without direction", _ABORTS)
     for inertial in index.get("inertial", ()):
         yield from _automatic(inertial)
+
+
+def _contents(surveyed: Survey) -> Iterator[CrashesDrake]:
+    """A file is read for one model or one world; that several models are too many is told by the format."""
+    root = surveyed.document.root
+    if root is None or root.name != "sdf":
+        return
+    models, worlds = list(root.children("model")), list(root.children("world"))
+    if not models and not worlds:
+        yield CrashesDrake(root, "a file with neither model nor world", REFUSED)
+    elif worlds and len(models) + len(worlds) > 1:
+        what = "a model beside a world" if models else "a second world"
+        yield CrashesDrake(models[0] if models else worlds[1], what, REFUSED)
+
+
+def _is_at_root(part: Element | Value) -> bool:
+    element = part.element if isinstance(part, Value) else part
+    return element.parent is not None and element.parent.name == "sdf"
 
 
 def _is_shape(mesh: Element) -> bool:
@@ -111,7 +134,7 @@ def _frictions(surveyed: Survey) -> Iterator[object]:
     for friction in surveyed.index.get("friction", ()):
         surface = friction.parent
         collision = None if surface is None else surface.parent
-        if collision is None or collision.name != "collision":
+        if collision is None or collision.name != "collision" or not _is_made(collision):
             continue
         properties = collision.find("drake:proximity_properties")
         own = next(
@@ -123,6 +146,12 @@ def _frictions(surveyed: Survey) -> Iterator[object]:
                 yield CrashesDrake(friction, f"a friction without `ode` beside `{own.name}`", _ABORTS)
         elif ode is not None:
             yield from _ode(ode)
+
+
+def _is_made(collision: Element) -> bool:
+    """Does Drake make a geometry of a collision? What it makes nothing of it does not look at."""
+    geometry = collision.find("geometry")
+    return geometry is None or not any(geometry.has(shape) for shape in _NOT_MADE)
 
 
 def _ode(ode: Element) -> Iterator[FrictionOrder]:

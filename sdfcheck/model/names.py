@@ -63,7 +63,6 @@ class ClashingName(Record):
 
     ``makes_frame``: one of them at least makes a frame. ``renamed``: both do, in an old
     version, for which libsdformat renames the later one instead of refusing the file.
-    ``merged``: one is a fixed joint of URDF, which libsdformat merges away.
     """
 
     value: Value
@@ -74,7 +73,6 @@ class ClashingName(Record):
     first_kind: str
     makes_frame: bool
     renamed: bool
-    merged: bool = False
 
 
 class ReservedName(Record):

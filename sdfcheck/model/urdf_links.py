@@ -70,20 +70,11 @@ def _names(surveyed: UrdfSurvey, root: Element) -> Iterator[object]:
         if earlier is not value:
             yield DuplicateName(value, earlier, root, name, kind)
         elif kind == "joint" and ("link", name) in taken:
-            link, merged = taken["link", name], _is_merged(value.element, surveyed)
             yield ClashingName(
-                value, link, root, name, "joint", "link", makes_frame=True, renamed=False, merged=merged
+                value, taken["link", name], root, name, "joint", "link", makes_frame=True, renamed=False
             )
         if kind != "material":
             yield from _unfit_for_sdformat(value)
-
-
-def _is_merged(joint: Element, surveyed: UrdfSurvey) -> bool:
-    """Does libsdformat merge the links that a joint ties, so that no joint is left?"""
-    parent = joint.find("parent")
-    above = parent.attributes.get("link") if parent is not None else None
-    is_fixed = joint.attributes.get("type") == "fixed" and above != "world"
-    return is_fixed and joint.attributes.get("name") not in _kept(surveyed)
 
 
 def _unfit_for_sdformat(value: Value) -> Iterator[object]:

@@ -101,8 +101,8 @@ def test_drake_goes_by_the_name_of_the_file(tmp_path: Path) -> None:
 
 
 TWO_NAMES = (
-    f'<robot name="r"><link name="world"/><link name="arm">{INERTIAL}</link>'
-    '<joint name="arm" type="fixed"><parent link="world"/><child link="arm"/></joint></robot>'
+    f'<robot name="r"><link name="base">{INERTIAL}</link><link name="arm">{INERTIAL}</link>'
+    '<joint name="arm" type="fixed"><parent link="base"/><child link="arm"/></joint></robot>'
 )
 
 

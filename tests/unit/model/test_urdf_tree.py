@@ -232,25 +232,6 @@ def test_names_and_what_they_clash_with() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "merged"),
-    [
-        (links("a b") + joint("b", "a", "b"), True),
-        (links("a b") + joint("b", "a", "b", "continuous"), False),
-        ('<link name="world"/>' + links("b") + joint("b", "world", "b"), False),
-        (
-            links("a b")
-            + joint("b", "a", "b")
-            + '<gazebo reference="b"><preserveFixedJoint>true</preserveFixedJoint></gazebo>',
-            False,
-        ),
-    ],
-)
-def test_a_fixed_joint_may_have_the_name_of_a_link(text: str, merged: bool) -> None:
-    clashes = [p for p in urdf_links.problems(document(text)) if isinstance(p, ClashingName)]
-    assert [clash.merged for clash in clashes] == [merged]
-
-
-@pytest.mark.parametrize(
     ("pitch", "found"),
     [("1.57", 1), ("-1.57", 1), ("1.5707963", 0), ("1.5708", 0), ("1.56", 0), ("4.7124", 0), ("4.712", 1)],
 )
