@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from sdfcheck.source.blame import alike
 from sdfcheck.source.document import Document
 
 FILE_LIMIT = 1000
@@ -25,6 +26,40 @@ def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str
     pool = {candidate.casefold(): candidate for candidate in sorted(candidates)}
     near = difflib.get_close_matches(name.casefold(), pool, n=1, cutoff=likeness)
     return pool[near[0]] if near else None
+
+
+def slip_of(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate of which a name is a misspelling for certain: each of its words is a slip away at most.
+
+    Where not all definitions are known, a name may well be one of them that is merely like others.
+    """
+    words = _words(name)
+    for candidate in sorted(candidates):
+        others = _words(candidate)
+        pairs = zip(words, others, strict=False)
+        if len(words) == len(others) and all(a == b or (len(a) > 2 and alike(a, b)) for a, b in pairs):
+            return candidate
+        if len(words) != len(others) and len(name) > 3 and alike(name, candidate):
+            return candidate
+    return None
+
+
+def _words(name: str) -> list[str]:
+    return re.split(r"[_.\-]", name.lower())
+
+
+def is_included(document: Document) -> bool:
+    """Does a file of the project include one of this name? Then it may define what this one uses."""
+    return document.view(_is_included)
+
+
+def _is_included(document: Document) -> bool:
+    if document.library is None:
+        return False
+    name = re.escape(document.path.name)
+    pattern = re.compile(rf"<xacro:include\b[^>]*?\sfilename\s*=\s*[\"'](?:[^\"']*/)?{name}[\"']")
+    files = document.library.packages(document.path).files(".xacro", FILE_LIMIT)
+    return any(pattern.search(text_of(path)) for path in files)
 
 
 def project_names(document: Document) -> frozenset[str]:

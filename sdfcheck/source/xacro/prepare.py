@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.source.document import Document
@@ -11,7 +10,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.xacro import static
 from sdfcheck.source.xacro.expansion import Expander
-from sdfcheck.source.xacro.nearby import FILE_LIMIT, text_of
+from sdfcheck.source.xacro.nearby import is_included
 from sdfcheck.source.xacro.origins import ExpandedDocument
 from sdfcheck.source.xacro.problems import (
     ExpansionFailure,
@@ -66,7 +65,7 @@ def prepare(
             if expansion.document is not None and is_complete(expansion.document):
                 expansion.document.library = document.library
                 documents.append(expansion.document)
-            found += [p for p in expansion.problems if not (_needs_includer(p) and _is_included(document))]
+            found += [p for p in expansion.problems if not (_needs_includer(p) and is_included(document))]
     return Prepared(tuple(_merged(found)), tuple(documents))
 
 
@@ -99,13 +98,3 @@ def _needs_includer(problem: Problem) -> bool:
     if isinstance(problem, ExpansionFailure):
         return problem.kind is Failure.ARGUMENT
     return isinstance(problem, UndefinedMacro | UndefinedProperty)
-
-
-def _is_included(document: Document) -> bool:
-    """Whether a file of the project includes one of this name."""
-    if document.library is None:
-        return False
-    name = re.escape(document.path.name)
-    pattern = re.compile(rf"<xacro:include\b[^>]*?\sfilename\s*=\s*[\"'](?:[^\"']*/)?{name}[\"']")
-    files = document.library.packages(document.path).files(".xacro", FILE_LIMIT)
-    return any(pattern.search(text_of(path)) for path in files)

@@ -10,7 +10,7 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.source.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX, Parameter
 from sdfcheck.source.xacro.names import free_names
-from sdfcheck.source.xacro.nearby import nearest, project_names
+from sdfcheck.source.xacro.nearby import nearest, project_names, slip_of
 from sdfcheck.source.xacro.own_elements import element_problems
 from sdfcheck.source.xacro.problems import (
     Mismatch,
@@ -25,7 +25,7 @@ from sdfcheck.source.xacro.problems import (
     XacroIncludeCycle,
 )
 from sdfcheck.source.xacro.reading import Call, Macro, place, reading
-from sdfcheck.source.xacro.world import World, is_robot, world
+from sdfcheck.source.xacro.world import World, is_robot, knows_all, world
 from sdfcheck.source.xacro.written import written_problems
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
@@ -70,13 +70,13 @@ def _undefined_macros(document: Document, around: World) -> Iterator[Problem]:
     for call in reading(document).calls:
         if call.name in around.macros or call.name.rpartition(".")[2] in around.macros:
             continue
-        near = nearest(call.name, {*around.macros, *KEYWORDS})
-        if around.is_open or not is_robot(document):
+        known = {*around.macros, *KEYWORDS}
+        if not knows_all(document):
             elsewhere = project_names(document)
-            near = near or nearest(call.name, elsewhere, 0.85)
-            if near is None or call.name in elsewhere:
+            if call.name in elsewhere or slip_of(call.name, known | elsewhere) is None:
                 continue
-        yield UndefinedMacro(_called(call), call.name, near)
+        near = slip_of(call.name, known) or nearest(call.name, known)
+        yield UndefinedMacro(_called(call), call.name, near or slip_of(call.name, project_names(document)))
 
 
 def _called(call: Call) -> Span:
@@ -88,16 +88,18 @@ def _called(call: Call) -> Span:
 
 
 def _undefined_properties(document: Document, around: World) -> Iterator[Problem]:
-    robot = is_robot(document) and not around.is_open
     everywhere = around.properties | BUILT_IN
     for found in reading(document).expressions:
         known = everywhere if found.macro is None else everywhere | around.parameters
         for name in sorted(free_names(found.code) - known):
             is_function = re.search(rf"(?<![\w.]){name}\s*\(", found.code) is not None
-            near = nearest(name, known if is_function else known - BUILT_IN)
             # Who includes a library may define properties, but hardly functions.
-            if not robot and ((near is None and not is_function) or name in project_names(document)):
+            candidates = known if is_function else known - BUILT_IN
+            if not knows_all(document) and (
+                name in project_names(document) or (slip_of(name, candidates) is None and not is_function)
+            ):
                 continue
+            near = slip_of(name, candidates) or nearest(name, candidates)
             yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)
 
 

@@ -10,6 +10,7 @@ from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.source.xacro.language import EXPRESSION, FIND, PREFIX
+from sdfcheck.source.xacro.nearby import is_included
 from sdfcheck.source.xacro.reading import Include, Macro, Reading, reading
 
 _CONTENT = frozenset({"xacro:call", "xacro:insert_block", "xacro:element"})
@@ -157,6 +158,11 @@ def is_robot(document: Document) -> bool:
         elif name not in {"xacro:property", "xacro:arg", "xacro:attribute"}:
             has_content |= not name.startswith(PREFIX) or name in _CONTENT or name.count(":") == 1
     return has_content or (has_includes and not has_macros)
+
+
+def knows_all(document: Document) -> bool:
+    """Is all that a file uses known? Not what those define that include it, or what cannot be found."""
+    return is_robot(document) and not world(document).is_open and not is_included(document)
 
 
 def _real(path: Path) -> Path:
