@@ -31,6 +31,10 @@ class ImpossibleInertia(Rule):
             "<izz>8.53333333333e-07</izz></inertia></inertial>",
             says="1.70666666667e-06 > 8.53333333333e-07 + 8.53333333333e-07",
         ),
+        Bad(
+            "<inertial><mass>1</mass><inertia><ixx>1e-9</ixx><iyy>1e-9</iyy><izz>«0.003»</izz></inertia></inertial>",
+            says="0.003 > 1e-09 + 1e-09",
+        ),
     )
     good = (
         Good(
@@ -47,6 +51,8 @@ class ImpossibleInertia(Rule):
 
 def _told_apart(principal: Sequence[float]) -> list[str]:
     """The moments, smallest first, in as many digits as show by how much the largest is too large."""
+    # What is left of nothing once it was computed is nothing.
+    principal = [moment if abs(moment) > principal[2] * 1e-14 else 0.0 for moment in principal]
     excess = principal[2] - principal[1] - principal[0]
     for digits in range(6, 18):
         shown = [f"{moment:.{digits}g}" for moment in principal]
