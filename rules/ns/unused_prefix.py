@@ -41,7 +41,7 @@ class UnusedPrefix(Rule):
     def check(self, problem: problems.UnusedPrefix) -> Iterator[Diagnostic]:
         removed = tuple(Edit(whole, "") for whole in problem.wholes)
         if len(removed) == 1:
-            what, cure = f"prefix {named(problem.prefixes)} is", "remove the declaration"
+            what, cure = f"prefix {named(problem.prefixes, most=5)} is", "remove the declaration"
         else:
-            what, cure = f"prefixes {named(problem.prefixes)} are", "remove the declarations"
+            what, cure = f"prefixes {named(problem.prefixes, most=5)} are", "remove the declarations"
         yield self.diagnostic(problem.span, f"{what} declared and not used", fix=edit(cure, removed))

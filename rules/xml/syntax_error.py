@@ -52,6 +52,7 @@ MESSAGES = {
     Kind.SECOND_DECLARATION: "an XML declaration stands only once, at the start of the file",
     Kind.NO_ELEMENT: "there is no element",
     Kind.TOO_LONG: "the text of `{name}` is longer than parsers read (10 million characters)",
+    Kind.TOO_MANY: "`{name}` has more than 1000 attributes; from here on they are not looked at",
     Kind.OTHER: "{name}",
 }
 LABELS = {

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest_in
 from sdfcheck.formats.survey import Survey, survey
 from sdfcheck.model.file_problems import UnknownReference
 from sdfcheck.source.document import Document
@@ -34,7 +34,9 @@ def _collisions(surveyed: Survey) -> Iterator[UnknownReference]:
             name = reference.content
             # A scoped name is spelt from the world or the model, in ways that differ by reader.
             if name and name != _DEFAULT and "::" not in name and name not in names:
-                yield UnknownReference(reference.own_value, "collision", link, suggest(name, names))
+                yield UnknownReference(
+                    reference.own_value, "collision", link, suggest_in(surveyed.document, name, names)
+                )
 
 
 def _gripped(document: Document, surveyed: Survey) -> Iterator[UnknownReference]:
@@ -49,7 +51,9 @@ def _gripped(document: Document, surveyed: Survey) -> Iterator[UnknownReference]
             found = scope.find(name)
             if (found is None and not scope.may_hold(name)) or (found is not None and found.kind != "link"):
                 links = [frame.name for frame in scope.links()]
-                yield UnknownReference(reference.own_value, "link", scope.element, suggest(name, links))
+                yield UnknownReference(
+                    reference.own_value, "link", scope.element, suggest_in(document, name, links)
+                )
 
 
 def _restored(document: Document, surveyed: Survey) -> Iterator[UnknownReference]:
@@ -63,11 +67,13 @@ def _restored(document: Document, surveyed: Survey) -> Iterator[UnknownReference
         if world is not None and world.text.strip() not in {"", _DEFAULT, scope.name}:
             root = document.root
             assert root is not None
-            yield UnknownReference(world, "world", root, suggest(world.text, [scope.name]))
+            yield UnknownReference(world, "world", root, suggest_in(document, world.text, [scope.name]))
             continue
         models = [frame.name for frame in scope.frames.values() if frame.kind == "model"]
         for kind in ("model", "model_state"):
             for element in state.children(kind):
                 name = element.attribute("name")
                 if name is not None and "::" not in name.text and name.text not in models:
-                    yield UnknownReference(name, "model", scope.element, suggest(name.text, models))
+                    yield UnknownReference(
+                        name, "model", scope.element, suggest_in(document, name.text, models)
+                    )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest_in
 from sdfcheck.formats.survey import survey
 from sdfcheck.model.carriers import carrier
 from sdfcheck.model.joint_problems import (
@@ -107,7 +107,9 @@ class _Ends:
             lost = _lost_names(self.document, scope)
             if len(names) <= lost.nameless:
                 continue  # what has lost its name is reported there, not wherever it is missed
-            unlike = {name for name in names if suggest(name, lost.names) is None} if lost.doubled else set()
+            unlike = set()
+            if lost.doubled:
+                unlike = {n for n in names if suggest_in(self.document, n, lost.names) is None}
             if len(unlike) > lost.nameless + lost.doubled:
                 unlike = set()
             for name, ends in names.items():

@@ -21,14 +21,13 @@ class Guess(NamedTuple):
 
 
 class NearNames:
-    """Guesses for one document; one full of unknown names is not guessed at for ever."""
+    """Guesses for one document."""
 
-    __slots__ = ("_effort", "_reachable")
+    __slots__ = ("_document", "_reachable")
 
     def __init__(self, document: Document) -> None:
         self._reachable: dict[Scope, dict[str, list[str]]] = {}
-        self._effort = 50_000
-        """How many more candidates are compared."""
+        self._document = document
 
     def guess(self, scope: Scope, name: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
         """What a reference in a scope was meant to be: none of ``but``, and of ``kind`` if one is given."""
@@ -44,13 +43,10 @@ class NearNames:
             return Guess(deeper[0])
         if (outside := _outside(scope, name)) is not None:
             return Guess(None, outside.element)
-        if self._effort <= 0:
-            return Guess()
-        candidates = [n for names in reachable.values() for n in names]
-        self._effort -= len(candidates)
-        from sdfcheck.formats.suggest import suggest
+        from sdfcheck.formats.suggest import suggest_in
 
-        return Guess(suggest(name, filter(fits, candidates)))
+        candidates = (n for names in reachable.values() for n in names if fits(n))
+        return Guess(suggest_in(self._document, name, candidates))
 
     def _names(self, scope: Scope) -> dict[str, list[str]]:
         """The names that a scope can use, by their last parts."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import inf, pi, sqrt
 
 from sdfcheck.formats.problems import MissingAttribute
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest, suggest_in
 from sdfcheck.formats.urdf_problems import LockedByDefault, MissingLimit
 from sdfcheck.formats.values import floats
 from sdfcheck.model import joint_problems as kinds
@@ -54,7 +54,8 @@ def _unknown_end(robot: UrdfTree, first: Value, others: tuple[Value, ...]) -> ki
     assert joint is not None
     ends = (joint.find("parent"), joint.find("child"))
     taken = {each.attributes.get("link") for each in ends if each is not None}
-    near = suggest(first.text, [name for name in robot.links if name not in taken])
+    free = (name for name in robot.links if name not in taken)
+    near = suggest_in(end.document, first.text, free)
     return kinds.UnknownJointEnd(first, joint, end.name, near, others=others)
 
 
@@ -156,7 +157,9 @@ def _mimic(robot: UrdfTree, joint: UrdfJoint) -> Iterator[object]:
     leader = robot.joint_named.get(value.text)
     if leader is None:
         candidates = [name for name in robot.joint_named if name != joint.name]
-        yield kinds.UnknownMimicLeader(value, joint.element, suggest(value.text, candidates))
+        yield kinds.UnknownMimicLeader(
+            value, joint.element, suggest_in(joint.element.document, value.text, candidates)
+        )
     elif leader.type == "fixed" and (kind := leader.element.attribute("type")) is not None:
         yield MimicOfFixedJoint(value, joint.element, kind)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest_in
 from sdfcheck.formats.urdf_survey import UrdfSurvey, survey
 from sdfcheck.model.robot_problems import (
     DisconnectedLink,
@@ -114,7 +114,7 @@ def _meant_children(robot: UrdfTree) -> Iterator[str]:
         child = joint.child.text
         if child in robot.links:
             yield child
-        elif (meant := suggest(child, filter(None, robot.links))) is not None:
+        elif (meant := suggest_in(joint.element.document, child, filter(None, robot.links))) is not None:
             yield meant
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from math import asin, pi, sin
 from typing import cast
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest, suggest_in
 from sdfcheck.formats.urdf import is_expression
 from sdfcheck.formats.urdf_survey import UrdfSurvey, survey
 from sdfcheck.formats.values import floats
@@ -93,7 +93,7 @@ def _undefined(missing: dict[str, list[Value]], defined: dict[str, Element]) -> 
         if is_expression(name):
             continue
         later = Value(defined[name], "name", name) if name in defined else None
-        near = None if later is not None else suggest(name, defined)
+        near = None if later is not None else suggest_in(uses[0].element.document, name, defined)
         yield UndefinedMaterial(uses[0], near, later, len(uses))
 
 
@@ -118,10 +118,12 @@ def _joints_in(robot: UrdfTree, surveyed: UrdfSurvey) -> Iterator[object]:
     }
     for transmission in surveyed.top("transmission"):
         for value in _named_joints(transmission, names):
-            yield UnknownTransmissionJoint(value, transmission, suggest(value.text, names))
+            yield UnknownTransmissionJoint(
+                value, transmission, suggest_in(surveyed.document, value.text, names)
+            )
     for control in surveyed.top("ros2_control"):
         for value in _named_joints(control, names):
-            yield UnknownControlJoint(value, control, suggest(value.text, names))
+            yield UnknownControlJoint(value, control, suggest_in(surveyed.document, value.text, names))
 
 
 def _named_joints(owner: Element, names: set[str]) -> Iterator[Value]:
@@ -138,7 +140,9 @@ def _named_joints(owner: Element, names: set[str]) -> Iterator[Value]:
 def _extension(known: set[str], surveyed: UrdfSurvey, block: Element) -> Iterator[object]:
     value = block.attribute("reference")
     if value is not None and value.text and value.text not in known and not is_expression(value.text):
-        yield UnreferencedExtension(value, suggest(value.text, known), _kind(surveyed, value.text))
+        yield UnreferencedExtension(
+            value, suggest_in(surveyed.document, value.text, known), _kind(surveyed, value.text)
+        )
 
 
 def _delimiters(block: Element) -> Iterator[DelimiterInExtension]:

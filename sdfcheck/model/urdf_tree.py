@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest, suggest_in
 from sdfcheck.formats.urdf import is_expression, urdf
 from sdfcheck.formats.urdf_survey import survey
 from sdfcheck.source.document import Document
@@ -46,8 +46,8 @@ class UrdfTree:
     )
 
     def __init__(self, document: Document) -> None:
-        surveyed = survey(document)
         self.document = document
+        surveyed = survey(document)
         self.links: dict[str, Element] = {}
         self.nameless = 0
         """How many links are not among ``links``: without name, with one that xacro should have made, or called
@@ -99,9 +99,11 @@ class UrdfTree:
         """The unknown names that are those of links which have lost them."""
         if len(self.unknown_ends) <= self.nameless:
             return set(self.unknown_ends)
+        if not self.doubled:
+            return set()
         # What is like the name of a link may be a slip of its own, a double has lost any name.
-        unlike = {name for name in self.unknown_ends if suggest(name, self.links) is None}
-        return unlike if self.doubled and len(unlike) <= self.nameless + self.doubled else set()
+        unlike = {name for name in self.unknown_ends if suggest_in(self.document, name, self.links) is None}
+        return unlike if len(unlike) <= self.nameless + self.doubled else set()
 
     def misnamed(self) -> dict[str, str]:
         """Names on which several ends of joints agree → the link, named by none, that they mean."""
@@ -110,7 +112,9 @@ class UrdfTree:
             return {}
         named = {value.text for joint in self.joints for value in (joint.parent, joint.child) if value}
         free = [name for name in self.links if name not in named]
-        found = {name: meant for name in agreed if (meant := suggest(name, free)) is not None}
+        found = {
+            name: meant for name in agreed if (meant := suggest_in(self.document, name, free)) is not None
+        }
         times = Counter(found.values())
         return {name: meant for name, meant in found.items() if times[meant] == 1}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.suggest import suggest_in
 from sdfcheck.formats.vendor import REFUSED, Slot, vendor
 from sdfcheck.formats.vendor_check import VendorCheck
 from sdfcheck.formats.vendor_problems import UnknownTagReference
@@ -54,7 +54,7 @@ class _References:
             found = self.look_up(owner, slot, value.text.strip())
             if found.kind in slot.references or found.kind == _UNKNOWABLE:
                 continue
-            near = suggest(value.text.strip(), found.candidates)
+            near = suggest_in(self.document, value.text.strip(), found.candidates)
             yield UnknownTagReference(
                 self.check.vendor, tag.name, REFUSED, value, slot.references, found.kind, near, slot.scoped
             )

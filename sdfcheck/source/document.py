@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from lxml import etree
 
 from sdfcheck.source.decode import decode
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.element import ATTRIBUTE_LIMIT, Element, Value
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step
 
@@ -134,7 +134,7 @@ class Document:
         # What a strict parser reads well but not as the simulators do is written anew.
         if "<!DOCTYPE" not in text and not _DEFAULT_NAMESPACE.search(text):
             root, fault = self._parse_strictly(text)
-            if root is not None:
+            if root is not None and not _is_overloaded(root, text):
                 return root
             if fault is not None and fault.type == etree.ErrorTypes.ERR_HYPHEN_IN_COMMENT:
                 root = self._parse_without_hyphens()
@@ -223,6 +223,14 @@ def _is_all(root: Element, text: str) -> bool:
     """Does nothing but comments follow the root? Past a prefix that lacks, the parser does not look."""
     end = f"</{root.name}"
     return text.count(end) == 1 and _TAIL.fullmatch(text, text.index(end) + len(end)) is not None
+
+
+def _is_overloaded(root: Element, text: str) -> bool:
+    """Has an element more attributes than are looked at?"""
+    if text.count("=") <= ATTRIBUTE_LIMIT:
+        return False
+    overloaded = root.xpath(f"boolean(descendant-or-self::*[count(@*) > {ATTRIBUTE_LIMIT}])")
+    return bool(overloaded) or text.count("xmlns:") > ATTRIBUTE_LIMIT
 
 
 def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:

@@ -19,6 +19,9 @@ Namespace processing has no place there. It is a Lisu letter (tone mya jeu) that
 like a colon, that XML allows in names, and that no robot description uses.
 """
 
+ATTRIBUTE_LIMIT = 1000
+"""So many attributes of an element are looked at: to list them costs the square of their number."""
+
 T = TypeVar("T", str, int, float, bool)
 
 

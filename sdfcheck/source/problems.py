@@ -48,6 +48,7 @@ class SyntaxKind(Enum):
     SECOND_DECLARATION = "second declaration"
     NO_ELEMENT = "no element"
     TOO_LONG = "too long"
+    TOO_MANY = "too many attributes"
     OTHER = "other"
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from itertools import islice
 
+from sdfcheck.source.element import ATTRIBUTE_LIMIT
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
@@ -64,9 +66,9 @@ def has_names(match: re.Match[str]) -> bool:
 
 
 def tag_of(match: re.Match[str]) -> StartTag:
-    """The start tag that :data:`START` or :data:`BARE_START` matched."""
+    """The start tag that :data:`START` or :data:`BARE_START` matched, with one attribute past the limit at most."""
     attributes = []
-    for found in _ATTRIBUTE.finditer(match.string, match.end(1), match.end(2)):
+    for found in islice(_ATTRIBUTE.finditer(match.string, match.end(1), match.end(2)), ATTRIBUTE_LIMIT + 1):
         group = 2 if found[2] is not None else 3
         attributes.append(
             AttributePlace(found[1], found.start(1), found.end(1), found.start(group), found.end(group))

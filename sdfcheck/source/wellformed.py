@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from sdfcheck.source.element import COLON
+from sdfcheck.source.element import ATTRIBUTE_LIMIT, COLON
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind, UnknownEntity
 from sdfcheck.source.scan import Scan
 from sdfcheck.source.start_tag import BLANK, NAME, START, StartTag, repeated_attributes, tag_of
@@ -99,6 +99,10 @@ class Writer:
     def value_problems(self, tag: StartTag) -> bool:
         """Note what is wrong in the values; is there anything, or an attribute given twice?"""
         before = len(self.problems)
+        if len(tag.attributes) > ATTRIBUTE_LIMIT:
+            first = tag.attributes[ATTRIBUTE_LIMIT]
+            span = self.source.span(first.name_start, first.name_end)
+            self.problems.append(SyntaxDefect(span, SyntaxKind.TOO_MANY, None, tag.name))
         for attribute in tag.attributes:
             start, end = attribute.value_start, attribute.value_end
             self.references(start, end)
@@ -111,7 +115,7 @@ class Writer:
     def rewritten(self, tag: StartTag, name: str) -> str:
         pieces = [f"<{name}"]
         seen = set()
-        for attribute in tag.attributes:
+        for attribute in tag.attributes[:ATTRIBUTE_LIMIT]:
             start, end = attribute.value_start, attribute.value_end
             if end - start > LENGTH_LIMIT:
                 end = start

@@ -162,6 +162,10 @@ def is_robot(document: Document) -> bool:
 
 def knows_all(document: Document) -> bool:
     """Is all that a file uses known? Not what those define that include it, or what cannot be found."""
+    return document.view(_knows_all)
+
+
+def _knows_all(document: Document) -> bool:
     return is_robot(document) and not world(document).is_open and not is_included(document)
 
 

@@ -132,3 +132,22 @@ def test_time_grows_with_size_only(piece: str) -> None:
 
     duration(100)
     assert duration(8_000) < 40 * duration(1_000) + 0.5
+
+
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        [f'a{n}="1"' for n in range(20_000)],
+        [f'xmlns:p{n}="urn:{n}"' for n in range(20_000)],
+        [f'p{n}:a="1"' for n in range(20_000)],
+    ],
+)
+def test_attributes_past_the_limit_are_told_once_and_left_out(attributes: list[str]) -> None:
+    begin = time.perf_counter()
+    found = document(f"<sdf version='1.9'><model {' '.join(attributes)}/></sdf>")
+    (problem,) = (each for each in problems(found) if isinstance(each, SyntaxDefect))
+    assert problem.kind is SyntaxKind.TOO_MANY
+    assert problem.span.text == attributes[1000].partition("=")[0]
+    assert found.root is not None
+    assert len(found.root[0].items()) <= 1000
+    assert time.perf_counter() - begin < 10

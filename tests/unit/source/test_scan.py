@@ -196,7 +196,7 @@ def test_every_kind_of_syntax_defect_is_found_somewhere() -> None:
     from tests.unit.source.test_start_tag import BROKEN
 
     shown = {kind for _, kind, _ in SLIPS} | {kind for _, kind, _ in BROKEN}
-    assert shown | {SyntaxKind.NO_ELEMENT, SyntaxKind.TOO_LONG} == set(SyntaxKind)
+    assert shown | {SyntaxKind.NO_ELEMENT, SyntaxKind.TOO_LONG, SyntaxKind.TOO_MANY} == set(SyntaxKind)
 
 
 @pytest.mark.parametrize("text", ["", "  \n", "<!-- c -->", '<?xml version="1.0"?>'])

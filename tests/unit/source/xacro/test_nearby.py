@@ -58,6 +58,8 @@ def test_an_included_robot_may_use_what_the_includer_has(folder: Path) -> None:
     (folder / "part.xacro").write_text(f'<robot name="part" {XACRO}>{link}</robot>')
     assert codes(folder, "part.xacro") == ["XAC004"]
     # Not even the whole project knows where SIZE comes from.
-    whole = '<xacro:include filename="$(find nowhere_near)/sizes.xacro"/><xacro:include filename="part.xacro"/>'
+    whole = (
+        '<xacro:include filename="$(find nowhere_near)/sizes.xacro"/><xacro:include filename="part.xacro"/>'
+    )
     (folder / "whole.xacro").write_text(f'<robot name="whole" {XACRO}>{whole}</robot>')
     assert codes(folder, "part.xacro") == []
