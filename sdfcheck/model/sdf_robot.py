@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sdfcheck.formats.numbers import leading_float
 from sdfcheck.formats.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.model.geometry import read_geometry
@@ -264,10 +265,10 @@ def _value(element: Element | None, name: str, default: float) -> float:
     found = element.value(name) if element is not None else None
     if found is None or not found.text.strip():
         return default
-    try:
-        return float(found.text)
-    except ValueError:
-        raise RobotError(f"{name} {found.text!r} is not a number", found.element) from None
+    number = leading_float(found.text.strip())
+    if number is None:
+        raise RobotError(f"{name} {found.text!r} is not a number", found.element)
+    return number.value
 
 
 def _limit(limit: Element | None, name: str, default: float) -> float:

@@ -209,3 +209,11 @@ def test_a_sensor_at_an_unknown_frame_is_refused() -> None:
         _convert(
             '<link name="a"><sensor name="s" type="imu"><pose relative_to="f">1 0 0 0 0 0</pose></sensor></link>'
         )
+
+
+def test_a_number_is_read_as_libsdformat_reads_it() -> None:
+    limit = '<lower>-1</lower><upper>2;</upper><velocity>3.5"</velocity>'
+    done = _convert(_LINKS + _joint("revolute", _axis(limit=limit)))
+    assert _is_equal(done)
+    assert 'upper="2"' in done.text
+    assert 'velocity="3.5"' in done.text
