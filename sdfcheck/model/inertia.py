@@ -209,8 +209,8 @@ def _culprit(inertial: Inertial, tensor: Moments) -> Value | None:
         inertial.moments[name]
         for name in COMPONENTS[3:]
         if name in inertial.moments
-        and getattr(tensor, name) ** 2
-        > getattr(tensor, "i" + name[1] * 2) * getattr(tensor, "i" + name[2] * 2)
+        and abs(getattr(tensor, name))
+        > math.sqrt(getattr(tensor, "i" + name[1] * 2)) * math.sqrt(getattr(tensor, "i" + name[2] * 2))
     ]
     return too_large[0] if len(too_large) == 1 else None
 
@@ -220,11 +220,11 @@ def _soft(inertial: Inertial, tensor: Moments, mass: float) -> Iterator[Record]:
     if not solids or inertial.centre is None:
         return
     expected = _solid_trace(solids, mass, inertial.centre)
-    if expected <= 0 or tensor.trace <= 0:
+    if not (0 < expected < math.inf and 0 < tensor.trace < math.inf):
         return
     ratio = tensor.trace / expected
     offset = math.hypot(*inertial.centre)
-    shifted = (tensor.trace - 2 * mass * offset**2) / expected
+    shifted = (tensor.trace - 2 * mass * offset * offset) / expected
     if offset > 0 and ratio > 10 and 1 / 3 < shifted < 3 and inertial.inertia is not None:
         yield InertiaAboutWrongPoint(inertial.inertia, inertial.link, offset, ratio)
     elif 1 / FACTOR <= ratio <= FACTOR:
@@ -243,7 +243,7 @@ def _solid_trace(solids: list[Shape], mass: float, centre: tuple[float, float, f
     for shape in solids:
         part = mass * shape.solid.volume / volume
         distance = math.dist(shape.at, centre)
-        trace += part * (shape.solid.moments.trace + 2 * distance**2)
+        trace += part * (shape.solid.moments.trace + 2 * distance * distance)
     return trace
 
 

@@ -40,21 +40,24 @@ class Moments(NamedTuple):
 
     def principal(self) -> tuple[float, float, float]:
         """The principal moments, the smallest first (closed form for symmetric 3×3 matrices)."""
-        off = self.ixy**2 + self.ixz**2 + self.iyz**2
-        scale = max(abs(value) for value in self)
-        if off <= (scale * 1e-15) ** 2:
+        # Halved or doubled as often as it takes, which rounds nothing, squares neither overflow nor vanish.
+        _, halvings = math.frexp(max(abs(value) for value in self))
+        ixx, iyy, izz, ixy, ixz, iyz = (math.ldexp(value, -halvings) for value in self)
+        off = ixy * ixy + ixz * ixz + iyz * iyz
+        if off <= 1e-30:
             low, middle, high = sorted(self[:3])
             return low, middle, high
-        mean = self.trace / 3
-        spread = sum((value - mean) ** 2 for value in self[:3]) + 2 * off
+        mean = (ixx + iyy + izz) / 3
+        spread = sum((value - mean) ** 2 for value in (ixx, iyy, izz)) + 2 * off
         size = math.sqrt(spread / 6)
-        a, b, c = ((value - mean) / size for value in self[:3])
-        d, e, f = (value / size for value in self[3:])
+        a, b, c = ((value - mean) / size for value in (ixx, iyy, izz))
+        d, e, f = (value / size for value in (ixy, ixz, iyz))
         half = (a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e)) / 2
         angle = math.acos(max(-1.0, min(1.0, half))) / 3
         high = mean + 2 * size * math.cos(angle)
         low = mean + 2 * size * math.cos(angle + 2 * math.pi / 3)
-        return low, self.trace - low - high, high
+        half_unit = math.ldexp(1, halvings - 1)
+        return low * half_unit * 2, (ixx + iyy + izz - low - high) * half_unit * 2, high * half_unit * 2
 
 
 class Solid(NamedTuple):
@@ -70,8 +73,9 @@ def box(x: float, y: float, z: float) -> Solid:
 
 
 def cylinder(radius: float, length: float) -> Solid:
-    side = (3 * radius**2 + length**2) / 12
-    return Solid(math.pi * radius**2 * length, Moments(side, side, radius**2 / 2))
+    square = radius * radius
+    side = (3 * square + length * length) / 12
+    return Solid(math.pi * square * length, Moments(side, side, square / 2))
 
 
 def sphere(radius: float) -> Solid:
@@ -90,12 +94,14 @@ def capsule(radius: float, length: float) -> Solid:
     part, cap = tube.volume / volume, ball.volume / volume
     # A half ball's centre of mass is 3/8 of the radius off its flat side.
     offset = length / 2 + 3 / 8 * radius
-    side = cap * (2 / 5 * radius**2 - (3 / 8 * radius) ** 2 + offset**2)
-    caps = Moments(side, side, cap * 2 / 5 * radius**2)
+    square = radius * radius
+    side = cap * (2 / 5 * square - 9 / 64 * square + offset * offset)
+    caps = Moments(side, side, cap * 2 / 5 * square)
     return Solid(volume, tube.moments.times(part).plus(caps))
 
 
 def cone(radius: float, length: float) -> Solid:
     """A cone with its tip up, whose origin is half way up; the centre of mass is lower."""
-    side = 3 / 80 * (4 * radius**2 + length**2)
-    return Solid(math.pi * radius**2 * length / 3, Moments(side, side, 3 / 10 * radius**2), -length / 4)
+    square = radius * radius
+    side = 3 / 80 * (4 * square + length * length)
+    return Solid(math.pi * square * length / 3, Moments(side, side, 3 / 10 * square), -length / 4)

@@ -97,8 +97,9 @@ def _is_plausible(mass: float, moments: list[float], centre: list[float], shapes
                 at = _position(child)
         solid = _solid(geometry)
         if solid is not None:
+            distance = math.dist(at, centre)
             volume += solid.volume
-            total += solid.volume * (solid.moments.trace + 2 * math.dist(at, centre) ** 2)
+            total += solid.volume * (solid.moments.trace + 2 * distance * distance)
     if not volume:
         return True
     low, high = _PLAUSIBLE
