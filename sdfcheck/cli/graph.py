@@ -48,7 +48,15 @@ def graph_command(kind: str, file: Path, form: str, config: Path | None, isolate
     if not file.is_file():
         raise WrongUsage(f"no such file: {file}")
     settings = Configuration(config, isolated=isolated).settings_for(file)
-    drawn = graph(load(file, settings), GraphKind(kind))
+    try:
+        drawn = graph(load(file, settings), GraphKind(kind))
+    except ValueError as error:
+        from sdfcheck.model.urdf_robot import RobotError
+
+        if not isinstance(error, RobotError):
+            raise
+        line, column = error.element.span.begin
+        raise WrongUsage(f"{file}:{line}:{column}: {error}") from None
     if form == "tree":
         paint = _paint if wants_color(color, sys.stdout) else graph_text.plain
         emit(graph_text.tree(drawn, paint))

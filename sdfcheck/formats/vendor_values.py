@@ -66,7 +66,8 @@ def numbers(slot: Slot, text: str) -> tuple[float, ...]:
     """The numbers of a text that is read as written."""
     if slot.type not in _COUNTS:
         return ()
-    return tuple(map(float, text.split()[: _COUNTS[slot.type]]))
+    found = map(leading_float, text.split()[: _COUNTS[slot.type]])
+    return tuple(number.value for number in found if number is not None)
 
 
 def out_of_range(slot: Slot, text: str) -> str | None:

@@ -12,6 +12,7 @@ import numpy as np
 
 from sdfcheck.formats.numbers import leading_float
 from sdfcheck.formats.survey import survey
+from sdfcheck.formats.values import floats
 from sdfcheck.formats.version import Version
 from sdfcheck.model.geometry import read_geometry
 from sdfcheck.model.inertials import read_inertial, solid_of
@@ -148,13 +149,12 @@ class _Reader:
     def direction(self, joint: Frame, axis: Element) -> Array:
         """The axis, turned into the joint's frame and of length 1."""
         xyz = axis.find("xyz")
-        numbers = (
-            [float(part) for part in xyz.content.split()[:3]]
-            if xyz is not None and xyz.content
-            else [0, 0, 1]
-        )
-        direction = np.array(numbers, dtype=float)
-        length = float(np.linalg.norm(direction))
+        text = xyz.content if xyz is not None else ""
+        numbers = floats(text) if text else (0.0, 0.0, 1.0)
+        if numbers is None or len(numbers) < 3:
+            raise RobotError(f"the axis of joint {joint.name} is not 3 numbers", axis)
+        direction = np.array(numbers[:3])
+        length = math.hypot(*direction)
         if length == 0:
             raise RobotError(f"the axis of joint {joint.name} has no direction", axis)
         direction /= length

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from math import asin, pi, sin
+from math import asin, isfinite, pi, sin
 from typing import cast
 
 from sdfcheck.formats.suggest import suggest, suggest_in
@@ -170,7 +170,7 @@ def _pitch(origin: Element) -> Iterator[SingularPitch]:
     if value is None or parent is None or parent.tag not in {"visual", "collision"}:
         return
     numbers = floats(value.text)
-    if numbers is None or len(numbers) != 3:
+    if numbers is None or len(numbers) != 3 or not isfinite(numbers[1]):
         return
     sine = sin(numbers[1])
     error = pi / 2 - asin(min(abs(sine), 1.0))

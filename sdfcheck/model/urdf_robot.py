@@ -93,7 +93,7 @@ def _axis(joint: Element, kind: str) -> Axis:
     axis, limit = joint.find("axis"), joint.find("limit")
     dynamics, mimic = joint.find("dynamics"), joint.find("mimic")
     direction = np.array(_numbers(axis, "xyz", (1.0, 0.0, 0.0)) if axis is not None else (1.0, 0.0, 0.0))
-    length = float(np.linalg.norm(direction))
+    length = math.hypot(*direction)
     if length == 0 and kind in {"revolute", "continuous", "prismatic", "planar"}:
         raise RobotError("the axis has no direction", joint)
     # A bound that a limit leaves out is 0; without any limit only Drake reads the joint, as unlimited.

@@ -59,7 +59,10 @@ def convert(
     except (RobotError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
     text = _text(context)
-    result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
+    try:
+        result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
+    except RobotError as error:
+        raise refusal(scope.element, f"in the result, at {error.element.title}: {error}") from None
     comparison = Comparison(_expected(context), result, _correspondence(context))
     for other in others(document, scope):
         context.ledger.lose(
