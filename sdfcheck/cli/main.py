@@ -15,7 +15,7 @@ import click
 
 from sdfcheck import __version__
 from sdfcheck.cli.group import LazyCommand, LazyGroup
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
@@ -79,5 +79,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _apology(error: Exception) -> str:
     """One line about a bug; errors that know their file say so themselves."""
     told = str(error) if error.__cause__ else f"{type(error).__name__}: {error}"
-    advice = "this is a bug in sdfcheck, please report it with the file and what SDFCHECK_DEBUG=1 shows"
-    return f"internal error: {' '.join(told.split())} ({advice})"
+    return f"internal error: {' '.join(told.split())} ({REPORT_IT})"

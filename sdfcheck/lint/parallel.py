@@ -49,7 +49,7 @@ def run_in_parallel(
     jobs: int | None = None,
     *,
     progress: Progress | None = None,
-    notify: Notify = lambda notice: None,
+    notify: Notify | None = None,
 ) -> Run:
     """The same as :func:`sdfcheck.lint.session.run`, by ``jobs`` processes; None: by as many as are of use."""
     found = find(paths, options)
@@ -57,12 +57,13 @@ def run_in_parallel(
     if jobs < 2:
         with Linter(options) as linter:
             return joined([linter.lint(found, progress=progress, notify=notify)])
-    done = _share(_portions(found, jobs * _PORTIONS), options, jobs, progress)
+    work = _Work(_portions(found, jobs * _PORTIONS), options, is_listening=notify is not None)
+    done = _share(work, jobs, progress)
     in_order = [done[number] for number in sorted(done)]
-    for _, notices in in_order:
-        for notice in notices:
+    for notice in (notice for each in in_order for notice in each.notices):
+        if notify is not None:
             notify(notice)
-    return joined([part for part, _ in in_order])
+    return joined([each.part for each in in_order])
 
 
 def processors() -> int:
@@ -80,48 +81,52 @@ def _portions(found: Found, number: int) -> list[Found]:
     return portions
 
 
-def _share(
-    portions: Sequence[Found], options: Options, jobs: int, progress: Progress | None
-) -> dict[int, Done]:
-    """What came of the portions, by their numbers; the work of this process and ``jobs - 1`` workers."""
+class _Work(NamedTuple):
+    """What there is to do; ``is_listening``: is somebody told of what comes up?"""
+
+    portions: list[Found]
+    options: Options
+    is_listening: bool
+
+    def do(self, numbers: Iterable[int], progress: Progress | None = None) -> dict[int, Done]:
+        """Lint the portions of these numbers."""
+        count = sum(len(portion.files) for portion in self.portions)
+        done = {}
+        with Linter(self.options) as linter:
+            for number in numbers:
+                before = sum(len(portion.files) for portion in self.portions[:number])
+                notices: list[Notice] = []
+                told = _shifted(progress, before, count) if progress else None
+                notify = notices.append if self.is_listening else None
+                part = linter.lint(self.portions[number], progress=told, notify=notify)
+                done[number] = Done(part, notices)
+        return done
+
+
+def _share(work: _Work, jobs: int, progress: Progress | None) -> dict[int, Done]:
+    """What came of the portions, by their numbers, done by this process and ``jobs - 1`` workers."""
     from multiprocessing import get_context
 
     import sdfcheck.lint.engine  # noqa: F401  (before there are copies)
 
     context = get_context("fork") if COPIES else get_context("spawn")
+    numbers = range(len(work.portions))
     try:
         tasks: SimpleQueue[int | None] = context.SimpleQueue()
     except (ImportError, OSError):  # a system without semaphores, or that lets nobody have one
-        return _work(range(len(portions)), portions, options, progress)
-    for number in range(len(portions)):
-        tasks.put(number)
-    for _ in range(jobs):
-        tasks.put(None)
+        return work.do(numbers, progress)
+    for task in (*numbers, *[None] * jobs):
+        tasks.put(task)
     workers: list[_Worker] = []
     try:
         with suppress(OSError):  # the system has its limits: then there are fewer
-            workers.extend(_Worker(context, tasks, portions, options) for _ in range(jobs - 1))
-        done = _work(iter(tasks.get, None), portions, options, progress)
+            workers.extend(_Worker(context, tasks, work) for _ in range(jobs - 1))
+        done = work.do(iter(tasks.get, None), progress)
         for worker in workers:
             done.update(worker.result())
     finally:
         for worker in workers:
             worker.end()
-    return done
-
-
-def _work(
-    numbers: Iterable[int], portions: Sequence[Found], options: Options, progress: Progress | None = None
-) -> dict[int, Done]:
-    """Lint the portions of these numbers."""
-    count = sum(len(portion.files) for portion in portions)
-    done = {}
-    with Linter(options) as linter:
-        for number in numbers:
-            before = sum(len(portion.files) for portion in portions[:number])
-            notices: list[Notice] = []
-            told = _shifted(progress, before, count) if progress else None
-            done[number] = Done(linter.lint(portions[number], progress=told, notify=notices.append), notices)
     return done
 
 
@@ -137,11 +142,10 @@ class _Worker:
         self,
         context: ForkContext | SpawnContext,
         tasks: SimpleQueue[int | None],
-        portions: Sequence[Found],
-        options: Options,
+        work: _Work,
     ) -> None:
         self._results, theirs = context.Pipe(duplex=False)
-        self._process = context.Process(target=_serve, args=(theirs, tasks, portions, options))
+        self._process = context.Process(target=_serve, args=(theirs, tasks, work))
         self._process.start()
         theirs.close()
 
@@ -162,15 +166,13 @@ class _Worker:
         self._process.terminate()
 
 
-def _serve(
-    results: Connection, tasks: SimpleQueue[int | None], portions: Sequence[Found], options: Options
-) -> None:
+def _serve(results: Connection, tasks: SimpleQueue[int | None], work: _Work) -> None:
     """What a worker does: it sends its share, or the exception that it met."""
     # Who interrupts the run speaks to the process that was started.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     told: dict[int, Done] | Exception
     try:
-        told = _work(iter(tasks.get, None), portions, options)
+        told = work.do(iter(tasks.get, None))
     except Exception as error:
         told = error
     results.send(told)

@@ -20,7 +20,7 @@ from sdfcheck.source.disk import Disk
 from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
@@ -45,6 +45,10 @@ class Notice(NamedTuple):
 
 
 Notify = Callable[[Notice], None]
+
+
+def _nobody(notice: Notice) -> None:
+    """Who is told where nobody asked to be."""
 
 
 class Options(NamedTuple):
@@ -110,13 +114,13 @@ def run(
     options: Options,
     *,
     progress: Progress | None = None,
-    notify: Notify = lambda notice: None,
+    notify: Notify | None = None,
 ) -> Run:
     """Lint what ``paths`` lead to.
 
     Raises:
         WrongUsage: a path does not exist, or the configuration is faulty.
-        InternalError: a bug.
+        InternalError: a bug, if nobody is notified; otherwise the other files are linted all the same.
     """
     with Linter(options) as linter:
         return joined([linter.lint(find(paths, options), progress=progress, notify=notify)])
@@ -138,29 +142,27 @@ class Linter:
     def __exit__(self, *raised: object) -> None:
         self._shelves.close()
 
-    def lint(
-        self, found: Found, *, progress: Progress | None = None, notify: Notify = lambda notice: None
-    ) -> Part:
+    def lint(self, found: Found, *, progress: Progress | None = None, notify: Notify | None = None) -> Part:
         """Lint files that were found, and what they include first; raises as :func:`run` does."""
         options, book = self._options, self._book
         part = Part([], {}, [], list(found.skipped), 0, {})
         suppressed = 0
         seen: ActiveRules | None = None
-        for file in selected(found, options, part.skipped, notify=notify, progress=progress):
+        for file in selected(found, options, part.skipped, notify=notify or _nobody, progress=progress):
             settings = options.settings_for(file.path)
             active = book.active(settings, file.path)
-            with _bugs_told_of(file.path):
+            with _surviving(file.path, part.skipped, notify):
                 kept, silenced = lint_file(file, book, settings, self._shelves)
-            part.files.append(file.path)
-            part.diagnostics.extend(kept)
-            suppressed += silenced
+                part.files.append(file.path)
+                part.diagnostics.extend(kept)
+                suppressed += silenced
             if active is not seen:
                 part.rules.update((facts.code, facts) for facts in active.facts)
                 seen = active
         for document in self._shelves.included(part.files):
-            with _bugs_told_of(document.path):
+            with _surviving(document.path, part.skipped, notify):
                 told = lint_included(document, book, options.configuration)
-            part.foreign[os.path.realpath(document.path)] = told
+                part.foreign[os.path.realpath(document.path)] = told
         return part._replace(suppressed=suppressed)
 
 
@@ -186,14 +188,18 @@ def joined(parts: Sequence[Part]) -> Run:
 
 
 @contextmanager
-def _bugs_told_of(path: Path) -> Iterator[None]:
-    """Whatever goes wrong inside says in which file, unless it is the user's to mend."""
+def _surviving(path: Path, skipped: list[tuple[Path, str]], notify: Notify | None) -> Iterator[None]:
+    """A bug that is met on a file is told of, and the file passed over; where nobody listens, it is raised."""
     try:
         yield
     except WrongUsage:
         raise
     except Exception as error:
-        raise InternalError(path, f"{type(error).__name__}: {error}") from error
+        if notify is None or os.environ.get("SDFCHECK_DEBUG"):
+            raise InternalError(path, f"{type(error).__name__}: {error}") from error
+        told = " ".join(f"{type(error).__name__}: {error}".split())
+        notify(Notice(Level.FAILURE, f"{path}: internal error: {told} ({REPORT_IT})"))
+        skipped.append((path, "met a bug"))
 
 
 def find(paths: Sequence[Path], options: Options) -> Found:
@@ -219,7 +225,7 @@ def selected(
     options: Options,
     skipped: list[tuple[Path, str]],
     *,
-    notify: Notify = lambda notice: None,
+    notify: Notify = _nobody,
     progress: Progress | None = None,
 ) -> Iterator[Selected]:
     """Read the files that are worth linting; the others go to ``skipped``, with the reason."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+REPORT_IT = "this is a bug in sdfcheck, please report it with the file and what SDFCHECK_DEBUG=1 shows"
+
 
 class WrongUsage(Exception):
     """A run cannot start: a path is missing, a configuration or an option is wrong (exit code 2).

@@ -207,8 +207,9 @@ def test_a_bug_is_one_line_and_tells_how_to_report_it(shell: Shell, monkeypatch:
     Path("crash.sdf").write_text(SDF.format("crash"))
     outcome = shell.lint("crash.sdf")
     assert outcome.code == 2
-    assert outcome.err.startswith("internal error: crash.sdf: ValueError: no luck (this is a bug")
-    assert outcome.err.count("\n") == 1
+    assert outcome.err.startswith("error: crash.sdf: internal error: ValueError: no luck (this is a bug")
+    assert outcome.err.splitlines()[1:] == []
+    assert "odd.sdf" in shell.lint("crash.sdf", "odd.sdf").out
     monkeypatch.setenv("SDFCHECK_DEBUG", "1")
     with pytest.raises(Exception, match="no\nluck"):
         shell.lint("crash.sdf")

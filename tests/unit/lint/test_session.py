@@ -206,5 +206,16 @@ def test_progress_is_told_before_each_file(seen: list[Seen]) -> None:
 
 
 def test_a_bug_names_the_file(seen: list[Seen]) -> None:
+    files = plant(a_sdf=SDF.format("crash"), b_sdf=SDF.format("?"))
     with pytest.raises(InternalError, match=r"a\.sdf: ValueError: no"):
-        lint(*plant(a_sdf=SDF.format("crash")))
+        run(files, Options(Configuration()))
+
+
+def test_a_bug_on_one_file_does_not_keep_the_others_from_being_linted(seen: list[Seen]) -> None:
+    notices: list[Notice] = []
+    done = lint(*plant(a_sdf=SDF.format("crash"), b_sdf=SDF.format("?")), notices=notices)
+    assert [path.name for path in done.files] == ["b.sdf"]
+    assert [(path.name, reason) for path, reason in done.skipped] == [("a.sdf", "met a bug")]
+    (notice,) = notices
+    assert notice.level is Level.FAILURE
+    assert notice.text.startswith("a.sdf: internal error: ValueError: no")
