@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from sdfcheck.source.blame import alike
@@ -26,6 +26,27 @@ def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str
     pool = {candidate.casefold(): candidate for candidate in sorted(candidates)}
     near = difflib.get_close_matches(name.casefold(), pool, n=1, cutoff=likeness)
     return pool[near[0]] if near else None
+
+
+def guess(document: Document, name: str, known: Collection[str], *, surely: bool) -> str | None:
+    """What a name was meant to be: the one it is a slip of or, unless it has to be ``surely`` so, most like.
+
+    A document full of unknown names is not guessed at for ever.
+    """
+    effort = document.view(_Effort)
+    if effort.left <= 0:
+        return None
+    effort.left -= len(known)
+    return slip_of(name, known) or (None if surely else nearest(name, known))
+
+
+class _Effort:
+    """How many more names are compared for one document."""
+
+    __slots__ = ("left",)
+
+    def __init__(self, document: Document) -> None:
+        self.left = 50_000
 
 
 def slip_of(name: str, candidates: Iterable[str]) -> str | None:

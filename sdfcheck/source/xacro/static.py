@@ -10,7 +10,7 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.source.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX, Parameter
 from sdfcheck.source.xacro.names import free_names
-from sdfcheck.source.xacro.nearby import nearest, project_names, slip_of
+from sdfcheck.source.xacro.nearby import guess, nearest, project_names
 from sdfcheck.source.xacro.own_elements import element_problems
 from sdfcheck.source.xacro.problems import (
     Mismatch,
@@ -67,16 +67,18 @@ def _undeclared(document: Document) -> Iterator[Problem]:
 
 
 def _undefined_macros(document: Document, around: World) -> Iterator[Problem]:
+    known = {*around.macros, *KEYWORDS}
     for call in reading(document).calls:
         if call.name in around.macros or call.name.rpartition(".")[2] in around.macros:
             continue
-        known = {*around.macros, *KEYWORDS}
-        if not knows_all(document):
+        if knows_all(document):
+            near = guess(document, call.name, known, surely=False)
+        else:
             elsewhere = project_names(document)
-            if call.name in elsewhere or slip_of(call.name, known | elsewhere) is None:
+            near = guess(document, call.name, known | elsewhere, surely=True)
+            if near is None or call.name in elsewhere:
                 continue
-        near = slip_of(call.name, known) or nearest(call.name, known)
-        yield UndefinedMacro(_called(call), call.name, near or slip_of(call.name, project_names(document)))
+        yield UndefinedMacro(_called(call), call.name, near)
 
 
 def _called(call: Call) -> Span:
@@ -88,18 +90,17 @@ def _called(call: Call) -> Span:
 
 
 def _undefined_properties(document: Document, around: World) -> Iterator[Problem]:
-    everywhere = around.properties | BUILT_IN
+    outside, inside = around.properties, around.properties | around.parameters
     for found in reading(document).expressions:
-        known = everywhere if found.macro is None else everywhere | around.parameters
-        for name in sorted(free_names(found.code) - known):
+        known = outside if found.macro is None else inside
+        for name in sorted(free_names(found.code) - known - BUILT_IN):
             is_function = re.search(rf"(?<![\w.]){name}\s*\(", found.code) is not None
+            is_certain = knows_all(document)
+            candidates = known | BUILT_IN if is_function else known
+            near = guess(document, name, candidates, surely=not is_certain)
             # Who includes a library may define properties, but hardly functions.
-            candidates = known if is_function else known - BUILT_IN
-            if not knows_all(document) and (
-                name in project_names(document) or (slip_of(name, candidates) is None and not is_function)
-            ):
+            if not is_certain and (name in project_names(document) or (near is None and not is_function)):
                 continue
-            near = slip_of(name, candidates) or nearest(name, candidates)
             yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)
 
 

@@ -11,7 +11,7 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.source.xacro.language import COMMANDS, EXPRESSION, PREFIX, expressions, is_literal
 from sdfcheck.source.xacro.names import free_names
-from sdfcheck.source.xacro.nearby import nearest, project_names, slip_of
+from sdfcheck.source.xacro.nearby import guess, nearest, project_names
 from sdfcheck.source.xacro.own_elements import is_conditional, keyword, own_attributes
 from sdfcheck.source.xacro.problems import (
     ExpansionFailure,
@@ -108,12 +108,12 @@ def _commands(document: Document, around: World) -> Iterator[ExpansionFailure | 
         if word not in COMMANDS and "$" not in word:
             whole = f"$({found.text})"
             span = place(found.element, found.attribute, whole)
-            guess = nearest(word, COMMANDS)
-            detail = f"there is no `{word}`" + (f"; did you mean `{guess}`?" if guess else "")
+            meant = nearest(word, COMMANDS)
+            detail = f"there is no `{word}`" + (f"; did you mean `{meant}`?" if meant else "")
             yield ExpansionFailure(span, Failure.EXPRESSION, detail, whole)
         argument = _ARGUMENT.match(found.text)
         if argument and argument[1] not in declared:
-            near = nearest(argument[1], declared) if knows_all(document) else slip_of(argument[1], declared)
+            near = guess(document, argument[1], declared, surely=not knows_all(document))
             if near is not None and argument[1] not in project_names(document):
                 span = place(found.element, found.attribute, found.text, argument[1])
                 yield UndefinedArgument(span, argument[1], near)
@@ -145,7 +145,7 @@ def _blocks(document: Document, around: World) -> Iterator[UndefinedBlock]:
         name = element.attributes.get("name", "")
         if name in known or not is_literal(name) or name in project_names(document):
             continue
-        near = nearest(name, known) if knows_all(document) else slip_of(name, known)
+        near = guess(document, name, known, surely=not knows_all(document))
         if near is not None:
             yield UndefinedBlock(element.document.spans.attribute_value(element, "name"), name, near)
 
