@@ -216,8 +216,10 @@ class _Teller:
 
     def __call__(self, notice: Notice) -> None:
         self.failed |= notice.level is Level.FAILURE
-        if notice.level is Level.FAILURE or not self._quiet:
-            self._lines.append(f"{notice.level.value}: {notice.text}")
+        line = f"{notice.level.value}: {notice.text}"
+        # Who lints again is told the same again.
+        if line not in self._lines and (notice.level is Level.FAILURE or not self._quiet):
+            self._lines.append(line)
 
     def flush(self) -> None:
         for line in self._lines:

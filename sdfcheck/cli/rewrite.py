@@ -76,7 +76,7 @@ class Rewriter:
             if not written:
                 break
             fixed += written
-            done = run(self._paths, self._options)
+            done = run(self._paths, self._options, notify=self._notify)
         if self._options.stdin is not None:
             sys.stdout.buffer.write(self._options.stdin)
             sys.stdout.flush()

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from sdfcheck.source.effort import Effort
+
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
@@ -39,23 +41,12 @@ def suggest(name: str, candidates: Iterable[str]) -> str | None:
 
 def suggest_in(document: Document, name: str, candidates: Iterable[str]) -> str | None:
     """The same for the names of a document; one full of unknown names is not guessed at for ever."""
-    return document.view(_Guessing).guess(name, candidates)
-
-
-class _Guessing:
-    """The guesses at one document's names, as long as its share of comparisons lasts."""
-
-    __slots__ = ("_left",)
-
-    def __init__(self, document: Document) -> None:
-        self._left = 50_000
-
-    def guess(self, name: str, candidates: Iterable[str]) -> str | None:
-        if self._left <= 0:
-            return None
-        pool = list(candidates)
-        self._left -= len(pool)
-        return suggest(name, pool)
+    effort = document.view(Effort)
+    if effort.is_spent:
+        return None
+    pool = list(candidates)
+    effort.spend(len(pool))
+    return suggest(name, pool)
 
 
 def distance(one: str, other: str) -> int:

@@ -134,7 +134,7 @@ class Document:
         # What a strict parser reads well but not as the simulators do is written anew.
         if "<!DOCTYPE" not in text and not _DEFAULT_NAMESPACE.search(text):
             root, fault = self._parse_strictly(text)
-            if root is not None and not _is_overloaded(root, text):
+            if root is not None:
                 return root
             if fault is not None and fault.type == etree.ErrorTypes.ERR_HYPHEN_IN_COMMENT:
                 root = self._parse_without_hyphens()
@@ -160,8 +160,10 @@ class Document:
             if _lacks_only_prefixes(parser):
                 # Then names are kept as they are written, colon and all.
                 found: Element = etree.fromstring(_encoded(text), self._parser(recover=True))  # type: ignore[assignment]
-                return (found if _is_all(found, text) else None), None
+                return (found if _is_all(found, text) and not _is_overloaded(found, text) else None), None
             return None, _first_fault(parser)
+        if _is_overloaded(root, text):
+            return None, None
         self.is_wellformed = text is self.source.text
         return root, None
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from sdfcheck.source.blame import alike
 from sdfcheck.source.document import Document
+from sdfcheck.source.effort import Effort
 
 FILE_LIMIT = 1000
 """So many files of a project are looked through for definitions, no more."""
@@ -33,20 +34,11 @@ def guess(document: Document, name: str, known: Collection[str], *, surely: bool
 
     A document full of unknown names is not guessed at for ever.
     """
-    effort = document.view(_Effort)
-    if effort.left <= 0:
+    effort = document.view(Effort)
+    if effort.is_spent:
         return None
-    effort.left -= len(known)
+    effort.spend(len(known))
     return slip_of(name, known) or (None if surely else nearest(name, known))
-
-
-class _Effort:
-    """How many more names are compared for one document."""
-
-    __slots__ = ("left",)
-
-    def __init__(self, document: Document) -> None:
-        self.left = 50_000
 
 
 def slip_of(name: str, candidates: Iterable[str]) -> str | None:

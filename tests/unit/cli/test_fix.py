@@ -9,10 +9,12 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from sdfcheck.cli.main import main
+from sdfcheck.lint.one_file import Selected, lint_file
 
 WRONG = b"""\xef\xbb\xbf<?xml version="1.0"?>\r
 <!-- a -- b, caf\xc3\xa9 -->\r
@@ -66,6 +68,22 @@ def test_fixing_twice_is_fixing_once(lint: Shell) -> None:
     assert Path("a.sdf").read_bytes() == once
     assert Path("a.sdf").stat().st_mtime_ns == stamp, "written without need"
     assert b"Fixed" not in lint.out
+
+
+def test_a_bug_on_one_file_does_not_keep_others_from_being_fixed(
+    lint: Shell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def faulty(file: Selected, *given: Any) -> Any:
+        if file.path.name == "b.sdf":
+            raise ValueError("no luck")
+        return lint_file(file, *given)
+
+    Path("b.sdf").write_bytes(WRONG)
+    monkeypatch.setattr("sdfcheck.lint.session.lint_file", faulty)
+    assert lint("--fix", "a.sdf", "b.sdf") == 2
+    assert Path("a.sdf").read_bytes() != WRONG == Path("b.sdf").read_bytes()
+    assert b"Fixed 2 of 3 findings." in lint.out
+    assert lint.err.count("b.sdf: internal error: ValueError: no luck") == 1
 
 
 def test_the_summary_says_how_much_was_fixed(lint: Shell) -> None:

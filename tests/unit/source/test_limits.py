@@ -142,9 +142,10 @@ def test_time_grows_with_size_only(piece: str) -> None:
         [f'p{n}:a="1"' for n in range(20_000)],
     ],
 )
-def test_attributes_past_the_limit_are_told_once_and_left_out(attributes: list[str]) -> None:
+@pytest.mark.parametrize("comment", ["", " a -- b "])
+def test_attributes_past_the_limit_are_told_once_and_left_out(attributes: list[str], comment: str) -> None:
     begin = time.perf_counter()
-    found = document(f"<sdf version='1.9'><model {' '.join(attributes)}/></sdf>")
+    found = document(f"<sdf version='1.9'><!--{comment}--><model {' '.join(attributes)}/></sdf>")
     (problem,) = (each for each in problems(found) if isinstance(each, SyntaxDefect))
     assert problem.kind is SyntaxKind.TOO_MANY
     assert problem.span.text == attributes[1000].partition("=")[0]
