@@ -32,8 +32,9 @@ class ImpossibleInertia(Rule):
             says="1.70666666667e-06 > 8.53333333333e-07 + 8.53333333333e-07",
         ),
         Bad(
-            "<inertial><mass>1</mass><inertia><ixx>1e-9</ixx><iyy>1e-9</iyy><izz>«0.003»</izz></inertia></inertial>",
-            says="0.003 > 1e-09 + 1e-09",
+            "<inertial><mass>1</mass><inertia><ixx>«0.001»</ixx><iyy>0.001</iyy><izz>0.001</izz>"
+            "<ixy>0.001</ixy><ixz>0.001</ixz><iyz>0.001</iyz></inertia></inertial>",
+            says="0.003 > 0 + 0",
         ),
     )
     good = (

@@ -24,9 +24,9 @@ class ClashingName(Rule):
     Links, joints, frames and nested models are frames to each other and share one name
     space, so a clash is refused; in files up to version 1.6 libsdformat renames the later
     one, and references mean the earlier. In URDF joints and links have names of their own,
-    until libsdformat makes SDFormat of it: even a fixed joint, which it merges away, leaves a frame
-    of its name. A visual and a collision do no harm by one
-    name, but the specification wants siblings to differ and `gz sdf --check` says so.
+    until libsdformat makes SDFormat of it: even a fixed joint, which it merges away, leaves
+    a frame of its name. A visual and a collision do no harm by one name, but the
+    specification wants siblings to differ and `gz sdf --check` says so.
     """
 
     code = "NAM002"
