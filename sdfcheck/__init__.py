@@ -10,6 +10,17 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from sdfcheck import problems
+    from sdfcheck.consumers.reaction import (
+        REFUSES,
+        Consumer,
+        Reaction,
+        Verdict,
+        accepts,
+        by_effect,
+        refuses,
+        warns,
+    )
+    from sdfcheck.consumers.urdf_readers import lacking, repeating, undersized, unreadable
     from sdfcheck.convert.call import convert
     from sdfcheck.convert.loss import Loss, NotConvertible
     from sdfcheck.convert.result import Conversion
@@ -29,24 +40,13 @@ if TYPE_CHECKING:
         Bad,
         Good,
     )
-    from sdfcheck.lint.fix import Applicability, Edit, Fix
-    from sdfcheck.lint.reaction import (
-        REFUSES,
-        Consumer,
-        Reaction,
-        Verdict,
-        accepts,
-        by_effect,
-        refuses,
-        warns,
-    )
+    from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
     from sdfcheck.lint.rule import Rule, Target, edit, replace
     from sdfcheck.lint.run import Run
-    from sdfcheck.lint.urdf_readers import lacking, repeating, undersized, unreadable
     from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
-    from sdfcheck.model.load import Unreadable, load, parse
-    from sdfcheck.model.objects import Joint, Link, Model, NotFound, Root, World
+    from sdfcheck.robot.load import Unreadable, load, parse
+    from sdfcheck.robot.objects import Joint, Link, Model, NotFound, Root, World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Position, Source, Span
@@ -61,15 +61,15 @@ _HOMES = {
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
     ),
-    "sdfcheck.lint.fix": "Applicability Edit Fix",
-    "sdfcheck.lint.reaction": "REFUSES Consumer Reaction Verdict accepts by_effect refuses warns",
+    "sdfcheck.lint.fix.fix": "Applicability Edit Fix",
+    "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts by_effect refuses warns",
     "sdfcheck.lint.rule": "Rule Target edit replace",
     "sdfcheck.lint.run": "Run",
-    "sdfcheck.lint.urdf_readers": "lacking repeating undersized unreadable",
+    "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unreadable",
     "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
-    "sdfcheck.model.load": "Unreadable load parse",
-    "sdfcheck.model.objects": "Joint Link Model NotFound Root World",
+    "sdfcheck.robot.load": "Unreadable load parse",
+    "sdfcheck.robot.objects": "Joint Link Model NotFound Root World",
     "sdfcheck.source.document": "Document",
     "sdfcheck.source.element": "Element Value",
     "sdfcheck.source.text": "Position Source Span",

@@ -8,44 +8,44 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from sdfcheck.consumers.drake_problems import *  # noqa: F403
+    from sdfcheck.consumers.gazebo_problems import *  # noqa: F403
+    from sdfcheck.consumers.mujoco_urdf import *  # noqa: F403
     from sdfcheck.formats.namespace_problems import *  # noqa: F403
-    from sdfcheck.formats.problems import *  # noqa: F403
-    from sdfcheck.formats.urdf_problems import *  # noqa: F403
-    from sdfcheck.formats.vendor_problems import *  # noqa: F403
-    from sdfcheck.model.drake_problems import *  # noqa: F403
-    from sdfcheck.model.file_problems import *  # noqa: F403
-    from sdfcheck.model.frames import *  # noqa: F403
-    from sdfcheck.model.gazebo_problems import *  # noqa: F403
-    from sdfcheck.model.include_problems import *  # noqa: F403
-    from sdfcheck.model.inertia import *  # type: ignore[assignment]  # noqa: F403
-    from sdfcheck.model.joint_problems import *  # noqa: F403
-    from sdfcheck.model.model_config import *  # type: ignore[assignment]  # noqa: F403
-    from sdfcheck.model.mujoco_urdf import *  # type: ignore[assignment]  # noqa: F403
-    from sdfcheck.model.names import *  # type: ignore[assignment]  # noqa: F403
-    from sdfcheck.model.robot_problems import *  # noqa: F403
-    from sdfcheck.model.rotation_checks import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.formats.sdf.problems import *  # noqa: F403
+    from sdfcheck.formats.urdf.problems import *  # noqa: F403
+    from sdfcheck.formats.vendor.problems import *  # noqa: F403
+    from sdfcheck.robot.file_problems import *  # noqa: F403
+    from sdfcheck.robot.frames import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.robot.include_problems import *  # noqa: F403
+    from sdfcheck.robot.inertia import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.robot.joint_problems import *  # noqa: F403
+    from sdfcheck.robot.model_config import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.robot.names import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.robot.robot_problems import *  # noqa: F403
+    from sdfcheck.robot.rotation_checks import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
-    from sdfcheck.source.xacro.problems import *  # noqa: F403
+    from sdfcheck.xacro.problems import *  # noqa: F403
 
 _HOMES = (
     "sdfcheck.source.problems",
     "sdfcheck.formats.namespace_problems",
-    "sdfcheck.formats.problems",
-    "sdfcheck.model.names",
-    "sdfcheck.model.frames",
-    "sdfcheck.model.joint_problems",
-    "sdfcheck.model.rotation_checks",
-    "sdfcheck.model.inertia",
-    "sdfcheck.formats.urdf_problems",
-    "sdfcheck.model.robot_problems",
-    "sdfcheck.model.file_problems",
-    "sdfcheck.model.include_problems",
-    "sdfcheck.model.model_config",
-    "sdfcheck.source.xacro.problems",
-    "sdfcheck.formats.vendor_problems",
-    "sdfcheck.model.drake_problems",
-    "sdfcheck.model.gazebo_problems",
-    "sdfcheck.model.mujoco_urdf",
+    "sdfcheck.formats.sdf.problems",
+    "sdfcheck.robot.names",
+    "sdfcheck.robot.frames",
+    "sdfcheck.robot.joint_problems",
+    "sdfcheck.robot.rotation_checks",
+    "sdfcheck.robot.inertia",
+    "sdfcheck.formats.urdf.problems",
+    "sdfcheck.robot.robot_problems",
+    "sdfcheck.robot.file_problems",
+    "sdfcheck.robot.include_problems",
+    "sdfcheck.robot.model_config",
+    "sdfcheck.xacro.problems",
+    "sdfcheck.formats.vendor.problems",
+    "sdfcheck.consumers.drake_problems",
+    "sdfcheck.consumers.gazebo_problems",
+    "sdfcheck.consumers.mujoco_urdf",
 )
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, fill, unmark
-from sdfcheck.lint.fixer import Mended, applicable, mend_file
+from sdfcheck.lint.fix.fixer import Mended, applicable, mend_file
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.lint.rule import Rule
 from sdfcheck.source.sniff import Kind, sniff

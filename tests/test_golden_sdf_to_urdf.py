@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, Planes, Unsupported, convert
+from sdfcheck.files.library import Library
 from sdfcheck.source.document import read
-from sdfcheck.source.library import Library
 
 CASES = sorted((Path(__file__).parents[1] / "fixtures" / "convert" / "sdf-to-urdf").iterdir())
 

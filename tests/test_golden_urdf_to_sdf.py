@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.convert_input import Reader
+from sdfcheck.cli.convert.inputs import Reader
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
-from sdfcheck.formats.version import Version
+from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.sniff import Kind
 
 CASES = Path(__file__).parents[1] / "fixtures" / "convert" / "urdf-to-sdf"

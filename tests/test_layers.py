@@ -15,15 +15,26 @@ ROOT = Path(__file__).parents[1]
 ENGINE = ROOT / "sdfcheck"
 RULES = ROOT / "rules"
 
+_FLOORS = (
+    ("source",),
+    ("files", "formats"),
+    ("xacro",),
+    ("robot",),
+    ("consumers",),
+    ("convert", "lint"),
+    ("lsp", "report"),
+    ("cli",),
+)
+"""The rooms from the ground up; a room imports what lies below it."""
+
 BELOW = {
-    "source": set[str](),
-    "formats": {"source"},
-    "model": {"source", "formats"},
-    "lint": {"source", "formats", "model"},
-    "convert": {"source", "formats", "model", "lint"},
-    "report": {"source", "formats", "model", "lint", "convert"},
-    "lsp": {"source", "formats", "model", "lint", "convert"},
-    "cli": {"source", "formats", "model", "lint", "convert", "report", "lsp"},
+    **{
+        room: {below for floor in _FLOORS[:level] for below in floor}
+        for level, rooms in enumerate(_FLOORS)
+        for room in rooms
+    },
+    "formats": {"source", "files"},
+    "convert": {"source", "files", "formats", "xacro", "robot", "consumers", "lint"},
 }
 """Layer → the layers that it may import besides itself."""
 

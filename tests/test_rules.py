@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, Xacro, lint_source
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.packs import BUILT_IN, find_pack, import_pack, load_index, rule_classes
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.source.library import Library
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.xacro.expansion import Expander
+from sdfcheck.xacro.expansion import Expander
 
 INDEX = load_index()
 DISPATCH = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))

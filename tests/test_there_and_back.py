@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.sdf_to_urdf.choose import models
+from sdfcheck.files.library import Library
 from sdfcheck.source.document import read
-from sdfcheck.source.library import Library
 from tests.there_and_back import there_and_back, untold
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sdfcheck.formats.vendor import Place, Slot, Step, Tag, Vendor, vendor
-from sdfcheck.formats.vendor_files import BUILT_IN
-from sdfcheck.formats.vendor_values import out_of_range
+from sdfcheck.formats.vendor.definitions import Place, Slot, Step, Tag, Vendor, vendor
+from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor.values import out_of_range
 from tests.vendor_surroundings import BOX, PARTS, TOPS
 
 FILES = {

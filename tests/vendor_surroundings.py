@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.formats.vendor import Step
+from sdfcheck.formats.vendor.definitions import Step
 
 BOX = {
     "sdf": "<geometry><box><size>1 1 1</size></box></geometry>",

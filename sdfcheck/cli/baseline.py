@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from sdfcheck.cli.terminal import say
-from sdfcheck.lint.baseline import hold, read, render
+from sdfcheck.files.overwrite import overwrite
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify
+from sdfcheck.lint.suppress.baseline import hold, read, render
 from sdfcheck.lint.wording import counted
-from sdfcheck.source.overwrite import overwrite
 from sdfcheck.source.wrong_usage import WrongUsage
 
 

@@ -75,9 +75,9 @@ def diff(**given: Any) -> int:
 
 def _compare(request: Request) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
-    from sdfcheck.lint.config import Configuration
-    from sdfcheck.model.poses import PoseError
-    from sdfcheck.model.urdf_robot import RobotError
+    from sdfcheck.lint.config.configuration import Configuration
+    from sdfcheck.robot.poses import PoseError
+    from sdfcheck.robot.urdf_robot import RobotError
 
     configuration = Configuration(request.config, isolated=request.isolated)
     documents = []

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
-    from sdfcheck.source.xacro.expansion import Expansion
+    from sdfcheck.xacro.expansion import Expansion
 
 
 class Request(NamedTuple):
@@ -63,7 +63,7 @@ def expand(**given: Any) -> int:
         _report(_explained(document, outcome.problems))
         return 1
     if request.annotate:
-        from sdfcheck.source.xacro.annotate import annotated
+        from sdfcheck.xacro.annotate import annotated
 
         emit(annotated(outcome.document))
     else:
@@ -73,10 +73,10 @@ def expand(**given: Any) -> int:
 
 def _expand(request: Request) -> tuple[Document, Expansion]:
     """Expand with what the command line and the configuration say; the command line has the last word."""
-    from sdfcheck.lint.config import Configuration
+    from sdfcheck.files.library import Library, SearchPaths
+    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.source.document import read
-    from sdfcheck.source.library import Library, SearchPaths
-    from sdfcheck.source.xacro.expansion import Expander, Surroundings
+    from sdfcheck.xacro.expansion import Expander, Surroundings
 
     file = request.file
     settings = Configuration(request.config, isolated=request.isolated).settings_for(file)

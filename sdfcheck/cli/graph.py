@@ -10,13 +10,13 @@ import click
 
 from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.terminal import emit, wants_color
-from sdfcheck.model import graph_text
-from sdfcheck.model.graphs import GraphKind, graph
+from sdfcheck.robot import graph_text
+from sdfcheck.robot.graphs import GraphKind, graph
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.config import Settings
+    from sdfcheck.lint.config.configuration import Settings
     from sdfcheck.source.document import Document
 
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
@@ -43,7 +43,7 @@ def graph_command(kind: str, file: Path, form: str, config: Path | None, isolate
             all joints at zero: x y z (m) roll pitch yaw (rad)
     joints  which joint carries which link
     """
-    from sdfcheck.lint.config import Configuration
+    from sdfcheck.lint.config.configuration import Configuration
 
     if not file.is_file():
         raise WrongUsage(f"no such file: {file}")
@@ -51,7 +51,7 @@ def graph_command(kind: str, file: Path, form: str, config: Path | None, isolate
     try:
         drawn = graph(load(file, settings), GraphKind(kind))
     except ValueError as error:
-        from sdfcheck.model.urdf_robot import RobotError
+        from sdfcheck.robot.urdf_robot import RobotError
 
         if not isinstance(error, RobotError):
             raise
@@ -71,7 +71,7 @@ def load(file: Path, settings: Settings) -> Document:
     Raises:
         WrongUsage: it is none, or cannot be read or expanded.
     """
-    from sdfcheck.source.library import Library, SearchPaths
+    from sdfcheck.files.library import Library, SearchPaths
     from sdfcheck.source.sniff import sniff
 
     library = Library(SearchPaths(settings.model_paths, settings.package_paths, settings.packages))
@@ -88,7 +88,7 @@ def load(file: Path, settings: Settings) -> Document:
 
 
 def _expanded(document: Document, settings: Settings) -> Document:
-    from sdfcheck.source.xacro.expansion import Expander, Surroundings
+    from sdfcheck.xacro.expansion import Expander, Surroundings
 
     arguments = settings.arguments_for(document.path)
     surroundings = Surroundings(dict(settings.packages), settings.package_paths)

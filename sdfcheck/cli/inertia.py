@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from sdfcheck.model.mass_report import LinkMass, MassReport, ModelMass
-    from sdfcheck.model.robot import Body
+    from sdfcheck.robot.mass_report import LinkMass, MassReport, ModelMass
+    from sdfcheck.robot.robot import Body
     from sdfcheck.source.document import Document
 
 _HEADER = ("", "mass", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "")
@@ -62,7 +62,7 @@ def inertia(file: Path, form: str, name: str | None, config: Path | None, isolat
     the frame of the model, with all joints at zero; moments are about the centre of
     mass, in axes parallel to those of the model.
     """
-    from sdfcheck.lint.config import Configuration
+    from sdfcheck.lint.config.configuration import Configuration
 
     if not file.is_file():
         raise WrongUsage(f"no such file: {file}")
@@ -89,9 +89,9 @@ def measure(document: Document) -> MassReport:
     Raises:
         WrongUsage: its numbers cannot be read.
     """
-    from sdfcheck.model.mass_report import mass_report
-    from sdfcheck.model.poses import PoseError
-    from sdfcheck.model.urdf_robot import RobotError
+    from sdfcheck.robot.mass_report import mass_report
+    from sdfcheck.robot.poses import PoseError
+    from sdfcheck.robot.urdf_robot import RobotError
 
     try:
         return mass_report(document)
@@ -103,7 +103,7 @@ def measure(document: Document) -> MassReport:
 
 
 def _only(report: MassReport, name: str) -> MassReport:
-    from sdfcheck.model.mass_report import MassReport
+    from sdfcheck.robot.mass_report import MassReport
 
     found = next((model for model in report.walk() if model.name == name), None)
     if found is None:

@@ -12,12 +12,12 @@ import click
 from sdfcheck.cli.options import PATH, colored, folders, listing, path
 from sdfcheck.cli.output import FORMATS, Output, outputs, write
 from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
-from sdfcheck.lint.config import Configuration
+from sdfcheck.files.library import SearchPaths
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import Level, Notice, Options, find, selected
-from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -281,7 +281,7 @@ def _show_files(request: Request, paths: Sequence[Path], options: Options) -> in
 
 
 def _show_settings(paths: Sequence[Path], options: Options) -> int:
-    from sdfcheck.lint import config_show
+    from sdfcheck.lint.config import show as config_show
 
     first = paths[0] if paths else options.stdin_path
     if not (first.exists() or options.stdin is not None):

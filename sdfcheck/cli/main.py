@@ -19,7 +19,7 @@ from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
-    "convert": LazyCommand("sdfcheck.cli.convert:convert", "Convert between formats."),
+    "convert": LazyCommand("sdfcheck.cli.convert.command:convert", "Convert between formats."),
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
     "targets": LazyCommand("sdfcheck.cli.targets:targets_command", "Say which readers accept a file."),

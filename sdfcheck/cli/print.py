@@ -63,7 +63,7 @@ def print_command(**given: Any) -> int:
     """
     from sdfcheck.convert.canonical import CanonicalStyle, canonical
     from sdfcheck.convert.tidy_numbers import NumberStyle
-    from sdfcheck.lint.config import Configuration
+    from sdfcheck.lint.config.configuration import Configuration
 
     request = Request(**given)
     if not request.file.is_file():

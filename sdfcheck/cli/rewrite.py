@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Protocol
 
 from sdfcheck.cli.terminal import emit, say
-from sdfcheck.lint.fixer import ROUNDS, Mended, mend
+from sdfcheck.files.overwrite import overwrite
+from sdfcheck.lint.fix.fixer import ROUNDS, Mended, mend
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify, Options, run
 from sdfcheck.lint.wording import counted
 from sdfcheck.source.decode import decode, encoding_of
-from sdfcheck.source.overwrite import overwrite
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -43,7 +43,7 @@ def work(request: Request) -> Work:
     """
     if not request.add_ignore:
         return Work("fix", "fixed", partial(mend, unsafe=request.unsafe_fixes))
-    from sdfcheck.lint.add_ignores import add_ignores
+    from sdfcheck.lint.suppress.add_ignores import add_ignores
 
     if "--" in request.reason or request.reason.endswith("-") or not request.reason.isprintable():
         raise WrongUsage(

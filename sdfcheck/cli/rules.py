@@ -8,7 +8,7 @@ import click
 
 from sdfcheck.cli.terminal import emit
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.manual import facts_record, markdown
 from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.rulebook import RuleBook

@@ -8,7 +8,7 @@ import click
 
 from sdfcheck.cli.describe import version
 from sdfcheck.cli.terminal import emit
-from sdfcheck.formats.version import NEWEST
+from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
@@ -32,11 +32,11 @@ def schema_command(sdf_version: str, form: str, output_file: Path | None) -> Non
     """
     known = version(sdf_version)
     if form == "xsd":
-        from sdfcheck.formats.xsd import xsd
+        from sdfcheck.formats.export.xsd import xsd
 
         text = xsd(known)
     else:
-        from sdfcheck.formats.rng import rng
+        from sdfcheck.formats.export.rng import rng
 
         text = rng(known)
     if output_file is None:

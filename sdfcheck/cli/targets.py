@@ -9,8 +9,8 @@ import click
 
 from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
-from sdfcheck.lint.config import Configuration
-from sdfcheck.lint.reaction import Consumer, Verdict
+from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.source.sniff import sniff

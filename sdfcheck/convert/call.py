@@ -6,9 +6,9 @@ import os
 from typing import TYPE_CHECKING
 
 from sdfcheck.convert.result import Conversion
-from sdfcheck.formats.version import NEWEST, Version
-from sdfcheck.model.load import as_text, load, parse
-from sdfcheck.model.objects import Root
+from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.objects import Root
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 

@@ -11,13 +11,13 @@ from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
 from sdfcheck.convert.tidy_tree import Branch, branch_of, render
 from sdfcheck.convert.writer import number
-from sdfcheck.formats.survey import survey
-from sdfcheck.formats.version import Version
-from sdfcheck.model.poses import PoseError, Poses
-from sdfcheck.model.robot import Body
-from sdfcheck.model.scopes import Frame, scopes
-from sdfcheck.model.sdf_robot import automatic_body
-from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.poses import PoseError, Poses
+from sdfcheck.robot.robot import Body
+from sdfcheck.robot.scopes import Frame, scopes
+from sdfcheck.robot.sdf_robot import automatic_body
+from sdfcheck.robot.urdf_robot import RobotError
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep

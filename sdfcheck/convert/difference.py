@@ -17,8 +17,8 @@ import numpy as np
 from sdfcheck.convert.reframing import reframed
 from sdfcheck.convert.renaming import Names, filled, same_geometry, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
-from sdfcheck.model.robot import Axis, Body, Geometry, Joint, Link, Mimic, Robot
-from sdfcheck.model.rotations import Array, inverse, to_rpy
+from sdfcheck.robot.robot import Axis, Body, Geometry, Joint, Link, Mimic, Robot
+from sdfcheck.robot.rotations import Array, inverse, to_rpy
 
 _ENDLESS = 1e15
 

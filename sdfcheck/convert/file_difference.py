@@ -9,12 +9,12 @@ from sdfcheck.convert.reframing import shifted_model
 from sdfcheck.convert.renaming import same_pose
 from sdfcheck.convert.verify import TOLERANCE
 from sdfcheck.convert.written_out import needs_writing_out, written_out
-from sdfcheck.model.poses import Poses, written_pose
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.rotations import Array, inverse
-from sdfcheck.model.scopes import Scope, scopes
-from sdfcheck.model.sdf_robot import read_sdf_robot
-from sdfcheck.model.urdf_robot import read_urdf_robot
+from sdfcheck.robot.poses import Poses, written_pose
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.scopes import Scope, scopes
+from sdfcheck.robot.sdf_robot import read_sdf_robot
+from sdfcheck.robot.urdf_robot import read_urdf_robot
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 

@@ -14,13 +14,13 @@ from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.relocation import relocated
 from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
-from sdfcheck.formats.survey import survey
-from sdfcheck.formats.version import Version
-from sdfcheck.model.includes import Included, included, included_element
-from sdfcheck.model.parameters import PARAMETERS, parameters
-from sdfcheck.model.poses import Poses
-from sdfcheck.model.rotations import to_rpy
-from sdfcheck.model.scopes import MODEL_FRAME, scopes
+from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.includes import Included, included, included_element
+from sdfcheck.robot.parameters import PARAMETERS, parameters
+from sdfcheck.robot.poses import Poses
+from sdfcheck.robot.rotations import to_rpy
+from sdfcheck.robot.scopes import MODEL_FRAME, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import SyntaxDefect

@@ -13,8 +13,8 @@ from dataclasses import replace
 import numpy as np
 
 from sdfcheck.convert.renaming import Names, same_geometry, same_pose, seat
-from sdfcheck.model.robot import Body, Geometry, Joint, Link, Robot
-from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.robot.robot import Body, Geometry, Joint, Link, Robot
+from sdfcheck.robot.rotations import Array, inverse
 
 
 def reframed(a: Robot, b: Robot, names: Names, tolerance: float) -> tuple[Robot, Mapping[str, Array]]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from sdfcheck.model.includes import Included
-from sdfcheck.model.uris import locate, scheme_of
+from sdfcheck.files.uris import locate, scheme_of
+from sdfcheck.robot.includes import Included
 from sdfcheck.source.document import Document
 
 _FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))

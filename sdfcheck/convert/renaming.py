@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sdfcheck.model.robot import Body, Geometry, Joint, Link, Robot, default_body
-from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.robot.robot import Body, Geometry, Joint, Link, Robot, default_body
+from sdfcheck.robot.rotations import Array, inverse
 from sdfcheck.source.sniff import Kind
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.verify import Correspondence, Verification, verify
-from sdfcheck.model.robot import Robot
+from sdfcheck.robot.robot import Robot
 
 
 @dataclass(frozen=True, slots=True)

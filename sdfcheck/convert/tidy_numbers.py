@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from sdfcheck.convert.tidy_tree import Branch
 from sdfcheck.convert.writer import number
-from sdfcheck.formats.schema import Definition, schema
-from sdfcheck.formats.values import floats
-from sdfcheck.formats.version import Version
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.values import floats
+from sdfcheck.formats.sdf.version import Version
 
 _NUMERIC = frozenset(
     ("angle", "color", "double", "float", "pose", "quaternion", "vector2d", "vector2i", "vector3")

@@ -1,6 +1,6 @@
 """Proof that two descriptions are one robot.
 
-Both are read by their own readers into :class:`~sdfcheck.model.robot.Robot`; at random
+Both are read by their own readers into :class:`~sdfcheck.robot.robot.Robot`; at random
 joint positions the poses of all links and the mass, centre of mass and inertia of the
 whole are compared, then those of each link, the links' geometry and the joints' limits.
 """
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.model.kinematics import (
+from sdfcheck.robot.kinematics import (
     Bodies,
     Positions,
     degrees_of_freedom,
@@ -21,8 +21,8 @@ from sdfcheck.model.kinematics import (
     total_body,
     with_followers,
 )
-from sdfcheck.model.robot import Axis, Body, Geometry, Joint, Robot
-from sdfcheck.model.rotations import Array, angles_between, inverse
+from sdfcheck.robot.robot import Axis, Body, Geometry, Joint, Robot
+from sdfcheck.robot.rotations import Array, angles_between, inverse
 
 TOLERANCE = 1e-9
 CONFIGURATIONS = 64

@@ -172,7 +172,7 @@ def write_atomically(path: Path, text: str) -> None:
     Raises:
         WrongUsage: it cannot be written.
     """
-    from sdfcheck.source.overwrite import overwrite
+    from sdfcheck.files.overwrite import overwrite
 
     try:
         overwrite(path, text.encode("utf-8", "surrogateescape"))

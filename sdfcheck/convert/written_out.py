@@ -6,8 +6,8 @@ from lxml import etree
 
 from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.tidy_tree import Branch, branch_of, render
-from sdfcheck.model.includes import included, includes_of
-from sdfcheck.model.parameters import PARAMETERS
+from sdfcheck.robot.includes import included, includes_of
+from sdfcheck.robot.parameters import PARAMETERS
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.spans import Spans

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Hashable
 
-from sdfcheck.formats.problems import RemovedElement, RepeatedElement, UnknownAttribute
+from sdfcheck.formats.sdf.problems import RemovedElement, RepeatedElement, UnknownAttribute
 from sdfcheck.source.element import Element
 
 MOST = 10

@@ -28,7 +28,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.source.start_tag import AttributePlace, StartTag
+    from sdfcheck.source.scanner.start_tag import AttributePlace, StartTag
 
 XML_NAMESPACE = "http://www.w3.org/XML/1998/namespace"
 XMLNS_NAMESPACE = "http://www.w3.org/2000/xmlns/"
@@ -112,7 +112,7 @@ class _Analysis:
 
     def __init__(self, document: Document) -> None:
         # Only texts with prefixes pay for it.
-        from sdfcheck.source.start_tag import parse_start_tag
+        from sdfcheck.source.scanner.start_tag import parse_start_tag
 
         self.parse = parse_start_tag
         self.document = document

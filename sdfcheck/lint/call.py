@@ -6,12 +6,12 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from sdfcheck.lint.config import Configuration
+from sdfcheck.files.library import SearchPaths
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.select import Choice, check_targets
 from sdfcheck.lint.session import Options, run
-from sdfcheck.model.load import as_text
-from sdfcheck.source.library import SearchPaths
+from sdfcheck.robot.load import as_text
 
 
 def lint(  # noqa: PLR0913

@@ -5,12 +5,12 @@ from __future__ import annotations
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.fix import Fix
+from sdfcheck.lint.fix.fix import Fix
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.reaction import Reaction
+    from sdfcheck.consumers.reaction import Reaction
 
 
 class Severity(Enum):

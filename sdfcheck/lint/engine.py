@@ -23,10 +23,10 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.comments import Comment
+    from sdfcheck.files.library import Library
     from sdfcheck.lint.rule import Rule
-    from sdfcheck.source.library import Library
-    from sdfcheck.source.xacro.expansion import Expander
+    from sdfcheck.lint.suppress.comments import Comment
+    from sdfcheck.xacro.expansion import Expander
 
 INTERNAL_ERROR = RuleFacts(
     "INT001",
@@ -45,41 +45,41 @@ INTERNAL_ERROR = RuleFacts(
 _ANALYSES_OF_ALL = ("sdfcheck.source.document:problems", "sdfcheck.formats.namespaces:problems")
 _ANALYSES = {
     Kind.SDF: (
-        "sdfcheck.formats.survey:problems",
-        "sdfcheck.formats.structure:structure_problems",
-        "sdfcheck.model.names:problems",
-        "sdfcheck.model.frames:problems",
-        "sdfcheck.model.joints:problems",
-        "sdfcheck.model.rotation_checks:problems",
-        "sdfcheck.model.inertia:problems",
-        "sdfcheck.model.resources:problems",
-        "sdfcheck.model.gazebo:problems",
+        "sdfcheck.formats.sdf.survey:problems",
+        "sdfcheck.formats.sdf.structure:structure_problems",
+        "sdfcheck.robot.names:problems",
+        "sdfcheck.robot.frames:problems",
+        "sdfcheck.robot.joints:problems",
+        "sdfcheck.robot.rotation_checks:problems",
+        "sdfcheck.robot.inertia:problems",
+        "sdfcheck.robot.resources:problems",
+        "sdfcheck.consumers.gazebo:problems",
     ),
     Kind.URDF: (
-        "sdfcheck.formats.urdf_survey:problems",
-        "sdfcheck.formats.urdf_comments:problems",
-        "sdfcheck.model.urdf_links:problems",
-        "sdfcheck.model.urdf_joints:problems",
-        "sdfcheck.model.rotation_checks:urdf_problems",
-        "sdfcheck.model.urdf_references:problems",
-        "sdfcheck.model.inertia:problems",
-        "sdfcheck.model.resources:urdf_problems",
-        "sdfcheck.model.gazebo:problems",
+        "sdfcheck.formats.urdf.survey:problems",
+        "sdfcheck.formats.urdf.comments:problems",
+        "sdfcheck.robot.urdf_links:problems",
+        "sdfcheck.robot.urdf_joints:problems",
+        "sdfcheck.robot.rotation_checks:urdf_problems",
+        "sdfcheck.robot.urdf_references:problems",
+        "sdfcheck.robot.inertia:problems",
+        "sdfcheck.robot.resources:urdf_problems",
+        "sdfcheck.consumers.gazebo:problems",
     ),
-    Kind.MODEL_CONFIG: ("sdfcheck.model.model_config:problems",),
+    Kind.MODEL_CONFIG: ("sdfcheck.robot.model_config:problems",),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
 
 _ANALYSES_FOR = {
     "drake": {
-        Kind.SDF: ("sdfcheck.model.drake_sdf:problems",),
-        Kind.URDF: ("sdfcheck.model.drake_urdf:problems",),
+        Kind.SDF: ("sdfcheck.consumers.drake_sdf:problems",),
+        Kind.URDF: ("sdfcheck.consumers.drake_urdf:problems",),
     },
     "gazebo": {
-        Kind.SDF: ("sdfcheck.model.gazebo:classic_problems",),
-        Kind.URDF: ("sdfcheck.model.gazebo:classic_problems",),
+        Kind.SDF: ("sdfcheck.consumers.gazebo:classic_problems",),
+        Kind.URDF: ("sdfcheck.consumers.gazebo:classic_problems",),
     },
-    "mujoco": {Kind.URDF: ("sdfcheck.model.mujoco_urdf:problems",)},
+    "mujoco": {Kind.URDF: ("sdfcheck.consumers.mujoco_urdf:problems",)},
 }
 """Reader → analyses of what it does not support; they run for those who ask about the reader."""
 
@@ -139,7 +139,7 @@ def lint_source(
     document.library, document.included_by = library, ()
     if document.kind is Kind.XACRO:
         from sdfcheck.lint.expanded import lint_xacro
-        from sdfcheck.source.xacro.world import is_robot
+        from sdfcheck.xacro.world import is_robot
 
         expander, sets = xacro or Xacro(None)
         # Who includes the file calls its macros, and brings out what is wrong in them.
@@ -156,7 +156,7 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     if tables := _tables(document, dispatch):
-        from sdfcheck.model.vendor_references import problems
+        from sdfcheck.robot.vendor_references import problems
 
         found += explain(problems(document, tables), document, dispatch)
     by_name = dispatch.by_element.get(document.kind.value, {})
@@ -206,7 +206,7 @@ def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = Fa
     source = document.source
     if "sdfcheck:" not in source.text or document.root is None:
         return FileResult(diagnostics)
-    from sdfcheck.lint.comments import comments, includes
+    from sdfcheck.lint.suppress.comments import comments, includes
 
     whole = [source.span(0, len(source.text))]
     outward = whole if open else includes(source, document.scan)
@@ -219,11 +219,11 @@ def _selected(document: Document, by_name: dict[str, Any]) -> Iterator[tuple[str
         return
     index: Mapping[str, list[Element]] | None = None
     if document.kind is Kind.SDF:
-        from sdfcheck.formats.survey import survey
+        from sdfcheck.formats.sdf.survey import survey
 
         index = survey(document).index
     elif document.kind is Kind.URDF:
-        from sdfcheck.formats import urdf_survey
+        from sdfcheck.formats.urdf import survey as urdf_survey
 
         index = urdf_survey.survey(document).index
     if index is not None:

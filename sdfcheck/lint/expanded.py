@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from sdfcheck.formats.macro_survey import Bodies
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, explain, lint_document
 from sdfcheck.lint.fold import fold, settle
-from sdfcheck.model.inertia import problems_of_links
+from sdfcheck.robot.inertia import problems_of_links
 from sdfcheck.source.document import Document
-from sdfcheck.source.xacro.bodies import unexpanded
-from sdfcheck.source.xacro.expansion import Expander
-from sdfcheck.source.xacro.prepare import prepare
+from sdfcheck.xacro.bodies import unexpanded
+from sdfcheck.xacro.expansion import Expander
+from sdfcheck.xacro.macro_survey import Bodies
+from sdfcheck.xacro.prepare import prepare
 
 
 def lint_xacro(

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from sdfcheck.files.disk import Disk
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin
-from sdfcheck.lint.fix import Fix
-from sdfcheck.source.disk import Disk
+from sdfcheck.lint.fix.fix import Fix
 from sdfcheck.source.text import Source, Span
 
 if TYPE_CHECKING:
-    from sdfcheck.source.xacro.origins import ExpandedDocument
+    from sdfcheck.xacro.origins import ExpandedDocument
 
 
 def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument) -> list[Diagnostic]:

@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from sdfcheck.consumers.reaction import lines
 from sdfcheck.lint.example import MARK_END, MARK_START, Bad, Good
 from sdfcheck.lint.packs import RuleIndex
-from sdfcheck.lint.reaction import lines
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.suppress_rules import MalformedSuppression, UnusedSuppression
+from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.source.record import NamedTuple
 
 _OWN = (UnusedSuppression, MalformedSuppression)

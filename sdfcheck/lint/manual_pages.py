@@ -12,12 +12,12 @@ from importlib import import_module
 from itertools import groupby
 from pathlib import Path
 
-from sdfcheck.lint import config_schema
+from sdfcheck.lint.config import schema as config_schema
 from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.manual import manual, markdown, render
 from sdfcheck.lint.packs import load_index
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.suppress_rules import FACTS
+from sdfcheck.lint.suppress.rules import FACTS
 
 RULE_PAGES = Path("docs", "rules")
 OVERVIEW = RULE_PAGES / "README.md"

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.reaction import Consumer, Verdict
 from sdfcheck.source.sniff import Kind
 
 OWN_READER: Mapping[Kind, Consumer] = {

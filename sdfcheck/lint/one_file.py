@@ -6,19 +6,19 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.config import Configuration, Settings
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.rulebook import RuleBook
-from sdfcheck.source.library import Library, SearchPaths
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.comments import Comment
-    from sdfcheck.lint.config_read import ArgumentSet
+    from sdfcheck.lint.config.reading import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import FileResult, Xacro
+    from sdfcheck.lint.suppress.comments import Comment
     from sdfcheck.source.document import Document
-    from sdfcheck.source.xacro.expansion import Expander
+    from sdfcheck.xacro.expansion import Expander
 
 _INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
 
@@ -59,7 +59,7 @@ class Shelves:
             from sdfcheck.lint.engine import Xacro
 
             return Xacro(None, ())
-        from sdfcheck.source.xacro.expansion import Expander, Surroundings
+        from sdfcheck.xacro.expansion import Expander, Surroundings
 
         search = _search(settings)
         if search not in self._expanders:
@@ -140,8 +140,8 @@ def _silence(
     foreign = _foreign(result.diagnostics, path)
     if not result.comments and not foreign:
         return result.diagnostics, 0
-    from sdfcheck.lint.directives import directives
-    from sdfcheck.lint.suppress import suppress
+    from sdfcheck.lint.suppress.directives import directives
+    from sdfcheck.lint.suppress.suppression import suppress
 
     active, rules = book.active(settings, path), book.rules(settings)
     own = directives(result.comments, rules)
@@ -170,7 +170,7 @@ def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
     }
     if not sources:
         return []
-    from sdfcheck.lint.comments import comments
-    from sdfcheck.source.scan import scan
+    from sdfcheck.lint.suppress.comments import comments
+    from sdfcheck.source.scanner.scan import scan
 
     return [comment for source in sources for comment in comments(source, scan(source))]

@@ -16,8 +16,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.vendor_files import BUILT_IN as BUILT_IN_TABLES
-from sdfcheck.formats.vendor_files import SUFFIX, prefix_of
+from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
+from sdfcheck.formats.vendor.files import SUFFIX, prefix_of
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.record import NamedTuple
@@ -88,7 +88,7 @@ def read_tables(pack: Pack) -> list[Path]:
     """The tables of a pack's vendors; raises PackError for one that cannot be read."""
     paths = sorted(pack.folder.glob(f"*{SUFFIX}"))
     if paths:
-        from sdfcheck.formats.vendor import DIALECTS, BadTable, vendor
+        from sdfcheck.formats.vendor.definitions import DIALECTS, BadTable, vendor
 
         try:
             for path in paths:
@@ -172,7 +172,7 @@ def rule_classes(module: ModuleType) -> list[type[Rule]]:
 
 def describe(rule: type[Rule]) -> RuleFacts:
     """The facts of a rule, from its class."""
-    from sdfcheck.lint.reaction import by_dialect
+    from sdfcheck.consumers.reaction import by_dialect
 
     fixed = [bad for bad in rule.bad if bad.fixed is not None]
     fixable = "" if not fixed else "safe" if any(not bad.unsafe for bad in fixed) else "unsafe"

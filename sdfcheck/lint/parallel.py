@@ -15,9 +15,9 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sdfcheck.files.discover import Found
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Linter, Notice, Notify, Options, Part, Progress, find, joined
-from sdfcheck.source.discover import Found
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 

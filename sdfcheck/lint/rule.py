@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar
 
+from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
-from sdfcheck.lint.fix import Applicability, Edit, Fix
-from sdfcheck.lint.reaction import Affects, Consumer, Reaction
+from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.config import Settings
+from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules, Choice, UnknownSelector, covered, select, without
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -82,7 +82,7 @@ class RuleBook:
         if settings.plugins not in self._indexes:
             from sdfcheck.lint.engine import INTERNAL_ERROR
             from sdfcheck.lint.packs import PackError, load_index
-            from sdfcheck.lint.suppress_rules import FACTS
+            from sdfcheck.lint.suppress.rules import FACTS
 
             try:
                 index = load_index(settings.plugins)

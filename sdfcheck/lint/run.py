@@ -10,7 +10,7 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.reaction import Reaction
+    from sdfcheck.consumers.reaction import Reaction
 
 
 class RuleFacts(NamedTuple):
@@ -31,7 +31,7 @@ class RuleFacts(NamedTuple):
     explains: tuple[str, ...]
     """Names of the kinds of problem that the rule puts into words."""
     affects: Mapping[str, Mapping[str, str]]
-    """Reader → dialect → what it does: a :class:`~sdfcheck.lint.reaction.Reaction` as text."""
+    """Reader → dialect → what it does: a :class:`~sdfcheck.consumers.reaction.Reaction` as text."""
     module: str
     """Module that holds the rule's class."""
 
@@ -40,7 +40,7 @@ def reactions(
     facts: RuleFacts, dialect: str, special: Iterable[tuple[str, Reaction]] = ()
 ) -> tuple[tuple[str, Reaction], ...]:
     """What each reader does about a rule's defect in a document, sorted by reader; ``special`` comes first."""
-    from sdfcheck.lint.reaction import READS, Consumer, Reaction
+    from sdfcheck.consumers.reaction import READS, Consumer, Reaction
 
     told = {reader: by[dialect] for reader, by in facts.affects.items() if dialect in by}
     found = {reader: Reaction.of(said) for reader, said in told.items()}

@@ -117,7 +117,7 @@ def check_targets(targets: Iterable[str]) -> None:
     Raises:
         WrongUsage: there is one.
     """
-    from sdfcheck.lint.reaction import Consumer
+    from sdfcheck.consumers.reaction import Consumer
 
     known = tuple(consumer.value for consumer in Consumer)
     for target in targets:

@@ -9,15 +9,15 @@ from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.config import Configuration, Settings
+from sdfcheck.files.discover import DiscoveredFile, Found, discover
+from sdfcheck.files.disk import Disk
+from sdfcheck.files.library import SearchPaths
+from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.fold import said_once
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, ActiveRules, Choice
-from sdfcheck.source.discover import DiscoveredFile, Found, discover
-from sdfcheck.source.disk import Disk
-from sdfcheck.source.library import SearchPaths
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from sdfcheck.consumers.reaction import READS, Consumer, Reaction, Verdict
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.reaction import READS, Consumer, Reaction, Verdict
 from sdfcheck.lint.run import Run
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind

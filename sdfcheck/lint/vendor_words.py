@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from sdfcheck.formats import vendor_problems as problems
-from sdfcheck.formats.vendor import Outcome
-from sdfcheck.formats.vendor_problems import TagFault, TagProblem
+from sdfcheck.consumers.reaction import by_effect
+from sdfcheck.formats.vendor import problems
+from sdfcheck.formats.vendor.definitions import Outcome
+from sdfcheck.formats.vendor.problems import TagFault, TagProblem
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Edit, Fix
-from sdfcheck.lint.reaction import by_effect
+from sdfcheck.lint.fix.fix import Edit, Fix
 from sdfcheck.lint.rule import Rule, Target, edit
 from sdfcheck.lint.wording import named, used
 from sdfcheck.source.element import Element, Value

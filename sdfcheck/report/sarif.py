@@ -9,9 +9,9 @@ from typing import Any
 from urllib.parse import quote
 
 from sdfcheck import __version__
+from sdfcheck.consumers.reaction import lines
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix import Edit, Fix
-from sdfcheck.lint.reaction import lines
+from sdfcheck.lint.fix.fix import Edit, Fix
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.report.line_hash import line_hashes
 from sdfcheck.report.paths import Paths

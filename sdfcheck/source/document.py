@@ -15,9 +15,8 @@ from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step
 
 if TYPE_CHECKING:
-    from sdfcheck.source.library import Library
     from sdfcheck.source.problems import Problem, SyntaxDefect
-    from sdfcheck.source.scan import Scan
+    from sdfcheck.source.scanner.scan import Scan
     from sdfcheck.source.spans import Spans
 
 T = TypeVar("T")
@@ -57,7 +56,7 @@ class Document:
         self._scan: Scan | None = None
         self._spans: Spans | None = None
         self._views: dict[Callable[[Document], Any], Any] = {}
-        self.library: Library | None = None
+        self.library: object | None = None
         """Where files that this one refers to come from; None: nothing is looked up."""
         self.included_by: tuple[Value, ...] = ()
         """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
@@ -99,7 +98,7 @@ class Document:
     def scan(self) -> Scan:
         """The places of everything; made when first asked for."""
         if self._scan is None:
-            from sdfcheck.source.quick_scan import quick_scan
+            from sdfcheck.source.scanner.quick_scan import quick_scan
 
             self._scan = quick_scan(self.source)
         return self._scan
@@ -140,7 +139,7 @@ class Document:
                 root = self._parse_without_hyphens()
                 if root is not None:
                     return root
-        from sdfcheck.source.scan import scan
+        from sdfcheck.source.scanner.scan import scan
 
         self._scan = scan(self.source)
         found = self._scan.problems
@@ -169,7 +168,7 @@ class Document:
 
     def _parse_without_hyphens(self) -> Element | None:
         """Try it with the hyphens of comments spaced out, of which there are too many."""
-        from sdfcheck.source.hyphens import without_hyphens
+        from sdfcheck.source.scanner.hyphens import without_hyphens
 
         spaced = without_hyphens(self.source)
         if spaced is None:
@@ -208,7 +207,7 @@ def problems(document: Document) -> list[Problem]:
     """What reading found wrong with the text; of what is no robot description, only that."""
     if document.is_recognized:
         return document.problems
-    from sdfcheck.source.recognition import unrecognized
+    from sdfcheck.source.scanner.recognition import unrecognized
 
     return [unrecognized(document)]
 

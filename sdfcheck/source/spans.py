@@ -7,8 +7,8 @@ import re
 from lxml import etree
 
 from sdfcheck.source.element import Element
-from sdfcheck.source.scan import ElementPlace, Scan
-from sdfcheck.source.start_tag import AttributePlace, StartTag, parse_start_tag
+from sdfcheck.source.scanner.scan import ElementPlace, Scan
+from sdfcheck.source.scanner.start_tag import AttributePlace, StartTag, parse_start_tag
 from sdfcheck.source.text import Source, Span
 
 _PIECE = re.compile(

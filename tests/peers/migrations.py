@@ -7,8 +7,8 @@ from pathlib import Path
 
 from lxml import etree
 
+from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document
-from sdfcheck.source.library import Library
 from tests.peers.cmdcheck import library
 from tests.peers.cmdprint import Job, printed
 from tests.peers.findings import SHARED

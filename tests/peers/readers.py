@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from sdfcheck.lint.reaction import Consumer
+from sdfcheck.consumers.reaction import Consumer
 from tests.peers import cmdcheck, drake, mujoco
 
 

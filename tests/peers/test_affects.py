@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.targets import verdicts
-from sdfcheck.lint.config import Configuration
+from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.example import Bad, Good, fill, unmark
-from sdfcheck.lint.reaction import Consumer, Verdict
 from tests.peers import readers
 from tests.test_rules import RULES
 

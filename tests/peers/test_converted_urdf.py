@@ -16,10 +16,10 @@ from lxml import etree
 
 from sdfcheck.cli.main import main
 from sdfcheck.convert.verify import Correspondence, verify
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.scopes import scopes
-from sdfcheck.model.sdf_robot import read_sdf_robot
-from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.scopes import scopes
+from sdfcheck.robot.sdf_robot import read_sdf_robot
+from sdfcheck.robot.urdf_robot import RobotError
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind, sniff
 from tests.peers import cmdcheck, drake_poses, own_conversion

@@ -8,12 +8,12 @@ from tempfile import TemporaryDirectory
 
 import pytest
 
-from sdfcheck.formats.vendor_files import BUILT_IN
-from sdfcheck.formats.vendor_problems import TagProblem, TooNewTag
-from sdfcheck.lint.config import Configuration
+from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor.problems import TagProblem, TooNewTag
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.session import Options, run
-from sdfcheck.model.vendor_references import problems
+from sdfcheck.robot.vendor_references import problems
 from sdfcheck.source.document import read
 from tests.peers import drake
 from tests.peers.findings import SHARED

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from sdfcheck.model.mass_report import ModelMass, mass_report
-from sdfcheck.source.library import Library
+from sdfcheck.files.library import Library
+from sdfcheck.robot.mass_report import ModelMass, mass_report
 
 pytestmark = pytest.mark.peers
 ROOT = Path(__file__).parents[2]

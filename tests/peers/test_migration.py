@@ -14,12 +14,12 @@ from sdfcheck.convert.migrate.migrate import migrated, sdf_to_sdf
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.proof import comparable, correspondence, models
 from sdfcheck.convert.verify import verify
-from sdfcheck.formats.version import Version
-from sdfcheck.model.poses import PoseError
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.scopes import Scope
-from sdfcheck.model.sdf_robot import read_sdf_robot
-from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.poses import PoseError
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.scopes import Scope
+from sdfcheck.robot.sdf_robot import read_sdf_robot
+from sdfcheck.robot.urdf_robot import RobotError
 from sdfcheck.source.document import Document, read
 from tests.peers.cmdcheck import library
 from tests.peers.cmdprint import version_of

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sdfcheck.model.carriers import attachment
-from sdfcheck.model.poses import Poses
-from sdfcheck.model.rotations import Array, angle_between
-from sdfcheck.model.scopes import Frame, Scope, scopes
-from sdfcheck.source.library import Library
+from sdfcheck.files.library import Library
+from sdfcheck.robot.carriers import attachment
+from sdfcheck.robot.poses import Poses
+from sdfcheck.robot.rotations import Array, angle_between
+from sdfcheck.robot.scopes import Frame, Scope, scopes
 from tests.peers import drake_poses
 from tests.peers.findings import SHARED
 

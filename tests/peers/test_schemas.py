@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from sdfcheck.formats.rng import rng
-from sdfcheck.formats.version import Version
-from sdfcheck.formats.xsd import xsd
+from sdfcheck.formats.export.rng import rng
+from sdfcheck.formats.export.xsd import xsd
+from sdfcheck.formats.sdf.version import Version
 from tests.peers.findings import SHARED, findings
 
 pytestmark = [

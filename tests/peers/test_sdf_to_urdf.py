@@ -15,8 +15,8 @@ from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.sdf_to_urdf.choose import models
+from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.source.document import Document
-from sdfcheck.source.library import Library, SearchPaths
 from sdfcheck.source.sniff import Kind
 from tests.peers import cmdcheck
 from tests.peers.findings import SHARED

@@ -8,8 +8,8 @@ from collections import Counter
 import pytest
 
 from sdfcheck.cli.targets import verdicts
-from sdfcheck.lint.config import Configuration
-from sdfcheck.lint.reaction import Consumer, Verdict
+from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.lint.config.configuration import Configuration
 from tests.peers.findings import SHARED
 
 pytestmark = [

@@ -9,10 +9,10 @@ from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.placing import Places
-from sdfcheck.formats.version import Version
-from sdfcheck.model.poses import PoseError
-from sdfcheck.model.rotations import Array
-from sdfcheck.model.scopes import Frame
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.poses import PoseError
+from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.scopes import Frame
 
 _MODEL = "__model__"
 _FLAG = "use_parent_model_frame"

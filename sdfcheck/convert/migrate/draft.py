@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from lxml import etree
 
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Source

@@ -10,8 +10,8 @@ from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.tidy_tree import text_of
-from sdfcheck.formats.survey import survey
-from sdfcheck.model.includes import included
+from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.robot.includes import included
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source

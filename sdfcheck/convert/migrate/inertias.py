@@ -9,10 +9,10 @@ from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.placing import Places
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.poses import PoseError
-from sdfcheck.model.robot import Body
-from sdfcheck.model.sdf_robot import automatic_body
-from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.robot.poses import PoseError
+from sdfcheck.robot.robot import Body
+from sdfcheck.robot.sdf_robot import automatic_body
+from sdfcheck.robot.urdf_robot import RobotError
 
 _COMPONENTS = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2))
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.formats.schema import Definition, schema
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 
 _SHAPES = frozenset({"box", "capsule", "cone", "cylinder", "ellipsoid", "sphere", "mesh", "polyline"})

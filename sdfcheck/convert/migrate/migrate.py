@@ -34,7 +34,7 @@ from sdfcheck.convert.migrate.proof import comparisons
 from sdfcheck.convert.migrate.upward import go_up
 from sdfcheck.convert.migrate.world_joints import move_world_joints
 from sdfcheck.convert.result import Conversion, conversion
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 
 LOWEST = Version(1, 4)

@@ -6,7 +6,7 @@ from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.verify import Counterpart
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.document import Document
 

@@ -10,7 +10,7 @@ from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.upward import STATES
 from sdfcheck.convert.writer import number
-from sdfcheck.formats.version import Version
+from sdfcheck.formats.sdf.version import Version
 
 _ENDLESS = {"inf", "+inf", "infinity"}
 

@@ -8,10 +8,10 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.model.carriers import look_up, own_model
-from sdfcheck.model.poses import PoseError, Poses, placement_of, reference_of, written_pose
-from sdfcheck.model.rotations import Array, inverse
-from sdfcheck.model.scopes import Frame, Scope, Scopes, scopes
+from sdfcheck.robot.carriers import look_up, own_model
+from sdfcheck.robot.poses import PoseError, Poses, placement_of, reference_of, written_pose
+from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.scopes import Frame, Scope, Scopes, scopes
 from sdfcheck.source.element import Element
 
 _FORMAT = ("rotation_format", "degrees")
@@ -95,7 +95,7 @@ class Places:
 
     def carrier(self, frame: Frame) -> tuple[Frame, str] | None:
         """The link or world that a frame moves with, and its name as seen from the frame's scope."""
-        from sdfcheck.model.carriers import carrier
+        from sdfcheck.robot.carriers import carrier
 
         found = carrier(frame)
         if found is None:
@@ -163,7 +163,7 @@ def _differs(pose: Node, value: Array) -> bool:
         return True
     if not written and not pose.attributes().keys() & set(_FORMAT):
         return bool(np.abs(value - np.eye(4)).max() > 0)
-    from sdfcheck.model.rotations import from_rpy, transform
+    from sdfcheck.robot.rotations import from_rpy, transform
 
     if len(written) != 6:
         return True

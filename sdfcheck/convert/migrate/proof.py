@@ -12,13 +12,13 @@ from sdfcheck.convert.migrate.flattening import flat_links
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.result import Comparison
 from sdfcheck.convert.verify import Correspondence
-from sdfcheck.formats.version import Version
-from sdfcheck.model.poses import PoseError, Poses
-from sdfcheck.model.robot import Link, Robot
-from sdfcheck.model.rotations import Array
-from sdfcheck.model.scopes import Frame, Scope, scopes
-from sdfcheck.model.sdf_robot import canonical_link, read_sdf_robot
-from sdfcheck.model.urdf_robot import RobotError
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.poses import PoseError, Poses
+from sdfcheck.robot.robot import Link, Robot
+from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.scopes import Frame, Scope, scopes
+from sdfcheck.robot.sdf_robot import canonical_link, read_sdf_robot
+from sdfcheck.robot.urdf_robot import RobotError
 from sdfcheck.source.document import Document
 
 

@@ -16,7 +16,7 @@ from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.unflatten import unflatten
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.poses import PoseError, written_pose
+from sdfcheck.robot.poses import PoseError, written_pose
 
 STATES = {"model": "model_state", "light": "light_state", "joint": "joint_state", "link": "link_state"}
 

@@ -8,8 +8,8 @@ from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.placing import Places
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.poses import PoseError
-from sdfcheck.model.rotations import Array
+from sdfcheck.robot.poses import PoseError
+from sdfcheck.robot.rotations import Array
 
 _ENDS = ("parent", "child")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from sdfcheck.model.robot import Joint, Robot
+from sdfcheck.robot.robot import Joint, Robot
 
 WORLD = "world"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.model.scopes import Scope, scopes
+from sdfcheck.robot.scopes import Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.wrong_usage import WrongUsage

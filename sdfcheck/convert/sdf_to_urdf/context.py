@@ -12,9 +12,9 @@ from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.naming import Naming
 from sdfcheck.convert.sdf_to_urdf.options import Options
 from sdfcheck.convert.writer import Node
-from sdfcheck.model.poses import Poses
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.scopes import Frame, Scope
+from sdfcheck.robot.poses import Poses
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.scopes import Frame, Scope
 
 
 @dataclass(slots=True)

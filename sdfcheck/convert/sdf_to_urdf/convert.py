@@ -29,12 +29,12 @@ from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render, undeclared_prefixes, with_line_ends
 from sdfcheck.convert.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.poses import PoseError, Poses
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.rotations import inverse
-from sdfcheck.model.scopes import Scope
-from sdfcheck.model.sdf_robot import RobotError, canonical_link, read_sdf_robot
-from sdfcheck.model.urdf_robot import read_urdf_robot
+from sdfcheck.robot.poses import PoseError, Poses
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.rotations import inverse
+from sdfcheck.robot.scopes import Scope
+from sdfcheck.robot.sdf_robot import RobotError, canonical_link, read_sdf_robot
+from sdfcheck.robot.urdf_robot import read_urdf_robot
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind

@@ -13,10 +13,10 @@ from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.carriers import is_merged_model
-from sdfcheck.model.poses import reference_of
-from sdfcheck.model.rotations import Array
-from sdfcheck.model.scopes import Frame
+from sdfcheck.robot.carriers import is_merged_model
+from sdfcheck.robot.poses import reference_of
+from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.scopes import Frame
 from sdfcheck.source.element import Element
 
 _OF_LINKS = frozenset(

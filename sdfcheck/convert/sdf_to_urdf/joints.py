@@ -17,8 +17,8 @@ from sdfcheck.convert.sdf_to_urdf.options import Unsupported
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.robot import Axis, Joint
-from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.robot.robot import Axis, Joint
+from sdfcheck.robot.rotations import Array, inverse
 from sdfcheck.source.element import Element
 
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})

@@ -9,8 +9,8 @@ import numpy as np
 
 from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, Arrangement
 from sdfcheck.convert.sdf_to_urdf.naming import Naming
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.rotations import Array, angle_between, inverse
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.rotations import Array, angle_between, inverse
 
 SAME = 1e-12
 """Frames that are nearer than this (m, rad) are one."""

@@ -15,10 +15,10 @@ from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, stand_in
 from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.inertials import Inertial, read_inertial
-from sdfcheck.model.poses import written_pose
-from sdfcheck.model.robot import Body, Geometry, Link
-from sdfcheck.model.rotations import Array, transform
+from sdfcheck.robot.inertials import Inertial, read_inertial
+from sdfcheck.robot.poses import written_pose
+from sdfcheck.robot.robot import Body, Geometry, Link
+from sdfcheck.robot.rotations import Array, transform
 from sdfcheck.source.element import Element
 
 _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")

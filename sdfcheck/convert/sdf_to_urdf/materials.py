@@ -5,7 +5,7 @@ from __future__ import annotations
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.writer import Node, numbers
-from sdfcheck.formats.values import floats
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 

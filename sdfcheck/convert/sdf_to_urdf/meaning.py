@@ -13,8 +13,8 @@ import numpy as np
 
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.shapes import pieces
-from sdfcheck.model.robot import Axis, Joint, Link, Mimic, Robot, default_body
-from sdfcheck.model.rotations import Array
+from sdfcheck.robot.robot import Axis, Joint, Link, Mimic, Robot, default_body
+from sdfcheck.robot.rotations import Array
 
 ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw"})
 TWO_AXES = frozenset({"universal", "revolute2"})

@@ -11,8 +11,8 @@ from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import keep_frame, model_extensions, of_frame
 from sdfcheck.convert.sdf_to_urdf.joints import add_fixed
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.carriers import is_merged_model, merged_model
-from sdfcheck.model.scopes import Frame, Scope
+from sdfcheck.robot.carriers import is_merged_model, merged_model
+from sdfcheck.robot.scopes import Frame, Scope
 from sdfcheck.source.element import Element
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from sdfcheck.model.robot import Robot
+from sdfcheck.robot.robot import Robot
 
 
 class Naming:

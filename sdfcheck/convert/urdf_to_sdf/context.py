@@ -10,10 +10,10 @@ from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.settings import value_of
 from sdfcheck.convert.writer import Comment, Node, comment_of, copied, numbers, spaced
-from sdfcheck.formats.schema import Definition, schema
-from sdfcheck.formats.values import floats
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.rotations import Array, to_rpy
+from sdfcheck.robot.rotations import Array, to_rpy
 from sdfcheck.source.element import Element
 
 KEPT = "urdf"

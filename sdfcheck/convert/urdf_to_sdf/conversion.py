@@ -17,9 +17,9 @@ from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_back
 from sdfcheck.convert.urdf_to_sdf.plan import plan
 from sdfcheck.convert.writer import Node, comment_of, render, undeclared_prefixes, with_line_ends
-from sdfcheck.model.poses import PoseError
-from sdfcheck.model.robot import Robot
-from sdfcheck.model.urdf_robot import RobotError, origin_of, read_urdf_robot
+from sdfcheck.robot.poses import PoseError
+from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.urdf_robot import RobotError, origin_of, read_urdf_robot
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 

@@ -16,11 +16,11 @@ from sdfcheck.convert.urdf_to_sdf.materials import Materials
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
 from sdfcheck.convert.writer import Node, comment_of, number, spaced
-from sdfcheck.formats.values import floats
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.robot import Body
-from sdfcheck.model.rotations import Array
-from sdfcheck.model.urdf_robot import origin_of
+from sdfcheck.robot.robot import Body
+from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.urdf_robot import origin_of
 from sdfcheck.source.element import Element
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.robot import Robot
+from sdfcheck.robot.robot import Robot
 
 WORLD = "world"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, Version
 
 
 class FixedJoints(Enum):

@@ -9,9 +9,9 @@ from typing import Any
 from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.convert.urdf_to_sdf.plan import Plan, free_joints
 from sdfcheck.convert.verify import Correspondence, Counterpart
-from sdfcheck.model.robot import Axis, Link, Robot
-from sdfcheck.model.scopes import scopes
-from sdfcheck.model.sdf_robot import read_sdf_robot
+from sdfcheck.robot.robot import Axis, Link, Robot
+from sdfcheck.robot.scopes import scopes
+from sdfcheck.robot.sdf_robot import read_sdf_robot
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 

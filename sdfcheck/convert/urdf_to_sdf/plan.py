@@ -10,8 +10,8 @@ from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD, Names
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.model.robot import Body, Joint, Link, Robot
-from sdfcheck.model.rotations import Array, inverse
+from sdfcheck.robot.robot import Body, Joint, Link, Robot
+from sdfcheck.robot.rotations import Array, inverse
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 

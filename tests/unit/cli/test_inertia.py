@@ -10,7 +10,7 @@ import pytest
 
 from sdfcheck.cli.inertia import draw, measure
 from sdfcheck.cli.main import main
-from sdfcheck.source.library import Library
+from sdfcheck.files.library import Library
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 WORKCELL = str(ROBOTS / "workcell" / "workcell.world")

@@ -10,7 +10,7 @@ from sdfcheck.convert.canonical import CanonicalStyle, CanonicalText, canonical
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.tidy_numbers import NumberStyle
 from sdfcheck.source.wrong_usage import WrongUsage
-from tests.unit.model.files import ARM, CONFIG, opened, write
+from tests.unit.robot.files import ARM, CONFIG, opened, write
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 SDF = '<sdf version="{}"><model name="m"><link name="a">{}</link></model></sdf>'

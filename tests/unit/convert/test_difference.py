@@ -8,7 +8,7 @@ import pytest
 
 from sdfcheck.convert.difference import Change, ChangeKind
 from sdfcheck.convert.file_difference import FileDifference, compare_files
-from tests.unit.model.files import opened, write
+from tests.unit.robot.files import opened, write
 
 LINK = (
     "<link name='{}'><inertial><mass>1</mass></inertial>"

@@ -10,12 +10,12 @@ from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migrate import LOWEST, TARGETS, sdf_to_sdf
 from sdfcheck.convert.result import Conversion
-from sdfcheck.formats.problems import UnknownElement
-from sdfcheck.formats.structure import structure_problems
-from sdfcheck.formats.survey import problems
-from sdfcheck.formats.version import Version
+from sdfcheck.files.library import Library
+from sdfcheck.formats.sdf.problems import UnknownElement
+from sdfcheck.formats.sdf.structure import structure_problems
+from sdfcheck.formats.sdf.survey import problems
+from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.document import Document, read
-from sdfcheck.source.library import Library
 
 CASES = sorted((Path(__file__).parents[3] / "fixtures" / "convert" / "sdf-to-sdf").iterdir())
 ROBOTS = sorted((Path(__file__).parents[3] / "fixtures" / "robots").rglob("*.sdf"))

@@ -11,9 +11,9 @@ from sdfcheck.convert.loss import LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.convert.verify import verify
-from sdfcheck.model.urdf_robot import read_urdf_robot
+from sdfcheck.files.library import Library
+from sdfcheck.robot.urdf_robot import read_urdf_robot
 from sdfcheck.source.document import read
-from sdfcheck.source.library import Library
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 

@@ -10,9 +10,9 @@ from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.convert.verify import Verification
-from sdfcheck.formats.version import Version
-from sdfcheck.model.scopes import scopes
-from sdfcheck.model.sdf_robot import read_sdf_robot
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.scopes import scopes
+from sdfcheck.robot.sdf_robot import read_sdf_robot
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 

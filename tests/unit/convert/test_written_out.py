@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.written_out import needs_writing_out, written_out
+from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
-from sdfcheck.source.library import Library
 
 PART = """\
 <sdf version="1.12"><model name="part">

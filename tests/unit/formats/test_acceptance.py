@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.reading import Outcome
-from sdfcheck.formats.schema import AttributeDefinition, Definition, Version, schema
+from sdfcheck.formats.sdf.choices import Verdict
+from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, Version, schema
 
 TEXTS = [
     "", " ", "0", "1", "-1", "+1", "1.", ".5", "-0.5", ".", "-", "+", "1e5", "1E-5", "1e", "1e400",

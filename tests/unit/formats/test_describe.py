@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.describe import Description, UnknownPlace, describe
-from sdfcheck.formats.version import Version
+from sdfcheck.formats.describe.place import Description, UnknownPlace, describe
+from sdfcheck.formats.sdf.version import Version
 
 
 def only(question: str, version: str = "1.12") -> Description:
@@ -127,7 +127,8 @@ def test_what_is_not_there(question: str, says: str) -> None:
 
 
 def test_everything_that_there_is_can_be_asked_for() -> None:
-    from sdfcheck.formats import describe_sdf, describe_urdf
+    from sdfcheck.formats.describe import sdf as describe_sdf
+    from sdfcheck.formats.describe import urdf as describe_urdf
 
     names = {use.element.name for use in describe_sdf._everywhere(Version(1, 12))}
     assert len(names) > 300

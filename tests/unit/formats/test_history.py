@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats import history
-from sdfcheck.formats.schema import Definition, Version, schema
+from sdfcheck.formats.sdf import history
+from sdfcheck.formats.sdf.schema import Definition, Version, schema
 
 
 def at(version: str, place: str) -> Definition:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from sdfcheck.formats.schema import NEWEST, OLDEST, Definition, Schema, Version, schema
+from sdfcheck.formats.sdf.schema import NEWEST, OLDEST, Definition, Schema, Version, schema
 
 
 def version(text: str) -> Version:

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.problems import ReplacedElement, TopologyChanged
-from sdfcheck.formats.survey import survey
+from sdfcheck.formats.sdf.problems import ReplacedElement, TopologyChanged
+from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.source.document import read
 
 IN_MODEL = '<sdf version="1.12" xmlns:p="urn:p"><model name="m"><link name="base"/>{}</model></sdf>'

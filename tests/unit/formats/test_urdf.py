@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome
-from sdfcheck.formats.urdf import VERSIONS, UrdfAttribute, extension, known_parents, urdf
+from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, extension, known_parents, urdf
 
 
 def attribute(path: str, name: str) -> UrdfAttribute:

@@ -7,9 +7,11 @@ from typing import TypeVar
 
 import pytest
 
-from sdfcheck.formats import problems, urdf_comments, urdf_problems
-from sdfcheck.formats.urdf import VERSIONS
-from sdfcheck.formats.urdf_survey import UrdfSurvey, survey
+from sdfcheck.formats.sdf import problems
+from sdfcheck.formats.urdf import comments as urdf_comments
+from sdfcheck.formats.urdf import problems as urdf_problems
+from sdfcheck.formats.urdf.survey import UrdfSurvey, survey
+from sdfcheck.formats.urdf.table import VERSIONS
 from sdfcheck.source.document import read
 
 T = TypeVar("T")

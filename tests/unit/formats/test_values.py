@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.bounds import Range
 from sdfcheck.formats.reading import Cause, Outcome, Reading
-from sdfcheck.formats.values import boolean, floats, integer, number, read
+from sdfcheck.formats.sdf.bounds import Range
+from sdfcheck.formats.sdf.values import boolean, floats, integer, number, read
 
 FINE = Outcome.AS_WRITTEN
 BAD = Outcome.MALFORMED

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.formats.survey import survey
+from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.source.document import read
 from tests.unit.only import only
 

@@ -9,13 +9,13 @@ from typing import NamedTuple
 
 import pytest
 
-from sdfcheck.lint.comments import Comment
+from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import FileResult
 from sdfcheck.lint.packs import PackError, RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.source.library import Library
+from sdfcheck.lint.suppress.comments import Comment
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 

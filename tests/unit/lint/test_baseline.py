@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.lint.baseline import read
+from sdfcheck.lint.suppress.baseline import read
 from sdfcheck.source.wrong_usage import WrongUsage
 
 ONE = '<sdf version="1.9"><!-- -- --><world name="w"/></sdf>'

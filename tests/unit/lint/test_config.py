@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint import config_show
-from sdfcheck.lint.config import Configuration, Settings, load
-from sdfcheck.lint.config_fields import FIELDS
-from sdfcheck.lint.config_read import Pattern, line_of
-from sdfcheck.lint.config_schema import render, schema
+from sdfcheck.lint.config import show as config_show
+from sdfcheck.lint.config.configuration import Configuration, Settings, load
+from sdfcheck.lint.config.fields import FIELDS
+from sdfcheck.lint.config.reading import Pattern, line_of
+from sdfcheck.lint.config.schema import render, schema
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.wrong_usage import WrongUsage
 

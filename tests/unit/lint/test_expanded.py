@@ -7,17 +7,17 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.expanded import lint_xacro
 from sdfcheck.lint.packs import load_index
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import read
-from sdfcheck.source.library import Library
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.xacro.expansion import Expander
-from sdfcheck.source.xacro.static import problems
-from sdfcheck.source.xacro.world import is_robot
+from sdfcheck.xacro.expansion import Expander
+from sdfcheck.xacro.static import problems
+from sdfcheck.xacro.world import is_robot
 
 HEAD = '<sdf version="1.12" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LEG = (

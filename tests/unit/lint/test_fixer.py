@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Applicability, Edit, Fix
-from sdfcheck.lint.fixer import Mended, mend_file, together
+from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix.fixer import Mended, mend_file, together
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.source.decode import decode
 from sdfcheck.source.sniff import Kind

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.consumers.reaction import REFUSES, Reaction, accepts, warns
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.obstacles import obstacles
-from sdfcheck.lint.reaction import REFUSES, Reaction, accepts, warns
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from sdfcheck.lint import parallel, session
-from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.one_file import lint_file
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import InternalError, Notice, Options, run

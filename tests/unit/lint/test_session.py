@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import InternalError, Level, Notice, Options, run

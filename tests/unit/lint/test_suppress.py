@@ -3,13 +3,13 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint.comments import Comment
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
-from sdfcheck.lint.directives import directives
 from sdfcheck.lint.example import Bad, unmark
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.suppress import Filtered, suppress
-from sdfcheck.lint.suppress_rules import FACTS, MalformedSuppression, OwnRule, UnusedSuppression
+from sdfcheck.lint.suppress.comments import Comment
+from sdfcheck.lint.suppress.directives import directives
+from sdfcheck.lint.suppress.rules import FACTS, MalformedSuppression, OwnRule, UnusedSuppression
+from sdfcheck.lint.suppress.suppression import Filtered, suppress
 from sdfcheck.source.text import Source
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint.config import Configuration
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.session import Options, run
 
 LIBRARY = """<robot xmlns:xacro="http://www.ros.org/wiki/xacro">

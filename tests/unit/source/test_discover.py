@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.source import git
-from sdfcheck.source.discover import DiscoveredFile, discover
+from sdfcheck.files import git
+from sdfcheck.files.discover import DiscoveredFile, discover
 from sdfcheck.source.wrong_usage import WrongUsage
 
 

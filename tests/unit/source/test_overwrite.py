@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.source.overwrite import overwrite
+from sdfcheck.files.overwrite import overwrite
 
 
 def test_the_mode_stays(tmp_path: Path) -> None:

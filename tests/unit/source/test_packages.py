@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.source.packages import Packages, project_root
+from sdfcheck.files.packages import Packages, project_root
 
 
 def package(folder: Path, name: str) -> Path:

@@ -15,7 +15,7 @@ from sdfcheck.source.problems import (
     SyntaxDefect,
     SyntaxKind,
 )
-from sdfcheck.source.scan import Scan, scan
+from sdfcheck.source.scanner.scan import Scan, scan
 from sdfcheck.source.text import Source
 
 ROBOT = """<?xml version="1.0"?>

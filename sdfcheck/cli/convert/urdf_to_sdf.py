@@ -1,0 +1,68 @@
+"""``sdfcheck convert urdf-to-sdf``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sdfcheck.cli.convert.command import common, common_options, convert_files
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
+from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.convert.result import Conversion
+    from sdfcheck.source.document import Document
+
+_KINDS = {Kind.URDF: "URDF", Kind.XACRO: "xacro"}
+
+
+def _choice(
+    flag: str, kind: type[Enum], default: Enum, help: str
+) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    choices = click.Choice([member.value for member in kind])
+    shown = f"{help}  [default: {default.value}]"
+    return click.option(flag, type=choices, default=default.value, help=shown)
+
+
+@click.command(name="urdf-to-sdf")
+@common_options
+@click.option(
+    "--sdf-version", default=str(NEWEST), metavar="V", help=f"1.4 to {NEWEST}.  [default: {NEWEST}]"
+)
+@_choice("--fixed-joints", FixedJoints, FixedJoints.KEEP, "Keep them, or make one link of what they join.")
+@_choice("--massless", Massless, Massless.MERGE, "What becomes of links without mass.")
+@_choice("--package-uris", PackageUris, PackageUris.MODEL, "How to write package://.")
+def urdf_to_sdf(**given: Any) -> int:
+    """Convert URDF or xacro to SDFormat.
+
+    Names, order, comments and numbers stay as they are; what SDFormat cannot say is
+    reported. Arguments of xacro follow the files as NAME:=VALUE.
+
+    \b
+    --massless merge   make it part of what it is fixed to, else small
+               small   give it a negligible mass
+               auto    let the simulator compute its inertia (1.11), else small
+               refuse  do not convert
+    """
+    request = common(given)
+    version = Version.parse(given["sdf_version"])
+    if version is None or version < Version(1, 4):
+        raise WrongUsage(f"`{given['sdf_version']}` is no version of SDFormat from 1.4 to {NEWEST}")
+    options = Options(
+        version,
+        FixedJoints(given["fixed_joints"]),
+        Massless(given["massless"]),
+        PackageUris(given["package_uris"]),
+    )
+
+    def convert(document: Document, verified: bool) -> Conversion:
+        from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf as run
+
+        return run(document, options, verified=verified)
+
+    return convert_files(request, _KINDS, ".sdf", convert)

@@ -1,0 +1,130 @@
+"""What readers of robot descriptions do about a defect.
+
+A rule says it for each reader: ``affects = {Consumer.GAZEBO: REFUSES, Consumer.URDFDOM:
+warns("drops the link")}``. Where it depends on the dialect, it says it for each:
+``Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")}``. A reader that a rule does
+not name, or not for a dialect, takes the file as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from enum import Enum
+from functools import cache
+from typing import TYPE_CHECKING
+
+from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.vendor.definitions import Effect
+
+
+class Consumer(Enum):
+    """Who reads robot descriptions."""
+
+    GAZEBO = "gazebo"
+    DRAKE = "drake"
+    URDFDOM = "urdfdom"
+    MUJOCO = "mujoco"
+
+
+READS: Mapping[Consumer, tuple[str, ...]] = {
+    Consumer.GAZEBO: ("sdf", "urdf"),
+    Consumer.DRAKE: ("sdf", "urdf"),
+    Consumer.URDFDOM: ("urdf",),
+    Consumer.MUJOCO: ("urdf",),
+}
+"""Reader → the dialects that it reads."""
+
+
+class Verdict(Enum):
+    """How a reader stands to a file, the worst last."""
+
+    ACCEPT = "accept"
+    WARN = "warn"
+    """It reads the file, though not all of it, or not as it was meant."""
+    REJECT = "reject"
+    """It does not get to the end of the file, or ends up with nothing."""
+    UNREAD = "not read"
+    """It does not know the format."""
+
+
+class Reaction(NamedTuple):
+    """What a reader does about a defect, and its verdict on a file with the defect."""
+
+    verdict: Verdict
+    words: str
+    """What completes "Drake …": `refuses the file`, `ignores it`."""
+
+    @property
+    def is_harmless(self) -> bool:
+        return self.verdict is Verdict.ACCEPT
+
+    def __str__(self) -> str:
+        return f"{self.verdict.value}: {self.words}"
+
+    @classmethod
+    @cache
+    def of(cls, text: str) -> Reaction:
+        """The reaction that ``str`` wrote."""
+        verdict, _, words = text.partition(": ")
+        return cls(Verdict(verdict), words)
+
+
+def accepts(words: str) -> Reaction:
+    """It takes the file as it is; worth saying where one expects something else."""
+    return Reaction(Verdict.ACCEPT, words)
+
+
+def warns(words: str) -> Reaction:
+    """It reads the file, though not all of it, or not as it was meant."""
+    return Reaction(Verdict.WARN, words)
+
+
+def refuses(words: str = "refuses the file") -> Reaction:
+    """It does not get to the end of the file, or ends up with nothing."""
+    return Reaction(Verdict.REJECT, words)
+
+
+REFUSES = refuses()
+
+Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
+"""Reader → what it does, or that for each dialect."""
+
+
+def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
+    """Reader → dialect → reaction, in full and as text: how an index holds it."""
+    told = {}
+    for reader, said in sorted(affects.items(), key=lambda item: item[0].value):
+        reactions = dict.fromkeys(READS[reader], said) if isinstance(said, Reaction) else said
+        told[reader.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
+    return told
+
+
+def lines(affects: Mapping[str, Mapping[str, str]]) -> Iterable[str]:
+    """What an index holds, for people: a line a reader, or one for each of its dialects."""
+    for reader, reactions in sorted(affects.items()):
+        everywhere = set(reactions) == set(READS[Consumer(reader)])
+        if everywhere and len(set(reactions.values())) == 1:
+            yield f"{reader}: {_words(next(iter(reactions.values())))}"
+        else:
+            for dialect, said in sorted(reactions.items()):
+                yield f"{reader}, {dialect.upper()}: {_words(said)}"
+
+
+def _words(said: str) -> str:
+    return Reaction.of(said).words
+
+
+def by_effect(effect: Effect) -> Reaction:
+    """What a reader does about its own elements."""
+    outcome = effect.outcome.value
+    if outcome == "read":
+        return warns(f"reads `{effect.value}`")
+    return {
+        "error": REFUSES,
+        "abort": refuses("aborts"),
+        "crash": refuses("crashes"),
+        "ignored": warns("ignores it"),
+        "accepted": accepts("takes it all the same"),
+    }[outcome]

@@ -1,0 +1,192 @@
+"""From a URI in a description to a file on disk.
+
+Schemes: ``model://name/…`` (a model in one of the model folders), ``package://name/…``
+(a ROS package), ``file://…``, none (relative to the referring file), and what comes
+from the network, which is never fetched.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from sdfcheck.files.disk import Disk
+from sdfcheck.files.library import library_of
+from sdfcheck.source.document import Document
+from sdfcheck.source.record import NamedTuple
+
+_SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):/*")
+REMOTE_SCHEMES = frozenset({"http", "https", "fuel", "ftp"})
+SEARCHED_SCHEMES = frozenset({"model", "package"})
+LOCAL_SCHEMES = frozenset({"file", *SEARCHED_SCHEMES})
+
+_CLIMB = 6
+"""How many folders above the referring file may hold the model or package that it names."""
+
+
+class Location(NamedTuple):
+    """Where a URI leads.
+
+    ``path`` is the file or folder, None if nothing is there; then ``inside`` was looked
+    for below ``folders``, and ``near`` is one that differs only in case. ``name`` is the
+    model or package that is named, ``owner`` its folder if that was found, though not the file in it.
+    """
+
+    scheme: str
+    path: Path | None
+    folders: tuple[str, ...] = ()
+    inside: str = ""
+    near: Path | None = None
+    name: str = ""
+    owner: Path | None = None
+
+    @property
+    def tried(self) -> tuple[str, ...]:
+        """The paths that were looked at."""
+        paths = (os.path.normpath(os.path.join(folder, self.inside)) for folder in self.folders)
+        return tuple(dict.fromkeys(paths))
+
+    @property
+    def is_remote(self) -> bool:
+        return self.scheme in REMOTE_SCHEMES
+
+    @property
+    def is_searched_for(self) -> bool:
+        """Does the place depend on search paths, which another computer may have set otherwise?"""
+        return self.scheme in SEARCHED_SCHEMES
+
+    @property
+    def is_local(self) -> bool:
+        """Is the scheme one that leads to a file, none included?"""
+        return not self.scheme or self.scheme in LOCAL_SCHEMES
+
+
+def scheme_of(uri: str) -> str:
+    """The scheme in lower case, empty if there is none; the letter of a Windows drive is none."""
+    match = _SCHEME.match(uri.strip())
+    return match[1].lower() if match else ""
+
+
+def locate(document: Document, uri: str) -> Location:
+    """Find what a URI in a document names; nothing is fetched, nothing is read.
+
+    Each URI of a document is looked up once.
+    """
+    known = document.view(_Located)
+    found = known.get(uri)
+    if found is None:
+        found = known[uri] = _locate(document, uri.strip())
+    return found
+
+
+class _Located(dict[str, Location]):
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+
+
+def _locate(document: Document, text: str) -> Location:
+    match = _SCHEME.match(text)
+    scheme = match[1].lower() if match else ""
+    if scheme and scheme not in LOCAL_SCHEMES:
+        return Location(scheme, None)
+    disk = _disk(document)
+    rest = text[match.end() :] if match else text
+    folder = document.view(_above)[0]
+    if scheme == "file":
+        return _first(disk, scheme, (folder,), file_path(text))
+    name, _, inside = rest.partition("/")
+    if scheme:
+        owners = _owners(document, scheme, name)
+        found = _first(disk, scheme, owners.there or owners.near, inside)
+        if not owners.there:
+            # Only the case of letters can be wrong then.
+            near = found.path or found.near
+            return Location(scheme, None, owners.tried, inside, near, name)
+        return found._replace(name=name, owner=Path(owners.there[0]))
+    beside = os.path.join(folder, rest)
+    if disk.has(beside):
+        return Location(scheme, Path(beside))
+    models = _owners(document, "model", name).tried
+    return _first(disk, "", (beside, *(os.path.join(model, inside) for model in models)))
+
+
+class _Owners(NamedTuple):
+    """Where the folder of a model or package was looked for, where it is, and where it is but for case."""
+
+    tried: tuple[str, ...]
+    there: tuple[str, ...]
+    near: tuple[str, ...]
+
+
+class _KnownOwners(dict[tuple[str, str], _Owners]):
+    def __init__(self, document: Document) -> None:
+        super().__init__()
+
+
+def _owners(document: Document, scheme: str, name: str) -> _Owners:
+    """The folders of a model or package, looked up once for each document."""
+    known = document.view(_KnownOwners)
+    if (scheme, name) not in known:
+        candidates = _models(document, name) if scheme == "model" else _packages(document, name)
+        tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
+        there = tuple(path for path in tried if os.path.isdir(path))
+        disk = _disk(document)
+        near = () if there else tuple(found for path in tried if (found := disk.ignoring_case(path)))
+        known[scheme, name] = _Owners(tried, there, near)
+    return known[scheme, name]
+
+
+def file_path(uri: str) -> str:
+    """The path behind ``file://``, as libsdformat and Gazebo cut it; a host is taken for a folder."""
+    rest = uri.strip()[len("file:") :]
+    return rest[2:] if rest[:2] == "//" else rest
+
+
+def _first(disk: Disk, scheme: str, folders: tuple[str, ...], inside: str = "") -> Location:
+    paths = [os.path.join(folder, inside) if inside else folder for folder in folders]
+    for path in paths:
+        if disk.has(path):
+            return Location(scheme, Path(path))
+    near = next((found for path in paths if (found := disk.ignoring_case(os.path.normpath(path)))), None)
+    return Location(scheme, None, folders, inside, None if near is None else Path(near))
+
+
+def _disk(document: Document) -> Disk:
+    library = library_of(document)
+    return document.view(_own_disk) if library is None else library.disk
+
+
+def _own_disk(document: Document) -> Disk:
+    return Disk()
+
+
+def _models(document: Document, name: str) -> Iterator[str]:
+    if (library := library_of(document)) is not None:
+        for folder in library.model_folders:
+            yield os.path.join(folder, name)
+    # The usual layout needs no setting: models side by side, or in a `models` folder near by.
+    for above in document.view(_above)[1:]:
+        yield os.path.join(above, name)
+        yield os.path.join(above, "models", name)
+
+
+def _packages(document: Document, name: str) -> Iterator[str]:
+    if (library := library_of(document)) is not None:
+        found = library.packages(document.path).find(name)
+        if found is not None:
+            yield str(found)
+    for above in document.view(_above)[1:]:
+        if os.path.basename(above) == name:
+            yield above
+        yield os.path.join(above, name)
+
+
+def _above(document: Document) -> list[str]:
+    """The document's folder as it is known; that folder and those above, up to where everybody's files begin."""
+    given = os.path.dirname(document.path) or "."
+    folder = Path(os.path.abspath(given))  # resolve() would follow links
+    home = Path(os.path.expanduser("~"))
+    shared = {home, *home.parents, Path(folder.anchor)} - {folder}
+    return [given, *(str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared)]

@@ -1,0 +1,294 @@
+"""Why something does not fit the table: the explaining side of the walk.
+
+Loaded only when there is something to explain. Each method takes one thing that the
+walk did not accept at once and either finds that it is sound all the same or notes a
+problem.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.folding import MOST, counted, folded
+from sdfcheck.formats.sdf import history, problems
+from sdfcheck.formats.sdf.belonging import likely_parents
+from sdfcheck.formats.sdf.needed import NOT_GIVEN
+from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf.text_pieces import stray_line
+from sdfcheck.formats.sdf.topology import standard_inside
+from sdfcheck.formats.sdf.value_problems import judge, text_problems
+from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.suggest import suggest
+from sdfcheck.source.element import Element, Value
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.sdf.survey import Survey
+
+# Without these the file is refused; for all else that is required a default is taken.
+_REFUSED = frozenset(
+    (
+        ("joint", "parent"),
+        ("joint", "child"),
+        ("world/include", "uri"),
+        ("model/include", "uri"),
+        ("material/script", "uri"),
+        ("material/script", "name"),
+        ("mesh/submesh", "name"),
+    )
+)
+
+# libsdformat goes by these wherever they stand.
+_FOUND_ANYWHERE = frozenset(("include",))
+
+# What is unknown in these is refused, not ignored.
+_CLOSED = frozenset(("material/pbr",))
+
+# Without these the rest of the model is refused, or is another one.
+_VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
+
+# Not in any version, and yet what Gazebo reads: told of among the names of its generations.
+_NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
+
+# The table allows one, and the readers take all.
+REPEATABLE = frozenset(("geometry/polyline",))
+
+_FIVE, _SEVEN = Version(1, 5), Version(1, 7)
+
+_VERSION = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
+
+
+class Findings:
+    """The problems of one document, collected during its walk."""
+
+    def __init__(self, survey: Survey) -> None:
+        self.survey = survey
+        self.version = survey.version
+        self.found: list[object] = []
+        self.stray: set[Element] = set()
+        self.strange: Counter[Element] = Counter()
+        """How many unknown attributes an element has."""
+        self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
+        self.missing_children: list[tuple[Element, Definition, str]] = []
+        self.too_new: dict[tuple[str, str], list[Element]] = {}
+        self.too_new_at: dict[tuple[str, str], tuple[Element, Version]] = {}
+
+    def root(self, root: Element, definition: Definition) -> None:
+        """The root's attributes; its version decides against what everything else is checked."""
+        for name in root.attributes:
+            if name != "version" and ":" not in name and not name.startswith("xmlns"):
+                self.unknown_attribute(root, definition, name)
+        version = root.attribute("version")
+        if version is None and (root, "version") in self.survey.slips:
+            return
+        if version is None or not version.text.strip():
+            self.found.append(problems.MissingVersion(root, self.version, empty=version is not None))
+        elif Version.parse(version.text) is None:
+            meant = _meant_version(version.text)
+            self.found.append(problems.UnknownVersion(version, meant, OLDEST, NEWEST))
+
+    # Elements
+
+    def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
+        """A child that the table does not list; returns its definition if only the version is too old."""
+        if callable(child.tag):
+            return None  # a comment or an instruction
+        name = child.name
+        if ":" in name:
+            self.custom(child, parent, place)
+            return None
+        definition = history.later(place, name)
+        if definition is not None:
+            since = history.since(place, name)
+            self.note_too_new(child, parent, definition.place, since)
+            return definition
+        old = history.last_version(place, name)
+        if old is not None:
+            successor = history.successor(place, name)
+            if not history.carried_over(place, name, self.version):
+                self.found.append(problems.RemovedElement(child, parent, None, old, successor))
+            return None
+        suggestion = suggest(name, place.children)
+        if places := history.known_parents(name):
+            places = likely_parents(places, parent, place)
+            ignored = name not in _FOUND_ANYWHERE
+            self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))
+        elif f"{place.name}/{name}" not in _NEVER_STANDARD:
+            refused = place.path in _CLOSED
+            self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
+        return None
+
+    def custom(self, child: Element, parent: Element, place: Definition) -> None:
+        """A prefixed element: free, except that it must not hold what belongs to the standard."""
+        self.survey.customs.append((child, parent, place))
+        name = child.attributes.get("name")
+        if name is not None:
+            self.survey.named[parent].append((child.name, name, child))
+        for element in standard_inside(child, parent, place):
+            self.found.append(problems.TopologyChanged(element, child, parent))
+
+    def note_too_new(self, element: Element, parent: Element, place: str, since: Version) -> None:
+        self.too_new.setdefault((place, ""), []).append(element)
+        self.too_new_at.setdefault((place, ""), (parent, since))
+
+    def repeated(self, element: Element, first: Element, parent: Element) -> None:
+        # What may stand at the root is judged as a whole, by the analysis of structure.
+        if parent.parent is not None and f"{parent.name}/{element.name}" not in REPEATABLE:
+            self.found.append(problems.RepeatedElement(element, first, parent))
+
+    def deprecated(self, element: Element, definition: Definition) -> None:
+        successor = history.deprecation(definition.place)
+        self.found.append(problems.DeprecatedElement(element, None, *successor))
+
+    def missing(self, parent: Element, place: Definition, name: str) -> None:
+        self.missing_children.append((parent, place, name))
+
+    def absent(self, parent: Element, place: Definition, name: str) -> object:
+        """A required child that is not there; a custom sibling may have been put in its stead."""
+        child = place.children[name]
+        customs = [custom for custom, owner, _ in self.survey.customs if owner is parent and len(custom) == 0]
+        customs.sort(key=lambda custom: custom.name.partition(":")[2] != name)
+        for custom in customs if child.type is not None else ():
+            if custom.content and child.accepts(custom.content):
+                return problems.ReplacedElement(custom, parent, name)
+        default = None if child.default == NOT_GIVEN else child.default
+        refused = (place.path, name) in _REFUSED or self.is_refused_axis(parent, name)
+        return problems.MissingElement(parent, name, default or None, refused)
+
+    def is_refused_axis(self, axis: Element, name: str) -> bool:
+        """An axis without direction in the frame of the model, as older files say it.
+
+        The conversion says so on its ``xyz``, and makes an empty one, which is refused.
+        """
+        if name != "xyz" or self.version >= _SEVEN:
+            return False
+        frame = axis.find("use_parent_model_frame")
+        if frame is None:
+            return self.version < _FIVE  # where that is what goes without saying
+        return frame.content.lower() in {"true", "1"}
+
+    def stray_text(self, element: Element) -> None:
+        if element in self.stray:
+            return
+        self.stray.add(element)
+        if (span := stray_line(element)) is not None:
+            self.found.append(problems.StrayText(span, element))
+
+    # Attributes
+
+    def attribute(
+        self, element: Element, parent: Element, definition: Definition, key: str, text: str
+    ) -> None:
+        """An attribute that is unknown, or whose value is not accepted at once."""
+        known = definition.attributes.get(key)
+        if known is not None:
+            self.attribute_value(element, definition, known, text)
+            return
+        name = key if key[0] != "{" else ""
+        if not name or ":" in name or "\ua4fd" in name:
+            return  # prefixed: free
+        newest = history.in_version(definition, NEWEST)
+        if newest is not None and name in newest.attributes:
+            since = history.since(definition, "@" + name)
+            self.too_new.setdefault((definition.place, name), []).append(element)
+            self.too_new_at.setdefault((definition.place, name), (parent, since))
+            known = newest.attributes[name]
+            if not known.accepts(text):
+                self.attribute_value(element, newest, known, text)
+            return
+        self.unknown_attribute(element, definition, name)
+
+    def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
+        old = history.last_version(definition, "@" + name)
+        if old is not None and not history.carried_over(definition, "@" + name, self.version):
+            successor = history.successor(definition, "@" + name)
+            parent = element.parent if element.parent is not None else element
+            self.found.append(problems.RemovedElement(element, parent, name, old, successor))
+        elif old is None:
+            self.strange[element] += 1
+            if self.strange[element] > MOST:
+                return
+            lacking = [each for each in definition.attributes if each not in element.attributes]
+            suggestion = suggest(name, lacking)
+            needed = suggestion in definition.required_attributes
+            if suggestion is not None:
+                self.survey.slips.add((element, suggestion))
+            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed))
+
+    def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
+        if (element, name) in self.survey.slips:
+            return
+        until = history.required_until(definition, name)
+        self.found.append(problems.MissingAttribute(element, name, empty=False, until=until))
+
+    def attribute_value(
+        self, element: Element, definition: Definition, known: AttributeDefinition, text: str
+    ) -> None:
+        value = Value(element, known.name, text)
+        if not text.strip():
+            until = history.required_until(definition, known.name)
+            if known.name == "name" and known.required:
+                self.found.append(problems.EmptyName(value, until))
+            elif known.required:
+                self.found.append(problems.MissingAttribute(element, known.name, empty=True, until=until))
+            return
+        newest = history.in_version(definition, NEWEST)
+        counterpart = newest.attributes.get(known.name) if newest else None
+        if counterpart is not None and counterpart.accepts(text):
+            return
+        self.found += judge(value, known, known.read(text))
+
+    # Values
+
+    def value(self, element: Element, parent: Element, definition: Definition) -> None:
+        """A leaf whose text is not accepted at once."""
+        for child in element.children():
+            self.unexpected(child, element, definition)
+        self.found += text_problems(element, definition)
+
+    def misspelt(self) -> set[tuple[Element, str]]:
+        """Note the unknown elements; what a misspelt one was meant to be is not missing as well."""
+        lacking = {
+            (parent, name): self.absent(parent, place, name) for parent, place, name in self.missing_children
+        }
+        taken: dict[tuple[Element, str | None], bool] = {}
+        for problem, place in self.unknown:
+            parent, name = key = problem.parent, problem.suggestion
+            if key not in taken:
+                taken[key] = name is None or (parent.has(name) and place.children[name].single)
+            if taken[key] or name is None:
+                self.found.append(problem)
+                continue
+            self.survey.slips.add((parent, name))
+            absent = lacking.get((parent, name))
+            refused = isinstance(absent, problems.MissingElement) and absent.refused
+            refused |= problem.refused or f"{parent.name}/{name}" in _VITAL
+            self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
+        return self.survey.slips
+
+    def conclude(self) -> list[object]:
+        """Everything found, once the walk is over."""
+        lost = self.misspelt()
+        for parent, place, name in self.missing_children:
+            if (parent, name) not in lost:
+                self.found.append(self.absent(parent, place, name))
+        for key, uses in self.too_new.items():
+            attribute = key[1]
+            parent, since = self.too_new_at[key]
+            first, all_uses = uses[0], tuple(uses)
+            root = self.survey.document.root
+            declaration = root.attribute("version") if root is not None else None
+            assert declaration is not None, "without one nothing is too new"
+            if attribute:
+                self.found.append(problems.TooNewAttribute(first, attribute, since, declaration, all_uses))
+            else:
+                self.found.append(problems.TooNewElement(first, parent, since, declaration, all_uses))
+        return folded(counted(self.found, self.strange))
+
+
+def _meant_version(text: str) -> str | None:
+    """The version behind a slip: blanks around it, a leading zero, a third number, a comma."""
+    found = _VERSION.match(text)
+    version = Version.parse(f"1.{found[1]}") if found else None
+    return str(version) if version else None

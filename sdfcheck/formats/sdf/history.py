@@ -1,0 +1,174 @@
+"""What other versions and other places know: for explaining what one version does not allow.
+
+Names of attributes are written with an ``@`` throughout: ``since(pose, "@degrees")``.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
+from sdfcheck.formats.sdf.table import Row, block, newest_name, spans, stems
+from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.source.record import NamedTuple
+
+_NOTES = Path(__file__).parents[1] / "data" / "sdf-notes.txt"
+_ALL = frozenset(range(OLDEST.minor, NEWEST.minor + 1))
+
+
+class Place(NamedTuple):
+    """One place at which an element or attribute of a name stands, and the versions that have it there."""
+
+    parent: str
+    """The names that lead to the parent, from the start of its definition: ``joint/axis/limit``."""
+    place: str
+    """``joint:joint/axis/limit/lower``."""
+    versions: tuple[Version, ...]
+
+
+class Deprecation(NamedTuple):
+    """What is told of a deprecated element or value: what to use instead, and since when."""
+
+    successor: str | None
+    since: str
+
+
+def in_version(definition: Definition, version: Version) -> Definition | None:
+    """The definition of the same place in another version; None where that version has no such place."""
+    return schema(version).at(definition.place)
+
+
+def versions(parent: Definition, name: str) -> tuple[Version, ...]:
+    """The versions that have a child or an ``@attribute`` of a name at this place."""
+    found: set[Version] = set()
+    for version in _sorted_versions(_ALL):
+        other = in_version(parent, version)
+        if other is not None and (name[1:] in other.attributes if name[0] == "@" else name in other.children):
+            found.add(version)
+    return tuple(sorted(found))
+
+
+def since(parent: Definition, name: str) -> Version:
+    """The next version that has what the parent's own version has not; otherwise the first one that has it.
+
+    Raises LookupError when no version has it.
+    """
+    known = versions(parent, name)
+    later = [version for version in known if version > parent.version]
+    if not known:
+        raise LookupError(f"no version has {name} in {parent.place}")
+    return known[0] if parent.version in known or not later else later[0]
+
+
+def later(parent: Definition, name: str) -> Definition | None:
+    """A child that the parent's version has not yet, as the last version that has it defines it."""
+    newest = in_version(parent, NEWEST)
+    if newest is not None and name in newest.children:
+        return newest.children[name]
+    last = max(versions(parent, name), default=parent.version)
+    holder = in_version(parent, last) if last > parent.version else None
+    return holder.children[name] if holder is not None else None
+
+
+def last_version(parent: Definition, name: str) -> Version | None:
+    """The last version before the parent's own that had what it has no more."""
+    return max((version for version in versions(parent, name) if version < parent.version), default=None)
+
+
+def successor(parent: Definition, name: str) -> str | None:
+    """What took the place of a child or an ``@attribute`` that is deprecated or gone."""
+    return _successors().get(f"{parent.place}/{name}", (None, ""))[0]
+
+
+def deprecation(place: str) -> Deprecation:
+    """What is told of a place that its definition calls deprecated."""
+    known = _successors().get(place)
+    return Deprecation(*known) if known else Deprecation(None, "")
+
+
+def renamed_value(definition: AttributeDefinition, value: str) -> str | None:
+    """The name that came in for a value still accepted: ``lidar`` for the sensor type ``ray``."""
+    rows = _notes("renamed")
+    return next((new for place, old, new in rows if place == definition.place and old == value), None)
+
+
+def carried_over(parent: Definition, name: str, version: Version) -> bool:
+    """Whether readers convert it on loading a document of that version, so that nothing is lost."""
+    place = f"{parent.place}/{name}"
+    rules = (Version.parse(last) for moved, last in _notes("moved") if moved == place)
+    return any(last is not None and last >= version for last in rules)
+
+
+def known_places(name: str) -> tuple[Place, ...]:
+    """All places, in any version, at which an element or an ``@attribute`` of a name stands."""
+    return _places().get(name, ())
+
+
+def known_parents(name: str) -> tuple[str, ...]:
+    """The parents, as names from the start of their definition, that allow an element of a name somewhen."""
+    return tuple(dict.fromkeys(place.parent for place in known_places(name)))
+
+
+def unit(definition: Definition) -> str | None:
+    """The unit of a value, as far as the descriptions state one."""
+    return next((text for place, text in _notes("unit") if place == definition.place), None)
+
+
+@cache
+def reserved_name_holders() -> frozenset[str]:
+    """The elements whose ``name`` libsdformat checks for reserved words."""
+    return frozenset(_notes("reserved")[0][0].split(","))
+
+
+@cache
+def _successors() -> dict[str, tuple[str | None, str]]:
+    rows = ((*row, "", "", "") for row in _notes("successor"))
+    return {place: (to or None, since) for place, since, _, to, *_ in rows}
+
+
+@cache
+def _notes(kind: str) -> tuple[tuple[str, ...], ...]:
+    lines = (line.split("\t") for line in _NOTES.read_text("utf-8").splitlines())
+    return tuple(tuple(fields) for first, *fields in lines if first == kind)
+
+
+@cache
+def _places() -> dict[str, tuple[Place, ...]]:
+    found: dict[str, list[Place]] = {}
+
+    def collect(row: Row, path: str, place: str, lives: frozenset[int]) -> None:
+        for inner in row.rows:
+            alive = lives & _minors(inner.life)
+            entry = Place(path, f"{place}/{inner.name}", _sorted_versions(alive))
+            found.setdefault(inner.name, []).append(entry)
+            collect(inner, f"{path}/{inner.name}", entry.place, alive)
+
+    for stem in stems():
+        top = block(stem)
+        name = newest_name(top)
+        collect(top, name, f"{stem}:{name}", _minors(top.life))
+    return {name: tuple(sorted(entries)) for name, entries in found.items()}
+
+
+@cache
+def _minors(life: str) -> frozenset[int]:
+    if not life:
+        return _ALL
+    return frozenset(minor for first, last in spans(life) for minor in range(first, last + 1))
+
+
+@cache
+def _sorted_versions(minors: frozenset[int]) -> tuple[Version, ...]:
+    return tuple(Version(NEWEST.major, minor) for minor in sorted(minors))
+
+
+def required_until(definition: Definition, attribute: str) -> Version | None:
+    """The last version that requires an attribute; None if the newest one does."""
+    last = None
+    for minor in range(OLDEST.minor, NEWEST.minor + 1):
+        there = schema(Version(1, minor)).at(definition.place)
+        known = there.attributes.get(attribute) if there else None
+        if known is not None and known.required:
+            last = Version(1, minor)
+    return None if last == NEWEST else last

@@ -1,0 +1,288 @@
+"""What the formats find wrong with a document: small values that rules put into words."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import Record
+from sdfcheck.source.text import Span
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.reading import Reading
+    from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
+    from sdfcheck.formats.sdf.version import Version
+    from sdfcheck.formats.urdf.table import UrdfAttribute
+
+
+class MissingVersion(Record):
+    """The root element has no ``version``, or an ``empty`` one; all else is judged as of ``assumed``."""
+
+    element: Element
+    assumed: Version
+    empty: bool = False
+
+
+class UnknownVersion(Record):
+    """A version that no reader knows; ``meant`` is the one that it was probably meant to be.
+
+    ``oldest`` and ``newest`` are the ends of those that are known.
+    """
+
+    value: Value
+    meant: str | None
+    oldest: Version
+    newest: Version
+
+
+class UnknownAttribute(Record):
+    """An attribute that no version knows there.
+
+    ``needed``: the suggestion is required and missing. ``more``: so many others of the element are unknown, of
+    which only some are told.
+    """
+
+    element: Element
+    attribute: str
+    suggestion: str | None
+    needed: bool = False
+    more: int = 0
+
+
+class UnknownElement(Record):
+    """An element that no version knows anywhere.
+
+    ``refused`` where libsdformat does more than warn, for it or for what it was meant to be.
+    """
+
+    element: Element
+    parent: Element
+    suggestion: str | None
+    refused: bool = False
+
+
+class MisplacedElement(Record):
+    """A standard element where its parent does not allow it.
+
+    ``places`` are the parents that do, the likeliest first and those only if there are
+    any. ``ignored`` is False for what readers find wherever it stands.
+    """
+
+    element: Element
+    parent: Element
+    places: tuple[str, ...]
+    suggestion: str | None
+    ignored: bool = True
+
+
+class TooNewElement(Record):
+    """An element that the declared version does not have yet.
+
+    ``uses`` are all elements of this name and place, ``declaration`` is the version that the
+    file declares.
+    """
+
+    element: Element
+    parent: Element
+    since: Version
+    declaration: Value
+    uses: tuple[Element, ...]
+
+
+class TooNewAttribute(Record):
+    """An attribute that the declared version does not have yet; as :class:`TooNewElement`."""
+
+    element: Element
+    attribute: str
+    since: Version
+    declaration: Value
+    uses: tuple[Element, ...]
+
+
+class RemovedElement(Record):
+    """Dropped before the declared version; ``until`` is the last version that had it.
+
+    ``attribute`` is None when it is the element that was dropped. ``others`` use it as well.
+    """
+
+    element: Element
+    parent: Element
+    attribute: str | None
+    until: Version
+    successor: str | None
+    others: tuple[Element, ...] = ()
+
+
+class DeprecatedElement(Record):
+    """Marked deprecated; ``value`` where it is a value (a sensor type) that is.
+
+    ``announced``: only said to go some day, and read by everybody still.
+    ``settings`` is the element that goes by the old name of the value.
+    """
+
+    element: Element
+    value: Value | None
+    successor: str | None
+    since: str
+    announced: bool = False
+    settings: Element | None = None
+
+
+class MissingElement(Record):
+    """A required child is absent; ``refused`` when libsdformat does not take the file so.
+
+    ``default`` is the value that is taken instead, None where there is none to speak of.
+    """
+
+    element: Element
+    child: str
+    default: str | None
+    refused: bool = False
+
+
+class ReplacedElement(Record):
+    """A required child is absent and the custom element stands in for it."""
+
+    custom: Element
+    element: Element
+    child: str
+
+
+class MissingAttribute(Record):
+    """A required attribute is absent, or ``empty``.
+
+    ``until`` is the last version that requires it, where the newest one does not; then
+    only readers of that time refuse the file.
+    """
+
+    element: Element
+    attribute: str
+    empty: bool
+    until: Version | None = None
+
+
+class EmptyName(Record):
+    """A name of nothing but blanks; ``until`` as in :class:`MissingAttribute`."""
+
+    value: Value
+    until: Version | None = None
+
+
+class RepeatedElement(Record):
+    """A child that may occur once, given again: only the first counts.
+
+    ``refused``: libsdformat does not take the file. That is so for a second model, light
+    or actor at the root, where ``element`` and ``first`` may be of different names.
+    ``others`` are given still later.
+    """
+
+    element: Element
+    first: Element
+    parent: Element
+    refused: bool = False
+    others: tuple[Element, ...] = ()
+
+
+class StrayText(Record):
+    """Text in an element that holds only elements; ``span`` is its first line."""
+
+    span: Span
+    element: Element
+
+
+class BadValue(Record):
+    """A value that is not read as written; ``reading`` says why. Subclasses are told apart by rules."""
+
+    value: Value
+    definition: Definition | AttributeDefinition | UrdfAttribute
+    reading: Reading
+    span: Span
+
+
+class MalformedValue(BadValue):
+    """Not of the type, which is refused; or empty, where (unless refused) the default is taken."""
+
+
+class MisreadValue(BadValue):
+    """Accepted, and read as something else."""
+
+
+class WrongComponentCount(BadValue):
+    """Too few or too many numbers."""
+
+
+class CutText(Record):
+    """A value that ends at a comment: what follows, ``rest``, is not read."""
+
+    value: Value
+    rest: Span
+
+
+class ReversedRange(Record):
+    """Two bounds in the wrong order; ``text`` says it with their names and values."""
+
+    lower: Value
+    upper: Value
+    text: str
+
+
+class ValueOutOfRange(Record):
+    """Outside the range that the format states; ``refused`` when libsdformat refuses it.
+
+    ``instead`` is what libsdformat takes in its place, where it does.
+    """
+
+    value: Value
+    span: Span
+    bound: str
+    refused: bool
+    instead: str | None = None
+
+
+class UnknownChoice(Record):
+    """A value that is none of those listed; ``refused`` when libsdformat refuses it."""
+
+    value: Value
+    choices: tuple[str, ...]
+    suggestion: str | None
+    refused: bool
+
+
+class MissingShape(Record):
+    """A geometry without shape, or a visual or collision without geometry."""
+
+    element: Element
+
+
+class SeveralShapes(Record):
+    """``element`` is ignored because ``first`` is taken."""
+
+    element: Element
+    first: Element
+
+
+class ConflictingRotation(Record):
+    """A pose whose attributes do not go together: degrees with a quaternion."""
+
+    value: Value
+    format: Value
+
+
+class MismatchedSensor(Record):
+    """A sensor whose ``type`` and settings disagree.
+
+    ``wrong`` is a settings element of another type; None when the settings that the
+    type reads, ``expected``, are absent.
+    """
+
+    type: Value
+    expected: str
+    wrong: Element | None
+
+
+class TopologyChanged(Record):
+    """A standard element inside a custom one, where no reader looks for it."""
+
+    element: Element
+    custom: Element
+    parent: Element

@@ -1,0 +1,178 @@
+"""The one walk over an SDF document: every element against the table of its version.
+
+The walk also notes where the standard elements stand, so that whoever needs "all
+joints" need not walk again. A sound document is walked by the fast path alone, which
+asks ``Definition.accepts``; whatever that does not accept at once is explained by
+:mod:`sdfcheck.formats.sdf.findings`, which a sound document never loads.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.sdf.findings import Findings
+
+
+_REMEMBERED = 1000
+"""So many accepted texts are kept for each place: most worlds repeat themselves."""
+
+
+class Survey:
+    """What the walk found.
+
+    ``index`` lists the standard elements by name, in document order: those that stand
+    where the table places them, so nothing inside plugins or custom elements.
+    ``named`` lists, per parent, its children that have a ``name``.
+    """
+
+    __slots__ = ("customs", "document", "index", "named", "places", "problems", "slips", "version")
+
+    def __init__(self, document: Document) -> None:
+        root = document.root
+        text = document.version if root is not None and root.name == "sdf" else None
+        self.prepare(document, (Version.parse(text) if text else None) or NEWEST)
+        if root is not None and root.name == "sdf":
+            self.problems += _Walk(self).run(root)
+
+    def prepare(self, document: Document, version: Version) -> None:
+        """Be empty."""
+        self.document = document
+        self.version = version
+        """The declared version; the newest one where none or an unknown one is declared."""
+        self.index: defaultdict[str, list[Element]] = defaultdict(list)
+        self.named: defaultdict[Element, list[tuple[str, str, Element]]] = defaultdict(list)
+        """Parent → (element name, value of its ``name``, element)."""
+        self.customs: list[tuple[Element, Element, Definition]] = []
+        """Custom elements that stand in standard ones, with their parent and its definition."""
+        self.problems: list[object] = []
+        self.slips: set[tuple[Element, str]] = set()
+        """What elements lack only because a child or attribute of theirs is misspelt."""
+
+
+def survey(document: Document) -> Survey:
+    """The survey of a document, made once."""
+    return document.view(Survey)
+
+
+def problems(document: Document) -> list[object]:
+    """What the walk found wrong."""
+    return survey(document).problems
+
+
+def examine(element: Element, definition: Definition) -> list[object]:
+    """What is wrong with an element where the walk does not go, taken for what ``definition`` describes."""
+    notes = Survey.__new__(Survey)
+    notes.prepare(element.document, definition.version)
+    return _Walk(notes).part(element, definition)
+
+
+class _Walk:
+    def __init__(self, result: Survey) -> None:
+        self.index = result.index
+        self.named = result.named
+        self.result = result
+        self._findings: Findings | None = None
+
+    @property
+    def findings(self) -> Findings:
+        """The explaining side, loaded when there is something to explain."""
+        if self._findings is None:
+            from sdfcheck.formats.sdf.findings import Findings
+
+            self._findings = Findings(self.result)
+        return self._findings
+
+    def run(self, root: Element) -> list[object]:
+        definition = schema(self.result.version).root
+        version = definition.attributes["version"]
+        self.index[root.tag].append(root)
+        items = root.items()
+        if len(items) != 1 or items[0][0] != "version" or not version.accepts(items[0][1]):
+            self.findings.root(root, definition)
+        self.children(root, definition)
+        return self._findings.conclude() if self._findings else []
+
+    def part(self, element: Element, definition: Definition) -> list[object]:
+        parent = element.parent
+        assert parent is not None
+        self.attributes(element, parent, definition, element.items())
+        if definition.type is not None:
+            self.findings.value(element, parent, definition)
+        elif not definition.open:
+            self.children(element, definition)
+        return self._findings.conclude() if self._findings else []
+
+    def children(self, parent: Element, place: Definition) -> None:  # noqa: C901, PLR0912 - the hot loop
+        """Check the children of one container, and theirs."""
+        allowed = place.children
+        index = self.index
+        seen: dict[str, Element] = {}
+        if (text := parent.text) and not text.isspace():
+            self.findings.stray_text(parent)
+        for child in parent:
+            tag = child.tag
+            if (text := child.tail) and not text.isspace():
+                self.findings.stray_text(parent)
+            definition = allowed.get(tag)
+            if definition is None:
+                definition = self.findings.unexpected(child, parent, place)
+                if definition is None:
+                    continue
+            index[tag].append(child)
+            items = child.items()
+            if items or definition.required_attributes:
+                self.attributes(child, parent, definition, items)
+            if tag not in seen:
+                seen[tag] = child
+            elif definition.single:
+                self.findings.repeated(child, seen[tag], parent)
+            if definition.type is not None:
+                if items or child.text not in definition.sound or len(child):
+                    self.leaf(child, parent, definition, items)
+            elif not definition.open:
+                self.children(child, definition)
+            if definition.deprecated:
+                self.findings.deprecated(child, definition)
+        for name in place.needed_children:
+            if name not in seen:
+                self.findings.missing(parent, place, name)
+
+    def leaf(
+        self, element: Element, parent: Element, definition: Definition, items: list[tuple[str, str]]
+    ) -> None:
+        """Check a value that was not met before."""
+        text = element.text
+        if not text and definition.type == "pose" and not len(element) and not _is_rotated(items):
+            return  # <pose relative_to="…"/>: no displacement
+        if len(element) or not definition.accepts(text or "") or _is_rotated(items):
+            self.findings.value(element, parent, definition)
+        elif len(definition.sound) < _REMEMBERED:
+            definition.sound.add(text)
+
+    def attributes(
+        self, element: Element, parent: Element, definition: Definition, items: list[tuple[str, str]]
+    ) -> None:
+        allowed = definition.attributes
+        given = set()
+        for key, text in items:
+            given.add(key)
+            if key == "name":
+                self.named[parent].append((element.tag, text, element))
+            attribute = allowed.get(key)
+            if attribute is None or not attribute.accepts(text):
+                self.findings.attribute(element, parent, definition, key, text)
+        for name in definition.required_attributes:
+            if name not in given:
+                self.findings.missing_attribute(element, definition, name)
+
+
+def _is_rotated(items: list[tuple[str, str]]) -> bool:
+    """A pose whose attributes change how its numbers are read."""
+    return bool(items) and any(key == "rotation_format" for key, _ in items)

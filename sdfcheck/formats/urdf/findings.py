@@ -1,0 +1,293 @@
+"""Why something does not fit URDF's table: the explaining side of the walk.
+
+Loaded only when there is something to explain.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.folding import MOST, folded
+from sdfcheck.formats.reading import Outcome
+from sdfcheck.formats.sdf import problems
+from sdfcheck.formats.sdf.text_pieces import stray_line
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.urdf import problems as urdf_problems
+from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, UrdfElement, is_expression, known_parents
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.text import Span
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.urdf.survey import UrdfSurvey
+
+_VALUE_PROBLEMS = {
+    Outcome.MISREAD: problems.MisreadValue,
+    Outcome.WRONG_COUNT: problems.WrongComponentCount,
+}
+_EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+
+
+class UrdfFindings:
+    """The problems of one document, collected during its walk."""
+
+    def __init__(self, survey: UrdfSurvey) -> None:
+        self.survey = survey
+        self.found: list[object] = []
+        self.stray: set[Element] = set()
+        self.unknown: dict[tuple[str, str], list[Element]] = {}
+        self.strange: Counter[Element] = Counter()
+        """How many unknown attributes an element has."""
+        self.unknown_values: dict[tuple[str, str], list[Value]] = {}
+        self.parents: dict[Element, Element] = {}
+        """What the unknown elements stand in; xacro's conditions around them do not count."""
+        self.places: dict[Element, UrdfElement] = {}
+        """The definitions of elements with something unknown in them."""
+
+    # Elements
+
+    def unexpected(self, child: Element, parent: Element, place: UrdfElement) -> None:
+        """A child that the table does not list."""
+        name = child.name
+        if ":" in name:
+            self.survey.customs.append(child)
+            return
+        if place.name == "geometry":
+            return  # a shape, in its way
+        self.places[parent] = place
+        self.parents[child] = parent
+        self.unknown.setdefault((place.name, name), []).append(child)
+
+    def repeated(self, element: Element, first: Element, parent: Element, place: UrdfElement) -> None:
+        if place.name == "geometry":
+            self.found.append(problems.SeveralShapes(element, first))
+        else:
+            self.found.append(problems.RepeatedElement(element, first, parent))
+
+    def shape(self, geometry: Element, place: UrdfElement, seen: dict[str, Element]) -> None:
+        """A geometry: urdfdom looks at its first element and at nothing else."""
+        shown = geometry.parent if geometry.parent is not None else geometry
+        children = list(geometry.children())
+        if not children:
+            self.found.append(urdf_problems.MissingGeometry(geometry, shown))
+            return
+        first = children[0]
+        if first.name not in place.children:
+            suggestion = suggest(first.name, place.children)
+            self.found.append(urdf_problems.UnknownShape(first, shown, suggestion))
+        for other in children[1:]:
+            if other.name not in place.children:
+                if ":" not in other.name:
+                    self.places[geometry] = place
+                    self.parents[other] = geometry
+                    self.unknown.setdefault((place.name, other.name), []).append(other)
+            elif other.name != first.name and seen.get(other.name) is other:
+                self.found.append(problems.SeveralShapes(other, first))
+
+    def missing_child(self, parent: Element, name: str) -> None:
+        place = self.places.get(parent)
+        if place and any(_meant(child, place) == name for child in parent.children()):
+            return  # it is there, misspelt
+        if parent.tag == "inertial":
+            link = parent.parent
+            assert link is not None
+            self.found.append(urdf_problems.IncompleteInertial(parent, link, (name,)))
+        elif name == "geometry":
+            self.found.append(urdf_problems.MissingGeometry(parent, parent))
+        else:
+            self.found.append(problems.MissingElement(parent, name, None, refused=True))
+
+    def too_new(self, element: Element, since: Version) -> None:
+        self.found.append(
+            urdf_problems.FeatureAboveVersion(element, element.name, str(since), str(self.survey.version))
+        )
+
+    def stray_text(self, element: Element) -> None:
+        if element not in self.stray:
+            self.stray.add(element)
+            span = stray_line(element)
+            if span is not None:
+                self.found.append(problems.StrayText(span, element))
+
+    # Attributes
+
+    def attribute(self, element: Element, definition: UrdfElement, key: str, text: str) -> None:
+        """An attribute that is unknown, too new, or whose value is not accepted at once."""
+        known = definition.attributes.get(key)
+        if known is None:
+            if key[0] != "{" and ":" not in key and "\ua4fd" not in key:
+                self.places[element] = definition
+                self.strange[element] += 1
+                if self.strange[element] > MOST:
+                    return
+                self.unknown_values.setdefault((element.name, key), []).append(Value(element, key, text))
+            return
+        if known.since > self.survey.version:
+            value = Value(element, key, text)
+            self.found.append(
+                urdf_problems.FeatureAboveVersion(value, key, str(known.since), str(self.survey.version))
+            )
+        self.attribute_value(element, known, text)
+
+    def attribute_value(self, element: Element, known: UrdfAttribute, text: str) -> None:
+        """The value of a known attribute, as it stands in the file."""
+        value = Value(element, known.name, text)
+        if known.type == "version":
+            if text not in known.choices:
+                meant = next((v for v in map(str, VERSIONS) if v == text.strip() or v == f"{text}.0"), None)
+                self.found.append(problems.UnknownVersion(value, meant, VERSIONS[0], VERSIONS[-1]))
+        elif not text.strip():
+            # Empty names belong to the analysis of names.
+            if known.name != "name" and (known.is_number or known.required):
+                self.found.append(problems.MissingAttribute(element, known.name, empty=True))
+        else:
+            self.judge(value, known)
+
+    def missing_attributes(self, element: Element, missing: tuple[str, ...]) -> None:
+        if place := self.places.get(element):
+            meant = {_meant_attribute(element, key, place) for key in element.attributes}
+            missing = tuple(each for each in missing if each not in meant)
+            if not missing:
+                return
+        parent = element.parent
+        name = element.name
+        if name == "axis" and not _moves(parent):
+            return
+        self.stray.add(element)  # its text is where the value was put
+        if name == "limit" and parent is not None:
+            kind = parent.attributes.get("type", "")
+            self.found.append(urdf_problems.MissingLimit(parent, element, kind, missing))
+        elif name == "inertia" and parent is not None and parent.parent is not None:
+            self.found.append(urdf_problems.IncompleteInertial(element, parent.parent, missing))
+        elif name == "mesh" and parent is not None and parent.parent is not None:
+            self.found.append(urdf_problems.MissingGeometry(element, parent.parent))
+        else:
+            self.found += [problems.MissingAttribute(element, each, empty=False) for each in missing]
+
+    # Values
+
+    def setting(self, element: Element, known: UrdfAttribute) -> None:
+        """A number in ``<gazebo>``, in the attribute ``value`` or as text."""
+        from sdfcheck.formats.sdf.values import read
+
+        value = element.attribute("value") or element.own_value
+        reading = read(known.type, value.text, required=True)
+        if reading.outcome is Outcome.EMPTY:
+            self.found.append(problems.MalformedValue(value, known, reading, element.span))
+        elif not reading.is_fine and not is_expression(value.text):
+            kind = _VALUE_PROBLEMS.get(reading.outcome, problems.MalformedValue)
+            self.found.append(kind(value, known, reading, _part(value, reading.start, reading.end)))
+
+    def judge(self, value: Value, known: UrdfAttribute) -> None:
+        """Turn the reading of a value into the problem that it is."""
+        text = _written(value)
+        reading = known.read(text)
+        if reading.is_fine or is_expression(text):
+            return
+        span = _part(value, reading.start, reading.end)
+        if reading.outcome is Outcome.NOT_A_CHOICE:
+            near = suggest(text, known.choices)
+            self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True))
+        elif reading.outcome is Outcome.OUT_OF_RANGE:
+            instead = reading.range.instead if reading.range is not None else None
+            bound = str(reading.range)
+            self.found.append(problems.ValueOutOfRange(value, span, bound, reading.refused, instead))
+        else:
+            kind = _VALUE_PROBLEMS.get(reading.outcome, problems.MalformedValue)
+            self.found.append(kind(value, known, reading, span))
+
+    def expressions(self) -> None:
+        """What xacro would have replaced, reported once: it is one step that was left out."""
+        source = self.survey.document.source
+        comments = [match.span() for match in _COMMENT.finditer(source.text)]
+        places = [
+            match.span()
+            for match in _EXPRESSION.finditer(source.text)
+            if not any(start <= match.start() < end for start, end in comments)
+        ]
+        if places:
+            self.found.append(urdf_problems.UnexpandedExpression(source.span(*places[0]), len(places)))
+
+    def conclude(self) -> list[object]:
+        """Everything found, once the walk is over."""
+        for uses in self.unknown.values():
+            parent = self.parents[uses[0]]
+            near = _meant(uses[0], self.places[parent])
+            needed = near is not None and _needs(parent, self.places[parent], near)
+            places = known_parents(uses[0].name)
+            self.found.append(
+                urdf_problems.UnknownUrdfElement(uses[0], parent, near, places, tuple(uses), needed)
+            )
+        for values in self.unknown_values.values():
+            element, name = values[0].element, values[0].attribute
+            assert name is not None
+            near = _meant_attribute(element, name, self.places[element])
+            needed = near in self.places[element].required_attributes
+            needed = needed and (element.name != "axis" or _moves(element.parent))
+            if element.name == "dynamics":
+                needed = near is not None and not {"damping", "friction"} & element.attributes.keys()
+            count = self.strange.pop(element, 0)
+            more = count - 1 if count > MOST else 0
+            self.found.append(
+                urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more)
+            )
+        return folded(self.found)
+
+
+def _meant(child: Element, place: UrdfElement) -> str | None:
+    """What an unknown element was probably meant to be, among what its parent lacks."""
+    name = child.name
+    if name in place.children or child.parent is None:
+        return None
+    siblings = {sibling.name for sibling in child.parent.children()}
+    return suggest(name, [n for n, each in place.children.items() if n not in siblings or not each.single])
+
+
+def _meant_attribute(element: Element, name: str, place: UrdfElement) -> str | None:
+    if name in place.attributes:
+        return None
+    return suggest(name, [each for each in place.attributes if each not in element.attributes])
+
+
+def _needs(parent: Element, place: UrdfElement, child: str) -> bool:
+    """Whether the element cannot do without such a child."""
+    if place.name == "robot" and child == "link":
+        return True
+    if place.name == "joint" and child == "limit":
+        return parent.attributes.get("type") in {"revolute", "prismatic"}
+    if place.name == "material":
+        return not _is_in_visual(parent) and not parent.has("color") and not parent.has("texture")
+    return child in place.required_children and not parent.has(child)
+
+
+def _moves(joint: Element | None) -> bool:
+    """Whether urdfdom reads the axis of a joint."""
+    return joint is not None and joint.attributes.get("type") not in {"fixed", "floating"}
+
+
+def _is_in_visual(material: Element) -> bool:
+    """Whether a material is that of a visual, where its name alone will do."""
+    return material.parent is not None and material.parent.name != "robot"
+
+
+def _written(value: Value) -> str:
+    """A value with the tabs and line breaks of the file, which the parser has turned into spaces."""
+    if value.element.document.is_expanded:
+        return value.text  # xacro writes spaces
+    text = value.span.text
+    return text if "&" not in text and _unbroken(text) == value.text else value.text
+
+
+def _unbroken(text: str) -> str:
+    return text.replace("\r\n", " ").translate({ord(blank): " " for blank in "\t\n\r"})
+
+
+def _part(value: Value, start: int, end: int) -> Span:
+    """The place of a part of a value; all of it where the file has it otherwise (entities, an expression)."""
+    span = value.span
+    if "&" in span.text or _unbroken(span.text) != value.text:
+        return span
+    return Span(span.source, span.start + start, span.start + end)

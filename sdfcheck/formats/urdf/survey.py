@@ -1,0 +1,186 @@
+"""The one walk over a URDF document: every element against the table.
+
+As in SDFormat's survey, the walk notes where the standard elements stand, asks the
+table's quick checks, and leaves to :mod:`sdfcheck.formats.urdf.findings` whatever they
+do not accept at once.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, is_expression, urdf
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from sdfcheck.formats.urdf.findings import UrdfFindings
+
+_REMEMBERED = 1000
+"""So many accepted texts are kept for each attribute: most robots repeat themselves."""
+
+_WRAPPED_VALUE = re.compile(r"=\s*(?:\"[^\"<]*[\t\n\r]|'[^'<]*[\t\n\r])")
+
+
+class UrdfSurvey:
+    """What the walk found.
+
+    ``index`` lists the elements by name, in document order: those that stand where the
+    table places them, so nothing inside ``<gazebo>`` or ``<transmission>``. A document
+    that xacro has yet to expand is not looked into.
+    """
+
+    __slots__ = ("customs", "document", "index", "problems", "root", "version")
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.index: defaultdict[str, list[Element]] = defaultdict(list)
+        self.customs: list[Element] = []
+        """Prefixed elements that stand in standard ones."""
+        self.problems: list[object] = []
+        self.version = VERSIONS[0]
+        """The declared version of URDF; the first where none or an unknown one is declared."""
+        root = document.root
+        self.root = root if root is not None and root.name == "robot" and not _is_xacro(root) else None
+        """The element ``robot``; None where there is none to check."""
+        if self.root is not None:
+            declared = document.version or ""
+            self.version = next((v for v in VERSIONS if str(v) == declared), VERSIONS[0])
+            self.problems = UrdfWalk(self).run(self.root)
+
+    def top(self, name: str) -> list[Element]:
+        """The children of ``robot`` of that name."""
+        return [element for element in self.index.get(name, ()) if element.parent is self.root]
+
+
+def survey(document: Document) -> UrdfSurvey:
+    """The survey of a document, made once."""
+    return document.view(UrdfSurvey)
+
+
+def problems(document: Document) -> list[object]:
+    """What the shape of a URDF document makes wrong with it."""
+    return survey(document).problems
+
+
+class UrdfWalk:
+    """One walk; what it meets that is not accepted at once goes to its findings."""
+
+    def __init__(self, result: UrdfSurvey) -> None:
+        self.result = result
+        self.index = result.index
+        self.version = result.version
+        self._findings: UrdfFindings | None = None
+        text = result.document.source.text
+        self.has_expressions = is_expression(text)
+        # A tab or line break in a value matters, and the parser has turned it into a space.
+        self.is_wrapped = _WRAPPED_VALUE.search(text) is not None
+
+    @property
+    def findings(self) -> UrdfFindings:
+        """The explaining side, loaded when there is something to explain."""
+        if self._findings is None:
+            from sdfcheck.formats.urdf.findings import UrdfFindings
+
+            self._findings = UrdfFindings(self.result)
+        return self._findings
+
+    def run(self, root: Element) -> list[object]:
+        definition = urdf()
+        self.index["robot"].append(root)
+        self.attributes(root, definition)
+        self.children(root, definition)
+        if self.has_expressions:
+            self.findings.expressions()
+        return self.conclude()
+
+    def conclude(self) -> list[object]:
+        """All problems, once every element is walked over."""
+        if "<gazebo" in self.result.document.source.text:
+            self.extensions()
+        return self._findings.conclude() if self._findings else []
+
+    def children(self, parent: Element, place: UrdfElement) -> None:  # noqa: C901 - the hot loop
+        """Check the children of one container, and theirs."""
+        allowed = place.children
+        seen: dict[str, Element] = {}
+        if (text := parent.text) and not text.isspace():
+            self.findings.stray_text(parent)
+        for child in parent:
+            tag = child.tag
+            if (text := child.tail) and not text.isspace():
+                self.findings.stray_text(parent)
+            definition = allowed.get(tag)
+            if definition is None:
+                if not callable(tag):  # no comment or instruction
+                    self.findings.unexpected(child, parent, place)
+                continue
+            if tag not in seen:
+                seen[tag] = child
+            elif definition.single:
+                self.findings.repeated(child, seen[tag], parent, place)
+                continue
+            self.element(child, definition)
+        for name in place.required_children:
+            if name not in seen:
+                self.findings.missing_child(parent, name)
+        if parent.tag == "geometry" and not (len(seen) == len(parent) == 1):
+            self.findings.shape(parent, place, seen)
+
+    def element(self, element: Element, definition: UrdfElement) -> None:
+        """Check an element that stands where it may, and all that is in it."""
+        self.index[element.tag].append(element)
+        self.attributes(element, definition)
+        if definition.since > self.version:
+            self.findings.too_new(element, definition.since)
+        if not definition.open and (definition.children or len(element) or element.text):
+            self.children(element, definition)
+
+    def attributes(self, element: Element, definition: UrdfElement) -> None:
+        allowed = definition.attributes
+        required = 0
+        items = element.items()
+        for key, text in items:
+            attribute = allowed.get(key)
+            if attribute is not None and attribute.required:
+                required += 1
+            if attribute is None or attribute.since > self.version:
+                self.findings.attribute(element, definition, key, text)
+                continue
+            if text not in attribute.sound:
+                if not attribute.accepts(text):
+                    self.findings.attribute(element, definition, key, text)
+                    continue
+                if len(attribute.sound) < _REMEMBERED:
+                    attribute.sound.add(text)
+            if self.is_wrapped and attribute.is_number:
+                self.findings.attribute_value(element, attribute, text)
+        if required < len(definition.required_attributes):
+            given = {key for key, _ in items}
+            missing = tuple(name for name in definition.required_attributes if name not in given)
+            self.findings.missing_attributes(element, missing)
+
+    def extensions(self) -> None:
+        """The numbers among the settings in ``<gazebo>``."""
+        from sdfcheck.formats.urdf.table import extension
+
+        settings = extension().children
+        for block in self.index.get("gazebo", ()):
+            for child in block.children():
+                definition = settings.get(child.name)
+                if definition is not None and definition.value is not None:
+                    text = child.attributes.get("value") or child.content
+                    if not definition.value.accepts(text):
+                        self.findings.setting(child, definition.value)
+
+
+def _is_xacro(root: Element) -> bool:
+    """Whether elements are left that xacro is to replace."""
+    if "<xacro:" not in root.document.source.text:
+        return False
+    below: Iterable[Element] = root.iterdescendants("*")  # type: ignore[assignment]
+    return any(element.name.startswith("xacro:") for element in below)

@@ -1,0 +1,182 @@
+"""Configuration files: where they are, and what they settle for a file.
+
+The closest of ``.sdfcheck.toml``, ``sdfcheck.toml`` and ``pyproject.toml`` (with a table
+``[tool.sdfcheck]``) upward from a file's folder counts, alone. ``extend`` names another
+one to build on.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.select import Choice
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.config.reading import ArgumentSet, ConfigFile, Pattern
+
+    _Loaded = tuple[dict[str, Any], tuple[ConfigFile, ...]]
+
+PYPROJECT = "pyproject.toml"
+NAMES = (".sdfcheck.toml", "sdfcheck.toml", PYPROJECT)
+
+
+class Settings(NamedTuple):
+    """What a configuration settles; the defaults stand where it is silent.
+
+    ``files`` are the file itself and those that it extends, none if there is none.
+    """
+
+    select: tuple[str, ...] | None = None
+    extend_select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    per_file_ignores: tuple[tuple[Pattern, tuple[str, ...]], ...] = ()
+    severity: tuple[tuple[str, Severity | None], ...] = ()
+    target: tuple[str, ...] = ()
+    exclude: tuple[Pattern, ...] = ()
+    respect_gitignore: bool = True
+    plugins: tuple[str, ...] = ()
+    fail_on: Severity = Severity.WARNING
+    output_format: tuple[str, ...] = ("full",)
+    model_paths: tuple[Path, ...] = ()
+    package_paths: tuple[Path, ...] = ()
+    packages: tuple[tuple[str, Path], ...] = ()
+    xacro: tuple[tuple[Pattern, tuple[ArgumentSet, ...]], ...] = ()
+    files: tuple[ConfigFile, ...] = ()
+
+    @property
+    def choice(self) -> Choice:
+        return Choice(self.select, self.extend_select, self.ignore)
+
+    def excludes(self, path: Path) -> bool:
+        """Whether ``exclude`` names a file; the last pattern with an opinion decides."""
+        verdicts = (pattern.verdict(path) for pattern in reversed(self.exclude))
+        return next((verdict for verdict in verdicts if verdict is not None), False)
+
+    def ignored_for(self, path: Path) -> tuple[str, ...]:
+        """The selectors that ``per-file-ignores`` has for a file."""
+        return tuple(s for pattern, given in self.per_file_ignores if pattern.matches(path) for s in given)
+
+    def arguments_for(self, path: Path) -> tuple[ArgumentSet, ...]:
+        """The sets of xacro arguments for a file; the last pattern that matches decides."""
+        sets = [given for pattern, given in self.xacro if pattern.matches(path)]
+        return sets[-1] if sets else ()
+
+    def misplaced(self, selector: str, message: str) -> WrongUsage:
+        """The complaint about a selector, placed in the file that uses it."""
+        file = next((file for file in self.files if selector in file.text), None)
+        return file.error(message, selector) if file else WrongUsage(message)
+
+
+class Configuration:
+    """Finds and keeps the settings of each folder.
+
+    ``file`` replaces all that could be found, ``isolated`` uses none.
+    """
+
+    __slots__ = ("_by_folder", "_fixed")
+
+    def __init__(self, file: Path | None = None, *, isolated: bool = False) -> None:
+        self._by_folder: dict[Path, Settings] = {}
+        self._fixed: Settings | None = None
+        if isolated:
+            self._fixed = Settings()
+        elif file is not None:
+            self._fixed = load(file, root=Path.cwd())
+
+    def settings_for(self, path: Path) -> Settings:
+        """The settings of a file.
+
+        Raises:
+            WrongUsage: the configuration that counts is faulty.
+        """
+        return self._fixed or self.settings_in(Path(os.path.abspath(path)).parent)
+
+    def settings_in(self, folder: Path) -> Settings:
+        """The settings of the files in an (absolute) folder."""
+        if self._fixed is not None:
+            return self._fixed
+        settings = self._by_folder.get(folder)
+        if settings is None:
+            settings = _settings_of(folder)
+            if settings is None:
+                settings = Settings() if folder.parent == folder else self.settings_in(folder.parent)
+            self._by_folder[folder] = settings
+        return settings
+
+
+def load(path: Path, root: Path | None = None) -> Settings:
+    """The settings of a configuration file; relative paths start from ``root``, or its folder.
+
+    Raises:
+        WrongUsage: it is missing, unreadable, or says something that makes no sense.
+    """
+    values, files = _load(path, root, ())
+    return Settings()._replace(**values, files=files)
+
+
+def _settings_of(folder: Path) -> Settings | None:
+    for name in NAMES:
+        path = f"{folder}{os.sep}{name}"
+        if os.path.isfile(path) and (name != PYPROJECT or _mentions_us(path)):
+            return load(Path(path))
+    return None
+
+
+def _mentions_us(pyproject: str) -> bool:
+    """Whether a ``pyproject.toml`` configures sdfcheck; most do not, and need no parsing to tell."""
+    with open(pyproject, "rb") as file:
+        data = file.read()
+    if b"sdfcheck" not in data:
+        return False
+    from sdfcheck.lint.config.reading import parse_toml
+
+    path = Path(pyproject)
+    return "sdfcheck" in _tool(parse_toml(path, _text(path)))
+
+
+def _load(path: Path, root: Path | None, below: tuple[Path, ...]) -> _Loaded:
+    """The values that a file sets, its own over those that it extends, and all these files."""
+    from sdfcheck.lint.config.reading import ConfigFile, parse_toml, read_table, shown
+
+    path = Path(os.path.abspath(path))
+    if path in below:
+        chain = " → ".join(shown(place) for place in (*below[below.index(path) :], path))
+        raise WrongUsage(f"configuration files extend each other: {chain}")
+    file = ConfigFile(path, _text(path), root or path.parent)
+    table = parse_toml(path, file.text)
+    if path.name == PYPROJECT:
+        table = _tool(table).get("sdfcheck", {})
+        if not isinstance(table, dict):
+            raise file.error("`tool.sdfcheck` should be a table", "sdfcheck")
+    values = read_table(file, table)
+    extended = values.pop("extend", None)
+    if extended is None:
+        return values, (file,)
+    if not extended.is_file():
+        raise file.error(f"no such file: {shown(extended)}", "extend")
+    base, files = _load(extended, None, (*below, path))
+    if "extend_select" in values:
+        values["extend_select"] = (*base.get("extend_select", ()), *values["extend_select"])
+    return base | values, (file, *files)
+
+
+def _tool(table: dict[str, Any]) -> dict[str, Any]:
+    tool = table.get("tool")
+    return tool if isinstance(tool, dict) else {}
+
+
+def _text(path: Path) -> str:
+    from sdfcheck.lint.config.reading import shown
+
+    try:
+        return path.read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise WrongUsage(f"cannot read {shown(path)}: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise WrongUsage(f"{shown(path)}:{line}: not UTF-8") from None

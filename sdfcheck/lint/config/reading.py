@@ -1,0 +1,243 @@
+"""A table of a TOML file to checked values; what is wrong is told with its line."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from sdfcheck.lint.config.fields import FIELDS, Field, Shape
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+
+ArgumentSet = tuple[tuple[str, str], ...]
+"""Names and values of xacro arguments."""
+
+
+class Pattern:
+    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is none."""
+
+    __slots__ = ("_spec", "glob", "root")
+
+    def __init__(self, root: Path, glob: str) -> None:
+        from pathspec import GitIgnoreSpec
+
+        self.root = root
+        self.glob = glob
+        self._spec = GitIgnoreSpec.from_lines([glob])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Pattern) and (self.root, self.glob) == (other.root, other.glob)
+
+    def __hash__(self) -> int:
+        return hash((self.root, self.glob))
+
+    def __repr__(self) -> str:
+        return f"Pattern({str(self.root)!r}, {self.glob!r})"
+
+    def matches(self, path: Path) -> bool:
+        """Whether the pattern holds for a file, or for a folder above it."""
+        return bool(self.verdict(path))
+
+    def verdict(self, path: Path) -> bool | None:
+        """The same, but False if a pattern with ``!`` holds, and None if none does."""
+        relative = os.path.relpath(path, self.root).replace(os.sep, "/")
+        return None if relative.startswith("../") else self._spec.check_file(relative).include
+
+
+class ConfigFile(NamedTuple):
+    """A configuration file's text, and the folder that its relative paths start from."""
+
+    path: Path
+    text: str
+    root: Path
+
+    def error(self, message: str, *keys: str) -> WrongUsage:
+        """The complaint, placed where the last of ``keys`` stands behind the others."""
+        return WrongUsage(f"{shown(self.path)}:{line_of(self.text, keys)}: {message}")
+
+
+def shown(path: Path) -> str:
+    """The path as people call it: relative, where it lies below the current folder."""
+    relative = os.path.relpath(path)
+    return (str(path) if relative.startswith("..") else relative).replace(os.sep, "/")
+
+
+def line_of(text: str, keys: tuple[str, ...]) -> int:
+    """The line on which the last of ``keys`` stands, each looked for behind the one before."""
+    bare = re.sub(r"(?m)^[ \t]*#.*", lambda match: " " * len(match[0]), text)
+    header = re.search(r"(?m)^[ \t]*\[\s*tool\.sdfcheck\b", bare)
+    place = header.start() if header else 0
+    for key in keys:
+        found = re.compile(rf"(?<![\w-]){re.escape(key)}(?![\w-])").search(bare, place)
+        if found:
+            place = found.start()
+    return bare.count("\n", 0, place) + 1
+
+
+def parse_toml(path: Path, text: str) -> dict[str, Any]:
+    """The whole file as Python values."""
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
+    try:
+        table: dict[str, Any] = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        message, line = str(error), text.count("\n") + 1
+        place = re.search(r" \(at line (\d+), column \d+\)$", message)
+        if place:
+            message, line = message[: place.start()], int(place[1])
+        message = message.removesuffix(" (at end of document)")
+        raise WrongUsage(f"{shown(path)}:{line}: {message[:1].lower()}{message[1:]}") from None
+    return table
+
+
+def read_table(file: ConfigFile, table: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of the keys that are set, by their names in ``Settings``."""
+    fields = {field.key: field for field in FIELDS}
+    values = {}
+    for key, value in table.items():
+        field = fields.get(key)
+        if field is None:
+            raise file.error(f"unknown key `{key}`{suggestion(key, tuple(fields))}", key)
+        values[field.attribute] = _READERS[field.shape](file, field, value)
+    return values
+
+
+def _mismatch(file: ConfigFile, field: Field, *keys: str) -> WrongUsage:
+    where = "`" + "` of `".join(reversed((field.key, *keys))) + "`"
+    expected = _EXPECTED[len(keys)].get(field.shape, field.shape.value)
+    return file.error(f"{where} should be {expected}", field.key, *keys)
+
+
+def _strings(file: ConfigFile, field: Field, value: object, *keys: str) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
+        raise _mismatch(file, field, *keys)
+    return tuple(value)
+
+
+def _table(file: ConfigFile, field: Field, value: object) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise _mismatch(file, field)
+    return value
+
+
+def _targets(file: ConfigFile, field: Field, value: object) -> tuple[str, ...]:
+    from sdfcheck.lint.select import check_targets
+
+    targets = _strings(file, field, value)
+    try:
+        check_targets(targets)
+    except WrongUsage as error:
+        raise file.error(str(error), field.key) from None
+    return targets
+
+
+def _patterns(file: ConfigFile, field: Field, value: object) -> tuple[Pattern, ...]:
+    return tuple(_pattern(file, field, glob) for glob in _strings(file, field, value))
+
+
+def _pattern(file: ConfigFile, field: Field, glob: str) -> Pattern:
+    try:
+        return Pattern(file.root, glob)
+    except ValueError:
+        raise file.error(f"`{glob}` is no pattern", field.key, glob) from None
+
+
+def _path(file: ConfigFile, field: Field, value: object, *keys: str) -> Path:
+    if not isinstance(value, str):
+        raise _mismatch(file, field, *keys)
+    return Path(os.path.normpath(file.root / os.path.expanduser(value)))
+
+
+def _paths(file: ConfigFile, field: Field, value: object) -> tuple[Path, ...]:
+    return tuple(_path(file, field, item) for item in _strings(file, field, value))
+
+
+def _plugins_or_strings(file: ConfigFile, field: Field, value: object) -> tuple[str, ...]:
+    strings = _strings(file, field, value)
+    if field.key != "plugins":
+        return strings
+    return tuple(str(file.root / name) if (file.root / name).is_dir() else name for name in strings)
+
+
+def _flag(file: ConfigFile, field: Field, value: object) -> bool:
+    if not isinstance(value, bool):
+        raise _mismatch(file, field)
+    return value
+
+
+def _severity(file: ConfigFile, field: Field, value: object, *keys: str) -> Severity:
+    try:
+        return Severity(value)
+    except ValueError:
+        raise _mismatch(file, field, *keys) from None
+
+
+def _severities(file: ConfigFile, field: Field, value: object) -> tuple[tuple[str, Severity | None], ...]:
+    return tuple(
+        (selector, None if level == "off" else _severity(file, field, level, selector))
+        for selector, level in _table(file, field, value).items()
+    )
+
+
+def _ignores(file: ConfigFile, field: Field, value: object) -> tuple[tuple[Pattern, tuple[str, ...]], ...]:
+    return tuple(
+        (_pattern(file, field, glob), _strings(file, field, selectors, glob))
+        for glob, selectors in _table(file, field, value).items()
+    )
+
+
+def _places(file: ConfigFile, field: Field, value: object) -> tuple[tuple[str, Path], ...]:
+    places = _table(file, field, value)
+    return tuple((name, _path(file, field, place, name)) for name, place in places.items())
+
+
+def _arguments(
+    file: ConfigFile, field: Field, value: object
+) -> tuple[tuple[Pattern, tuple[ArgumentSet, ...]], ...]:
+    read = []
+    for glob, given in _table(file, field, value).items():
+        tables = given if isinstance(given, list) else [given]
+        sets = tuple(_argument_set(file, field, table, glob) for table in tables)
+        read.append((_pattern(file, field, glob), sets))
+    return tuple(read)
+
+
+def _argument_set(file: ConfigFile, field: Field, table: object, glob: str) -> ArgumentSet:
+    if not isinstance(table, dict) or not all(isinstance(item, str | int | float) for item in table.values()):
+        raise _mismatch(file, field, glob)
+    return tuple(
+        (name, str(item).lower() if isinstance(item, bool) else str(item)) for name, item in table.items()
+    )
+
+
+_READERS: Mapping[Shape, Callable[[ConfigFile, Field, object], Any]] = {
+    Shape.SELECTORS: _strings,
+    Shape.PATTERNS: _patterns,
+    Shape.TARGETS: _targets,
+    Shape.STRINGS: _plugins_or_strings,
+    Shape.PATHS: _paths,
+    Shape.PATH: _path,
+    Shape.FLAG: _flag,
+    Shape.SEVERITY: _severity,
+    Shape.SEVERITIES: _severities,
+    Shape.IGNORES: _ignores,
+    Shape.PLACES: _places,
+    Shape.ARGUMENTS: _arguments,
+}
+_EXPECTED: tuple[Mapping[Shape, str], ...] = (
+    {Shape.SEVERITY: "`error`, `warning` or `info`"},
+    {
+        Shape.SEVERITIES: "`error`, `warning`, `info` or `off`",
+        Shape.IGNORES: "a list of rule codes, names or families",
+        Shape.PLACES: "a path",
+        Shape.ARGUMENTS: "a table of texts, numbers or true and false (or a list of such tables)",
+    },
+)
+"""What is expected of a value, and of a value inside a table."""

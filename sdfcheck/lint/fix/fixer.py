@@ -1,0 +1,165 @@
+"""Applies the fixes of diagnostics, file by file, until there is nothing left to fix."""
+
+from __future__ import annotations
+
+from bisect import bisect_left, insort
+from collections.abc import Callable, Iterator, Sequence
+from itertools import takewhile
+from pathlib import Path
+
+from sdfcheck.lint.config.configuration import Settings
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.one_file import Selected, Shelves, lint_file
+from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.run import Run
+from sdfcheck.lint.session import Options, find, selected
+from sdfcheck.source.document import Document, read
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.splice import Unwritable, replaced, splice
+
+ROUNDS = 10
+"""So many times a file is linted again without fewer fixes to apply before it counts as endless."""
+
+
+class Mended(NamedTuple):
+    """A file before and after its fixes; where it was refused to apply them, why."""
+
+    path: Path
+    before: bytes
+    after: bytes
+    fixed: int
+    refusal: str = ""
+
+
+class Refused(Exception):
+    """Edits do no good; the message says why."""
+
+
+def mend(done: Run, paths: Sequence[Path], options: Options, *, unsafe: bool) -> Iterator[Mended]:
+    """Fix the files of a run in which something can be fixed; nothing is written."""
+    wanted = {
+        fix.edits[0].span.source.path
+        for diagnostic in done.diagnostics
+        if (fix := diagnostic.fix) is not None and fix.edits and _allowed(fix, unsafe)
+    } & set(done.files)
+    if not wanted:
+        return
+    found = find(paths, options)
+    found = found._replace(files=tuple(f for f in found.files if f.path in wanted), barren=())
+    book = RuleBook(options.choice, options.target)
+    with Shelves(expand=options.expand, arguments=options.arguments) as shelves:
+        for file in selected(found, options, []):
+            settings = options.settings_for(file.path)
+
+            def lint(file: Selected, settings: Settings = settings) -> Sequence[Diagnostic]:
+                return lint_file(file, book, settings, shelves)[0]
+
+            yield mend_file(file, lint, unsafe=unsafe)
+
+
+def mend_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], *, unsafe: bool) -> Mended:
+    """Apply the fixes of one file: lint, edit, and lint again until it is stable."""
+    now, fixed, left, fewest = file, 0, ROUNDS, -1
+    seen = {file.data}
+    try:
+        while fixes := applicable(lint(now), file.path, unsafe=unsafe):
+            if 0 <= fewest <= len(fixes):
+                left -= 1
+            else:
+                left, fewest = ROUNDS, len(fixes)
+            edits, applied = together(fixes)
+            now = now._replace(data=edited(now, edits))
+            if now.data in seen or not left:
+                raise Refused("its fixes undo one another")
+            seen.add(now.data)
+            fixed += applied
+    except Refused as refusal:
+        return Mended(file.path, file.data, file.data, 0, str(refusal))
+    return Mended(file.path, file.data, now.data, fixed)
+
+
+def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -> list[Fix]:
+    """The fixes that may be applied to a file and change it, by their first edit."""
+    fixes = [
+        diagnostic.fix
+        for diagnostic in diagnostics
+        if diagnostic.fix is not None
+        and _allowed(diagnostic.fix, unsafe)
+        and all(edit.span.source.path == path for edit in diagnostic.fix.edits)
+        and any(edit.text != edit.span.text for edit in diagnostic.fix.edits)
+    ]
+    return sorted(fixes, key=lambda fix: min(_range(edit) for edit in fix.edits))
+
+
+def together(fixes: Sequence[Fix]) -> tuple[list[Edit], int]:
+    """The edits, in order, of those fixes that stand apart from the ones before; and how many these are.
+
+    What two fixes want alike is done once.
+    """
+    taken: list[tuple[int, int]] = []
+    edits: dict[tuple[int, int], Edit] = {}
+    applied = 0
+    for fix in fixes:
+        new = [edit for edit in fix.edits if not _is(edits.get(_range(edit)), edit)]
+        places = [_range(edit) for edit in new]
+        fitting = list(takewhile(lambda place: _take(taken, place), places))
+        if len(fitting) < len(places):
+            for place in fitting:
+                taken.remove(place)
+            continue
+        edits.update(zip(places, new, strict=True))
+        applied += 1
+    return [edits[place] for place in taken], applied
+
+
+def _take(taken: list[tuple[int, int]], place: tuple[int, int]) -> bool:
+    """Put a range among the others if it touches none; at one offset there is one edit."""
+    at = bisect_left(taken, place)
+    behind = taken[at] if at < len(taken) else None
+    before = taken[at - 1] if at else None
+    if behind is not None and (behind[0] < place[1] or behind[0] == place[0]):
+        return False
+    if before is not None and (before[1] > place[0] or before[0] == place[0]):
+        return False
+    insort(taken, place)
+    return True
+
+
+def _range(edit: Edit) -> tuple[int, int]:
+    return edit.span.start, edit.span.end
+
+
+def _is(known: Edit | None, edit: Edit) -> bool:
+    return known is not None and known.text == edit.text
+
+
+def _allowed(fix: Fix, unsafe: bool) -> bool:
+    return unsafe or fix.is_safe
+
+
+def edited(file: Selected, edits: Sequence[Edit]) -> bytes:
+    """The bytes after the edits; raises Refused where they are worse than before."""
+    pieces = [(*_range(edit), edit.text) for edit in edits]
+    try:
+        result = splice(file.data, pieces)
+    except Unwritable as error:
+        raise Refused(str(error)) from None
+    before, after = _read(file), _read(file._replace(data=result))
+    if after.source.text != replaced(before.source.text, pieces):
+        raise Refused("the edits would change how its other characters are read")
+    if _is_worse(before, after):
+        raise Refused("the edits would break it")
+    return result
+
+
+def _read(file: Selected) -> Document:
+    return read(file.data, file.path, None if file.kind is Kind.BROKEN_XML else file.kind)
+
+
+def _is_worse(before: Document, after: Document) -> bool:
+    """Is there more wrong with the text than there was?"""
+    if before.root is None or after.root is None:
+        return before.root is not None
+    return len(after.problems) > len(before.problems) or after.root.name != before.root.name

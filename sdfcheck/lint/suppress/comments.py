@@ -1,0 +1,51 @@
+"""Comments that may speak to sdfcheck, and what they stand before."""
+
+from __future__ import annotations
+
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.scanner.scan import Scan
+from sdfcheck.source.text import Source, Span
+
+MARK = "sdfcheck:"
+
+
+class Comment(NamedTuple):
+    """A comment, and what it covers of the element behind it: see :func:`reach`."""
+
+    span: Span
+    target: Span | None
+
+
+def comments(source: Source, scan: Scan) -> list[Comment]:
+    """The comments of a text that hold a word for sdfcheck."""
+    text = source.text
+    found = []
+    for start, end in scan.comments:
+        if MARK not in text[start:end]:
+            continue
+        number = next((n for n, at in enumerate(scan.starts) if at >= end), None)
+        target = None if number is None else source.span(*reach(source, scan, number))
+        found.append(Comment(source.span(start, end), target))
+    return found
+
+
+def reach(source: Source, scan: Scan, number: int) -> tuple[int, int]:
+    """What a comment before an element covers: its start tag, and all of a leaf or an include."""
+    place = scan.place(number)
+    is_leaf = number + 1 == len(scan.starts) or scan.starts[number + 1] >= place.close_end
+    is_whole = is_leaf or is_include(source, place.start)
+    return place.start, place.close_end if is_whole else place.end
+
+
+def is_include(source: Source, start: int) -> bool:
+    """Is the element that starts there one that brings in another file?"""
+    return source.text.startswith("<include", start)
+
+
+def includes(source: Source, scan: Scan) -> list[Span]:
+    """The elements that bring in other files."""
+    return [
+        source.span(start, scan.close_ends[number])
+        for number, start in enumerate(scan.starts)
+        if is_include(source, start)
+    ]

@@ -1,0 +1,71 @@
+"""The engine's own rules: what it says about suppressions."""
+
+from __future__ import annotations
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.example import IN_URDF_JOINT, Bad, Good
+from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.text import Span
+
+
+class UnusedSuppression:
+    """A suppression comment silences nothing: what it names does not occur where it applies.
+
+    It hides the next defect of that kind instead of an old one. Only rules that took
+    part in the run are judged, so that a run of a few rules does not condemn the
+    suppressions of all others.
+    """
+
+    code = "SUP001"
+    name = "unused-suppression"
+    severity = Severity.WARNING
+    scaffold = IN_URDF_JOINT
+    bad = (
+        Bad(
+            '<!-- «sdfcheck: ignore[internal-error]» agreed -->\n<axis xyz="0 0 1"/>',
+            fixed='<axis xyz="0 0 1"/>',
+        ),
+    )
+    good = (Good("<!-- sdfcheck said: ignore[internal-error] -->", why="prose, no directive"),)
+
+
+class MalformedSuppression:
+    """A comment that addresses sdfcheck is not understood, so it silences nothing.
+
+    The directives are ``ignore[…]`` for the next element, ``disable[…]`` and
+    ``enable[…]`` for what stands between them, and ``ignore-file`` (all rules) or
+    ``ignore-file[…]`` for the whole file; in brackets stand codes, names or families.
+    """
+
+    code = "SUP002"
+    name = "malformed-suppression"
+    severity = Severity.WARNING
+    scaffold = IN_URDF_JOINT
+    bad = (
+        Bad("<!-- sdfcheck: «ignored»[internal-error] -->", says="did you mean `ignore`?"),
+        Bad("<!-- sdfcheck: «ignore» internal-error -->", says="names no rule"),
+        Bad("<!-- sdfcheck: ignore[«internal-eror»] -->", says="did you mean `internal-error`?"),
+    )
+    good = (Good("<!-- sdfcheck is a linter -->", why="prose that begins with a name, no directive"),)
+
+
+OwnRule = type[UnusedSuppression] | type[MalformedSuppression]
+
+
+def report(
+    rule: OwnRule, span: Span, message: str, *, fix: Fix | None = None, help: str | None = None
+) -> Diagnostic:
+    """A diagnostic of one of these."""
+    return Diagnostic(rule.code, rule.name, rule.severity, message, span, fix=fix, help=help)
+
+
+def _facts(rule: OwnRule, fixable: str) -> RuleFacts:
+    summary = (rule.__doc__ or "").partition("\n\n")[0]
+    return RuleFacts(
+        rule.code, rule.name, "SUP", rule.severity, summary, fixable, True, (), (), {}, rule.__module__
+    )
+
+
+FACTS = (_facts(UnusedSuppression, "safe"), _facts(MalformedSuppression, ""))
+"""What the index of rules would hold about these, were they part of a pack."""

@@ -1,0 +1,166 @@
+"""Forward kinematics and total mass of a robot at any joint positions.
+
+Many configurations are worked out at once: arrays of poses have the shape (n, 4, 4), or
+(1, 4, 4) for what is the same in all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sdfcheck.robot.robot import Axis, Joint, Robot
+from sdfcheck.robot.rotations import Array, about_axis, inverse, transform
+from sdfcheck.source.record import NamedTuple
+
+Positions = Mapping[str, Array]
+"""Joint → its positions (rad or m), shape (n, k): one for each axis; three for a ball joint (a rotation vector)."""
+
+
+def degrees_of_freedom(joint: Joint) -> int:
+    """How many positions a joint takes."""
+    return {"fixed": 0, "ball": 3, "universal": 2, "revolute2": 2, "planar": 3, "floating": 6}.get(
+        joint.kind, 1
+    )
+
+
+class Bodies(NamedTuple):
+    """Mass properties of a robot in n configurations; the moments are about the centres."""
+
+    mass: float
+    centres: Array
+    """Shape (n, 3)."""
+    moments: Array
+    """Shape (n, 3, 3)."""
+
+    def seen_from(self, frames: Array) -> Bodies:
+        """The same in outer frames, in which these have the poses ``frames``."""
+        turns = frames[:, :3, :3]
+        centres = (turns @ self.centres[..., None])[..., 0] + frames[:, :3, 3]
+        return Bodies(self.mass, centres, turns @ self.moments @ turns.swapaxes(-1, -2))
+
+
+def motions(joint: Joint, positions: Array | None) -> Array:
+    """The displacements of a joint's child in the joint's frame, shape (n, 4, 4)."""
+    kind, axes = joint.kind, joint.axes
+    if kind == "fixed" or positions is None or not positions.shape[1]:
+        return np.eye(4)[None]
+    first = positions[:, 0]
+    if kind == "ball":
+        return transform(_by_vector(positions), (0, 0, 0))
+    if kind == "prismatic":
+        return _shifted(first[:, None] * _direction(axes))
+    if kind in {"universal", "revolute2"}:
+        turned = about_axis(_direction(axes), first) @ about_axis(_direction(axes, 1), positions[:, 1])
+        return transform(turned, (0, 0, 0))
+    if kind == "screw":
+        travel = first[:, None] * _direction(axes) * joint.pitch
+        return transform(about_axis(_direction(axes), first), travel)
+    if kind == "planar":
+        across = _perpendicular(_direction(axes))
+        along = first[:, None] * across[0] + positions[:, 1, None] * across[1]
+        return transform(about_axis(_direction(axes), positions[:, 2]), along)
+    if kind == "floating":
+        return transform(_by_vector(positions[:, 3:]), positions[:, :3])
+    return transform(about_axis(_direction(axes), first), (0, 0, 0))
+
+
+def _by_vector(vectors: Array) -> Array:
+    """Turns about vectors (n, 3), as far as they are long (rad)."""
+    angles = np.linalg.norm(vectors, axis=1)
+    return about_axis(vectors / np.where(angles > 0, angles, 1)[:, None], angles)
+
+
+def _shifted(shifts: Array) -> Array:
+    return transform(np.broadcast_to(np.eye(3), (len(shifts), 3, 3)), shifts)
+
+
+def link_poses(robot: Robot, positions: Positions) -> dict[str, Array]:
+    """The poses of every link in the model's frame; joints that close loops are passed over.
+
+    ``positions`` leaves out joints at zero; followers are worked out from their leaders.
+    What hangs together is placed from the world, or else from its first link that no joint carries.
+    """
+    values = with_followers(robot, positions)
+    beside: dict[str, list[Joint]] = {}
+    for joint in robot.spanning():
+        for end in (joint.parent, joint.child):
+            beside.setdefault(end, []).append(joint)
+    poses: dict[str, Array] = {}
+    for start in ("world", *robot.roots(), *robot.links):
+        if start in poses:
+            continue
+        poses[start] = _zero(robot, start)[None]
+        waiting = [start]
+        while waiting:
+            here = waiting.pop()
+            for joint in beside.get(here, ()):
+                there = joint.child if here == joint.parent else joint.parent
+                if there not in poses:
+                    poses[there] = poses[here] @ _steps(robot, joint, values, here)
+                    waiting.append(there)
+    return {name: poses[name] for name in robot.links}
+
+
+def _zero(robot: Robot, name: str) -> Array:
+    link = robot.links.get(name)
+    return np.eye(4) if link is None else link.pose
+
+
+def _steps(robot: Robot, joint: Joint, values: Positions, start: str) -> Array:
+    """The poses of one end of a joint in the other, ``start``."""
+    before = inverse(_zero(robot, joint.parent)) @ joint.pose
+    behind = inverse(joint.pose) @ _zero(robot, joint.child)
+    across = before @ motions(joint, values.get(joint.name)) @ behind
+    return across if start == joint.parent else inverse(across)
+
+
+def with_followers(robot: Robot, positions: Positions) -> dict[str, Array]:
+    """The positions, with those of mimicking joints worked out (chains too; a ring keeps what is given)."""
+    result = dict(positions)
+
+    def value(name: str, seen: frozenset[str]) -> Array:
+        joint = robot.joints.get(name)
+        mimic = joint.axes[0].mimic if joint is not None and joint.axes else None
+        if mimic is not None and name not in seen and mimic.leader in robot.joints:
+            leader = value(mimic.leader, seen | {name})
+            return mimic.multiplier * (leader - mimic.reference) + mimic.offset
+        given = result.get(name)
+        return given[:, :1] if given is not None else np.zeros((1, 1))
+
+    for name, joint in robot.joints.items():
+        if joint.axes and joint.axes[0].mimic is not None:
+            result[name] = value(name, frozenset())
+    return result
+
+
+def total_body(robot: Robot, poses: Mapping[str, Array]) -> Bodies | None:
+    """All links joined at the given poses, in the model's frame; None if no link has mass properties."""
+    bodies = [(link.body, poses[name]) for name, link in robot.links.items() if link.body is not None]
+    if not bodies:
+        return None
+    placed = np.stack(np.broadcast_arrays(*(pose for _, pose in bodies)))
+    turns = placed[..., :3, :3]
+    masses = np.array([body.mass for body, _ in bodies])
+    centres = (turns @ np.stack([body.centre for body, _ in bodies])[:, None, :, None])[..., 0]
+    centres = centres + placed[..., :3, 3]
+    moments = turns @ np.stack([body.moments for body, _ in bodies])[:, None] @ turns.swapaxes(-1, -2)
+    mass = float(masses.sum())
+    centre = np.einsum("l,lni->ni", masses, centres) / mass if mass else centres[0]
+    offsets = centres - centre
+    squares = np.einsum("lni,lni->ln", offsets, offsets)[..., None, None] * np.eye(3)
+    shifts = squares - offsets[..., :, None] * offsets[..., None, :]
+    return Bodies(mass, centre, (moments + masses[:, None, None, None] * shifts).sum(axis=0))
+
+
+def _direction(axes: tuple[Axis, ...], number: int = 0) -> Array:
+    return axes[number].direction if len(axes) > number else np.array([0.0, 0.0, 1.0])
+
+
+def _perpendicular(normal: Array) -> tuple[Array, Array]:
+    """Two unit vectors that span the plane across a normal."""
+    start = np.array([1.0, 0, 0]) if abs(normal[0]) < 0.9 else np.array([0, 1.0, 0])
+    first = start - normal * float(normal @ start)
+    first /= float(np.linalg.norm(first))
+    return first, np.cross(normal, first)

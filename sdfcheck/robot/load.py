@@ -1,0 +1,73 @@
+"""Reads a robot description for programs that want to look at it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.robot.objects import Root
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import HEAD, Kind, sniff
+
+
+class Unreadable(ValueError):
+    """The file holds no robot description that can be read; the message says why, and where."""
+
+
+def load(
+    path: str | os.PathLike[str],
+    *,
+    arguments: Mapping[str, str] | None = None,
+    model_paths: Sequence[Path] = (),
+    package_paths: Sequence[Path] = (),
+) -> Root:
+    """Read an SDFormat, URDF or xacro file.
+
+    ``arguments`` are given to xacro. Included models are looked for below ``model_paths``
+    and in the folders of the environment variables that Gazebo uses, packages below
+    ``package_paths``. What is wrong with the file beyond that is for :func:`sdfcheck.lint`
+    to say: whatever can be understood of it is there.
+
+    Raises:
+        OSError: the file cannot be read.
+        Unreadable: it holds no robot description, or cannot be expanded.
+    """
+    place = Path(path)
+    search = SearchPaths(tuple(model_paths), tuple(package_paths))
+    return _root(place.read_bytes(), place, arguments, search)
+
+
+def parse(
+    text: str | bytes, path: str | os.PathLike[str] = "<text>", *, arguments: Mapping[str, str] | None = None
+) -> Root:
+    """Read a text like the content of a file; relative names in it are those beside ``path``.
+
+    Raises Unreadable.
+    """
+    data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
+    return _root(data, Path(path), arguments, SearchPaths())
+
+
+def as_text(what: object) -> bytes | None:
+    """The bytes of a text: what is bytes, or a str that begins with ``<``; None for anything else."""
+    if isinstance(what, str) and what.lstrip("\ufeff \t\r\n").startswith("<"):
+        return what.encode("utf-8", "surrogatepass")
+    return what if isinstance(what, bytes) else None
+
+
+def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: SearchPaths) -> Root:
+    # Only the parser tells what broken XML was meant to be, and only the first bytes what is xacro.
+    document = read(data, path, Kind.XACRO if sniff(data[:HEAD], path) is Kind.XACRO else None)
+    if document.kind is Kind.XACRO:
+        from sdfcheck.xacro.expansion import Surroundings, expand
+
+        expansion = expand(document, arguments or {}, Surroundings({}, search.packages_in))
+        if expansion.document is None:
+            raise Unreadable(f"{document.path}: cannot be expanded by xacro")
+        document = expansion.document
+    if document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
+        raise Unreadable(f"{document.path}: looks like {document.kind.description}, no robot description")
+    document.library = Library(search)
+    return Root(document, document.root)

@@ -1,0 +1,181 @@
+"""A robot as physics sees it, whatever format it was read from.
+
+Lengths in m, angles in rad, masses in kg, moments in kg·m². Transforms are 4×4 arrays
+(:mod:`sdfcheck.robot.rotations`). The zero configuration is the one in which the file
+places its links.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sdfcheck.robot.rotations import Array
+from sdfcheck.source.element import Element
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """Mass properties: the moments are about ``centre``, in the axes of the frame that ``centre`` is given in."""
+
+    mass: float
+    centre: Array
+    """Centre of mass, shape (3,)."""
+    moments: Array
+    """Inertia tensor about the centre of mass, shape (3, 3)."""
+
+    def seen_from(self, frame: Array) -> Body:
+        """The same body in an outer frame, in which this one's frame has the 4×4 pose ``frame``."""
+        turn = frame[:3, :3]
+        return Body(self.mass, turn @ self.centre + frame[:3, 3], turn @ self.moments @ turn.T)
+
+    def joined_with(self, other: Body) -> Body:
+        """Two bodies of one frame, rigidly joined."""
+        mass = self.mass + other.mass
+        if mass == 0:
+            return Body(0.0, self.centre, self.moments + other.moments)
+        centre = (self.mass * self.centre + other.mass * other.centre) / mass
+        moments = np.zeros((3, 3))
+        for body in (self, other):
+            offset = body.centre - centre
+            shift = float(offset @ offset) * np.eye(3) - np.outer(offset, offset)
+            moments += body.moments + body.mass * shift
+        return Body(mass, centre, moments)
+
+
+def default_body() -> Body:
+    """What simulators take for a link of an SDF model without ``inertial``: 1 kg and unit moments."""
+    return Body(1.0, np.zeros(3), np.eye(3))
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """A shape of a link: ``role`` is visual or collision, ``size`` its numbers, ``uri`` a mesh's file."""
+
+    role: str
+    kind: str
+    size: tuple[float, ...]
+    pose: Array
+    """4×4, in the link's frame."""
+    element: Element
+    name: str = ""
+    uri: str = ""
+
+
+@dataclass(slots=True)
+class Link:
+    """A rigid body and the frame that the file gives it."""
+
+    name: str
+    pose: Array
+    """4×4, in the model's frame, at the zero configuration."""
+    element: Element
+    body: Body | None = None
+    """None where the file gives no mass properties."""
+    geometries: list[Geometry] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class Mimic:
+    """position = multiplier · (position of the leader - reference) + offset."""
+
+    leader: str
+    multiplier: float = 1.0
+    offset: float = 0.0
+    reference: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A direction that a joint turns about or moves along, of unit length, in the joint's frame."""
+
+    direction: Array
+    lower: float = -math.inf
+    upper: float = math.inf
+    effort: float = math.inf
+    velocity: float = math.inf
+    damping: float = 0.0
+    friction: float = 0.0
+    mimic: Mimic | None = None
+
+
+@dataclass(slots=True)
+class Joint:
+    """A joint between two links (``parent`` may be ``world``)."""
+
+    name: str
+    kind: str
+    """fixed, revolute, continuous, prismatic, ball, universal, screw, gearbox, revolute2, planar or floating."""
+    parent: str
+    child: str
+    pose: Array
+    """4×4, in the model's frame, at the zero configuration."""
+    element: Element
+    axes: tuple[Axis, ...] = ()
+    pitch: float = 0.0
+    """Of a screw: m of travel per radian."""
+
+    @property
+    def moves(self) -> bool:
+        return self.kind != "fixed"
+
+
+@dataclass(slots=True)
+class Robot:
+    """One model: links and joints by name, in document order, and named frames."""
+
+    name: str
+    links: dict[str, Link]
+    joints: dict[str, Joint]
+    frames: dict[str, tuple[str, Array]] = field(default_factory=dict)
+    """Frame → the link that it moves with and its 4×4 pose in that link's frame."""
+
+    def roots(self) -> list[str]:
+        """Links that no joint carries, except from the world."""
+        carried = {joint.child for joint in self.joints.values() if joint.parent != "world"}
+        return [name for name in self.links if name not in carried]
+
+    def tree(self) -> list[Joint]:
+        """The joints that carry links, parents first; a joint that closes a loop is left out."""
+        carriers: dict[str, Joint] = {}
+        for joint in self.joints.values():
+            if joint.parent != joint.child and joint.child in self.links:
+                carriers.setdefault(joint.child, joint)
+        ordered: list[Joint] = []
+        placed = {"world", *(name for name in self.links if name not in carriers)}
+        waiting = dict(carriers)
+        while waiting:
+            ready = [child for child, joint in waiting.items() if joint.parent in placed]
+            if not ready:
+                break
+            for child in ready:
+                ordered.append(waiting.pop(child))
+                placed.add(child)
+        return ordered
+
+    def spanning(self) -> list[Joint]:
+        """The tree and the joints that tie trees together: no loops, but a link may have several parents."""
+        chosen = self.tree()
+        group = {name: name for name in (*self.links, "world")}
+
+        def top(name: str) -> str:
+            while group[name] != name:
+                group[name] = name = group[group[name]]
+            return name
+
+        for joint in chosen:
+            group[top(joint.child)] = top(joint.parent)
+        taken = {joint.name for joint in chosen}
+        for joint in self.joints.values():
+            known = joint.parent in group and joint.child in group
+            if joint.name not in taken and known and top(joint.parent) != top(joint.child):
+                group[top(joint.child)] = top(joint.parent)
+                chosen.append(joint)
+        return chosen
+
+    def loops(self) -> list[Joint]:
+        """The joints that close loops."""
+        tree = {joint.name for joint in self.spanning()}
+        return [joint for joint in self.joints.values() if joint.name not in tree]

@@ -1,0 +1,179 @@
+"""Joints of a URDF robot: their ends, axes, limits, and whom they follow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import inf, pi, sqrt
+
+from sdfcheck.formats.sdf.problems import MissingAttribute
+from sdfcheck.formats.sdf.values import floats
+from sdfcheck.formats.suggest import suggest, suggest_in
+from sdfcheck.formats.urdf.problems import LockedByDefault, MissingLimit
+from sdfcheck.robot import joint_problems as kinds
+from sdfcheck.robot.robot_problems import MimicOfFixedJoint, UnconvertedJoint
+from sdfcheck.robot.urdf_tree import MOVING, UrdfJoint, UrdfTree, tree
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element, Value
+
+_BOUNDED = frozenset({"revolute", "prismatic"})
+_WITH_AXIS = frozenset({"revolute", "continuous", "prismatic", "planar"})
+_UNCONVERTED = frozenset({"floating", "planar"})
+_UNIT = 1e-3
+"""How far from 1 the length of an axis may be by rounding its numbers."""
+
+
+def problems(document: Document) -> Iterator[object]:
+    """Everything wrong with the joints of a URDF document, in no particular order."""
+    robot = tree(document)
+    unknown = robot.unknown_ends
+    # What has lost its name is reported there, not wherever it is missed.
+    explained = set(robot.misnamed()) | robot.missed()
+    for joint in robot.joints:
+        if joint.parent is not None and joint.child is not None and joint.parent.text == joint.child.text:
+            yield kinds.SelfJoint(joint.child, joint.parent, joint.element)
+        else:
+            yield from _world_as_child(robot, joint)
+        if joint.type in _UNCONVERTED and (kind := joint.element.attribute("type")) is not None:
+            yield UnconvertedJoint(kind, joint.element)
+        yield from _axis(joint)
+        yield from _limits(joint)
+        yield from _mimic(robot, joint)
+    for name, (first, *others) in unknown.items():
+        if name not in explained:
+            yield _unknown_end(robot, first, tuple(others))
+    for link, joints in robot.parents.items():
+        yield from _several_parents(link, joints)
+    for loop in robot.loops():
+        yield _loop(robot, loop)
+    yield from _mimic_cycles(robot)
+
+
+def _unknown_end(robot: UrdfTree, first: Value, others: tuple[Value, ...]) -> kinds.UnknownJointEnd:
+    end = first.element
+    joint = end.parent
+    assert joint is not None
+    ends = (joint.find("parent"), joint.find("child"))
+    taken = {each.attributes.get("link") for each in ends if each is not None}
+    free = (name for name in robot.links if name not in taken)
+    near = suggest_in(end.document, first.text, free)
+    return kinds.UnknownJointEnd(first, joint, end.name, near, others=others)
+
+
+def _world_as_child(robot: UrdfTree, joint: UrdfJoint) -> Iterator[object]:
+    if joint.child is not None and joint.child.text == "world" and "world" in robot.links:
+        yield kinds.WorldAsChild(joint.child, joint.element)
+
+
+def _several_parents(link: str, joints: list[UrdfJoint]) -> Iterator[object]:
+    first, *others = joints
+    for joint in others:
+        if joint.name == first.name:
+            continue  # that there are two of one name is said already
+        assert first.child is not None
+        assert joint.child is not None
+        names = tuple(each.name for each in joints)
+        yield kinds.SeveralParents(joint.child, first.child, link, names, refused=True)
+
+
+def _loop(robot: UrdfTree, loop: list[UrdfJoint]) -> kinds.JointLoop:
+    """The loop, beginning with its first joint in the document."""
+    order = {id(joint): number for number, joint in enumerate(robot.joints)}
+    start = min(range(len(loop)), key=lambda number: order[id(loop[number])])
+    ends = [joint.child for joint in (*loop[start:], *loop[:start]) if joint.child is not None]
+    return kinds.JointLoop(tuple(ends), tuple(end.text for end in ends), refused=True)
+
+
+def _axis(joint: UrdfJoint) -> Iterator[object]:
+    axis = joint.element.find("axis") if joint.type in _WITH_AXIS else None
+    value = axis.attribute("xyz") if axis is not None else None
+    numbers = floats(value.text) if value is not None else None
+    if value is None or numbers is None or len(numbers) != 3:
+        return
+    length = sqrt(sum(number * number for number in numbers))
+    if length == 0:
+        yield kinds.ZeroAxis(value, joint.element)
+    elif abs(length - 1) > _UNIT:
+        normalized = " ".join(f"{number / length:.12g}" for number in numbers)
+        yield kinds.NonUnitAxis(value, joint.element, length, normalized)
+
+
+def _limits(joint: UrdfJoint) -> Iterator[object]:
+    element = joint.element
+    limit, dynamics = element.find("limit"), element.find("dynamics")
+    if limit is None and joint.type in _BOUNDED and not _is_misspelt(element, "limit"):
+        yield MissingLimit(element, None, joint.type, ())
+    if limit is not None and joint.type in MOVING:
+        yield from _negative(limit, "effort", joint)
+        yield from _negative(limit, "velocity", joint)
+        yield from _bounds(limit, joint)
+    if dynamics is not None:
+        if not any(suggest(name, ("damping", "friction")) for name in dynamics.attributes):
+            yield MissingAttribute(dynamics, "damping", empty=False)
+        yield from _negative(dynamics, "damping", joint)
+        yield from _negative(dynamics, "friction", joint)
+
+
+def _is_misspelt(element: Element, name: str) -> bool:
+    """Whether another child was meant to be the one of that name."""
+    return any(suggest(child.name, (name,)) for child in element.children())
+
+
+def _bounds(limit: Element, joint: UrdfJoint) -> Iterator[object]:
+    lower, upper = limit.attribute("lower"), limit.attribute("upper")
+    if joint.type not in _BOUNDED:
+        useless = [value for value in (lower, upper) if value is not None and value.number]
+        if useless and not _whole_turn(lower, upper):
+            yield kinds.UselessLimit(useless[0], tuple(useless[1:]), joint.type, joint.element)
+    elif lower is None and upper is None:
+        yield LockedByDefault(limit, joint.element, joint.type)
+    elif lower is not None and upper is not None and inf > lower.number > upper.number > -inf:
+        yield kinds.InvertedLimits(lower, upper, joint.element)
+
+
+def _whole_turn(lower: Value | None, upper: Value | None) -> bool:
+    """Whether the limits leave out no position of a joint that turns, and so are true."""
+    return lower is not None and upper is not None and upper.number - lower.number > 2 * pi - _UNIT
+
+
+def _negative(owner: Element, quantity: str, joint: UrdfJoint) -> Iterator[object]:
+    value = owner.attribute(quantity)
+    # -1 for an effort or a velocity is the customary word for none.
+    if value is not None and value.number < 0 and (value.number != -1 or owner.tag != "limit"):
+        yield kinds.NegativeLimit(value, quantity, joint.element)
+
+
+def _leader(joint: UrdfJoint) -> Value | None:
+    mimic = joint.element.find("mimic")
+    value = mimic.attribute("joint") if mimic is not None else None
+    return value if value is not None and value.text else None
+
+
+def _mimic(robot: UrdfTree, joint: UrdfJoint) -> Iterator[object]:
+    value = _leader(joint)
+    if value is None:
+        return
+    if joint.type == "fixed":
+        return
+    leader = robot.joint_named.get(value.text)
+    if leader is None:
+        candidates = [name for name in robot.joint_named if name != joint.name]
+        yield kinds.UnknownMimicLeader(
+            value, joint.element, suggest_in(joint.element.document, value.text, candidates)
+        )
+    elif leader.type == "fixed" and (kind := leader.element.attribute("type")) is not None:
+        yield MimicOfFixedJoint(value, joint.element, kind)
+
+
+def _mimic_cycles(robot: UrdfTree) -> Iterator[object]:
+    leaders = {name: value for name, joint in robot.joint_named.items() if (value := _leader(joint))}
+    done: set[str] = set()
+    for start in leaders:
+        path: dict[str, Value] = {}
+        name = start
+        while name in leaders and name not in done and name not in path:
+            path[name] = leaders[name]
+            name = leaders[name].text
+        if name in path:
+            cycle = list(path)[list(path).index(name) :]
+            yield kinds.MimicCycle(tuple(path[each] for each in cycle), tuple(cycle))
+        done.update(path)

@@ -1,0 +1,128 @@
+"""What is wrong with vendors' tags in a document, references to parts of the robot included."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from sdfcheck.formats.suggest import suggest_in
+from sdfcheck.formats.vendor.check import VendorCheck
+from sdfcheck.formats.vendor.definitions import REFUSED, Slot, vendor
+from sdfcheck.formats.vendor.problems import UnknownTagReference
+from sdfcheck.robot.scopes import MODEL_FRAME, Scope, scopes
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
+
+_URDF_KINDS = frozenset({"frame", "joint", "link"})
+_UNKNOWABLE = "?"
+
+
+class _Found(NamedTuple):
+    """What has a name (None: nothing; ``?``: that cannot be said), and which names would do."""
+
+    kind: str | None
+    candidates: list[str]
+
+
+def problems(document: Document, tables: Iterable[Path]) -> Iterator[object]:
+    """Everything wrong with the tags of some vendors in an SDF or URDF document, in no particular order."""
+    if document.kind not in {Kind.SDF, Kind.URDF} or "<xacro:" in document.source.text:
+        return
+    dialect, other = document.kind.value, "urdf" if document.kind is Kind.SDF else "sdf"
+    for path in tables:
+        check = VendorCheck(document, vendor(path, dialect), vendor(path, other))
+        yield from check.run()
+        if check.references:
+            yield from _References(check).run()
+
+
+class _References:
+    """Resolves what tags refer to: in SDF by scope, in URDF among the robot's parts."""
+
+    def __init__(self, check: VendorCheck) -> None:
+        self.check = check
+        self.document = check.document
+        self.is_sdf = check.document.kind is Kind.SDF
+
+    def run(self) -> Iterator[object]:
+        for value, slot, tag in self.check.references:
+            owner = self.owner(value.element)
+            if owner is None:
+                continue
+            found = self.look_up(owner, slot, value.text.strip())
+            if found.kind in slot.references or found.kind == _UNKNOWABLE:
+                continue
+            near = suggest_in(self.document, value.text.strip(), found.candidates)
+            yield UnknownTagReference(
+                self.check.vendor, tag.name, REFUSED, value, slot.references, found.kind, near, slot.scoped
+            )
+
+    def owner(self, element: Element) -> Element | None:
+        """The model or robot that the names belong to."""
+        at = element.parent
+        while at is not None and at.name not in {"model", "robot"}:
+            at = at.parent
+        return at
+
+    def look_up(self, owner: Element, slot: Slot, name: str) -> _Found:
+        own = [kind for kind in slot.references if ":" in kind]
+        found = _Found(None, [])
+        if len(own) < len(slot.references):
+            found = self.in_sdf(owner, slot, name) if self.is_sdf else self.in_urdf(owner, slot, name)
+        for kind in own:
+            if found.kind not in slot.references:
+                tags = self.among_tags(owner, kind, slot, name)
+                found = _Found(tags.kind or found.kind, [*found.candidates, *tags.candidates])
+        return found
+
+    def in_sdf(self, owner: Element, slot: Slot, name: str) -> _Found:
+        scope = scopes(self.document).by_element.get(owner)
+        if scope is None or (name == MODEL_FRAME and "frame" in slot.references):
+            return _Found(_UNKNOWABLE, [])
+        right = [
+            candidate
+            for candidate in scope.names()
+            if (slot.scoped or "::" not in candidate) and _kind(scope, candidate) in slot.references
+        ]
+        if "::" in name and not slot.scoped:
+            return _Found(None, right)
+        if scope.find(name) is None and scope.may_hold(name):
+            return _Found(_UNKNOWABLE, [])
+        return _Found(_kind(scope, name), right)
+
+    def in_urdf(self, owner: Element, slot: Slot, name: str) -> _Found:
+        kinds: dict[str, str] = {}
+        for child in owner.children():
+            kind = child.name.removeprefix(self.check.mark)
+            own = child.attributes.get("name", "")
+            if kind in _URDF_KINDS and own and kinds.get(own) not in slot.references:
+                kinds[own] = kind
+        right = [own for own, kind in kinds.items() if kind in slot.references]
+        return _Found(None if name == "world" else kinds.get(name), right)
+
+    def among_tags(self, owner: Element, kind: str, slot: Slot, name: str) -> _Found:
+        """Tags of a kind in the same model or, where scoped names are understood, in nested ones."""
+        path, delimiter, last = name.rpartition("::")
+        if not delimiter:
+            names = _named(owner, kind)
+            return _Found(kind if name in names else None, names)
+        scope = scopes(self.document).by_element.get(owner) if self.is_sdf and slot.scoped else None
+        if scope is None:
+            return _Found(None, _named(owner, kind))
+        model = scope.find(path)
+        if model is None or model.inner is None or not model.inner.complete:
+            return _Found(_UNKNOWABLE if scope.may_hold(name) else None, [])
+        names = _named(model.inner.element, kind)
+        return _Found(kind if last in names else None, [f"{path}::{own}" for own in names])
+
+
+def _kind(scope: Scope, name: str) -> str | None:
+    frame = None if name == "world" else scope.find(name)
+    return None if frame is None else frame.kind
+
+
+def _named(owner: Element, kind: str) -> list[str]:
+    """The names of an element's children of one kind."""
+    return [name for child in owner.children(kind) if (name := child.attributes.get("name", ""))]

@@ -1,0 +1,90 @@
+"""Where everything stands: one pass over the text, never failing.
+
+lxml keeps the tree; a scan keeps the places. Both number elements in document order,
+which is how they find each other. On a text that is not well formed the scan also says
+why (:mod:`sdfcheck.source.problems`) and writes it anew, well formed, so that the rest
+can be linted all the same. Three steps: cut the text up, join the tags, write.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.source.problems import Problem
+    from sdfcheck.source.scanner.start_tag import StartTag
+    from sdfcheck.source.text import Source
+
+
+class ElementPlace(NamedTuple):
+    """Offsets of an element's tags: start tag ``start:end``, end tag ``close:close_end``.
+
+    An element without an end tag (``<a/>``, or never closed) has ``close == close_end``.
+    """
+
+    start: int
+    end: int
+    close: int
+    close_end: int
+
+
+class Scan:
+    """The places of one text's elements (in document order) and comments, and its defects."""
+
+    __slots__ = (
+        "close_ends",
+        "closes",
+        "comments",
+        "doubtful",
+        "ends",
+        "odd",
+        "problems",
+        "starts",
+        "wellformed",
+    )
+
+    def __init__(self) -> None:
+        self.starts: list[int] = []
+        self.ends: list[int] = []
+        self.closes: list[int] = []
+        self.close_ends: list[int] = []
+        self.comments: list[tuple[int, int]] = []
+        self.problems: list[Problem] = []
+        self.doubtful: list[tuple[int, int]] = []
+        """Ranges that were read by a guess: what is wrong there besides follows from the guess."""
+        self.odd: dict[int, StartTag] = {}
+        """Start tags that are not as XML wants them, by their place in the order."""
+        self.wellformed = ""
+        """The text written anew; empty for one that needs it not."""
+
+    def place(self, index: int) -> ElementPlace:
+        return ElementPlace(self.starts[index], self.ends[index], self.closes[index], self.close_ends[index])
+
+    def inside(self, index: int, tag: StartTag) -> tuple[int, int]:
+        """From behind an element's start tag to where, at the latest, its first text ends."""
+        return self.ends[index], self.closes[index]
+
+
+def scan(source: Source) -> Scan:
+    """Scan any text, and write it anew in well-formed XML."""
+    from sdfcheck.source.scanner.pairing import pair
+    from sdfcheck.source.scanner.prepare import prepare
+    from sdfcheck.source.scanner.tokenizer import tokenize
+    from sdfcheck.source.scanner.tokens import TokenKind
+    from sdfcheck.source.scanner.wellformed import Writer
+
+    result = Scan()
+    prepared = prepare(source)
+    tokens = tokenize(source, prepared.text)
+    pairs = pair(source, prepared.text, tokens)
+    writer = Writer(source, prepared.text, result, tokens.entities)
+    writer.write(pairs.steps)
+    read = (problem for problem in (*prepared.problems, *tokens.problems) if problem.span.start < pairs.end)
+    found = [*read, *pairs.problems, *result.problems]
+    result.problems = sorted(found, key=lambda problem: (problem.span.start, problem.span.end))
+    result.doubtful = [*prepared.doubtful, *tokens.doubtful, *pairs.doubtful]
+    pieces = (token for token in tokens.pieces if token.kind is TokenKind.COMMENT)
+    result.comments = [(token.start, token.end) for token in pieces if token.start < pairs.end]
+    return result

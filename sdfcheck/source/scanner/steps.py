@@ -1,0 +1,36 @@
+"""What becomes of the pieces of a text."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from sdfcheck.source.problems import Problem
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.scanner.tokens import Token
+
+
+class Act(Enum):
+    """What becomes of a token."""
+
+    OPEN = "opens an element"
+    CLOSE = "closes the innermost element"
+    KEEP = "belongs to the innermost element"
+    DROP = "is not part of the tree"
+
+
+class Step(NamedTuple):
+    """A token and what becomes of it; ``name`` is that of the element, misspelt or not."""
+
+    act: Act
+    token: Token
+    number: int
+    name: str = ""
+
+
+class Pairs(NamedTuple):
+    """The steps from the root's start tag to its end, and what is wrong; behind ``end`` nothing was read."""
+
+    steps: list[Step]
+    problems: list[Problem]
+    doubtful: list[tuple[int, int]]
+    end: int

@@ -1,0 +1,61 @@
+"""The expanded text with comments that say where each element was written."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from lxml import etree
+
+from sdfcheck.source.element import Element
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.origins import ExpandedDocument
+
+_RUN = "--"
+
+
+def annotated(document: ExpandedDocument) -> str:
+    """The text, with a comment before every element that stands on a line of its own.
+
+    Elements written on consecutive lines of one file in one go share the comment of the
+    element around them.
+    """
+    text = document.source.text
+    root = document.root
+    if root is None:
+        return text
+    pieces, at = [], 0
+    starts = document.scan.starts
+    for number, element in enumerate(root.iter(etree.Element)):
+        assert isinstance(element, Element)
+        start = starts[number]
+        line = text.rfind("\n", 0, start) + 1
+        if text[line:start].strip() or not _is_news(element, document):
+            continue
+        pieces += [text[at:line], text[line:start], f"<!-- {_told(element, document)} -->\n"]
+        at = line
+    return "".join([*pieces, text[at:]])
+
+
+def _is_news(element: Element, document: ExpandedDocument) -> bool:
+    """Whether the comment of the element around does not say it all."""
+    parent = element.parent
+    if parent is None:
+        return True
+    spans = document.spans
+    same = spans.home(element) is spans.home(parent)
+    return not same or spans.origins(element) != spans.origins(parent) or "name" in element.attributes
+
+
+def _told(element: Element, document: ExpandedDocument) -> str:
+    steps = "".join(f"; {step.text}: {_place(step.span)}" for step in document.origins(element))
+    told = f"{_place(element.span)}{steps}".replace(", called here", "")
+    while _RUN in told:
+        told = told.replace(_RUN, "-")
+    return told
+
+
+def _place(span: Span) -> str:
+    path = span.source.path
+    shown = os.path.relpath(path) if path.is_absolute() and path.is_relative_to(Path.cwd()) else str(path)
+    return f"{shown}:{span.begin.line}"

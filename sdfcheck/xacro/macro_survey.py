@@ -1,0 +1,116 @@
+"""URDF inside of what xacro has yet to expand: bodies of macros that nothing calls, and libraries of them.
+
+What xacro puts in is unknown, so an element with something of xacro's inside lacks
+nothing and has nothing twice, and a value with an expression is taken as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import cast
+
+from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.urdf.survey import UrdfSurvey, UrdfWalk
+from sdfcheck.formats.urdf.table import UrdfElement, known_parents, urdf
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.xacro.own_elements import lacks_prefix
+
+_PREFIX = "xacro:"
+_BLOCK = "xacro:insert_block"
+_TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
+_PLACES = ("", "link", "joint", "link/inertial", "link/visual", "link/visual/geometry", "joint/limit")
+"""Where macros are called: what their bodies hold may stand at one of these paths below ``robot``."""
+_SHARE = 3
+"""A body that has fewer known names than so many for each foreign one is none of URDF's."""
+
+
+class Bodies:
+    """Some elements of a xacro document that no expansion shows: what is wrong, and the links in them."""
+
+    __slots__ = ("links", "problems")
+
+    def __init__(self, document: Document, bodies: Iterable[Element]) -> None:
+        surveyed = UrdfSurvey(document)
+        walk = _BodyWalk(surveyed)
+        for body in bodies:
+            place = _place(body)
+            if place is not None:
+                walk.content(body, place)
+        self.problems = walk.conclude()
+        self.links = surveyed.index["link"]
+
+
+class _BodyWalk(UrdfWalk):
+    """The walk over a document, for elements that are not all there yet."""
+
+    def children(self, parent: Element, place: UrdfElement) -> None:
+        put_in = [child for child in parent.children() if _is_of_xacro(child)]
+        if not put_in:
+            super().children(parent, place)
+            return
+        self.content(parent, place)
+        blocks = {child.attributes.get("name", "") for child in put_in if child.name == _BLOCK}
+        # A block is called after what it is.
+        if len(blocks) == len(put_in) and blocks <= place.children.keys():
+            for name in place.required_children:
+                if name not in blocks and not parent.has(name):
+                    self.findings.missing_child(parent, name)
+
+    def content(self, parent: Element, place: UrdfElement) -> None:
+        """Check each child for itself: what else will be there is not known."""
+        for child in content(parent):
+            definition = place.children.get(child.name)
+            if definition is None:
+                self.findings.unexpected(child, parent, place)
+            else:
+                self.element(child, definition)
+
+
+def _is_of_xacro(element: Element) -> bool:
+    return element.name.startswith(_PREFIX) or lacks_prefix(element)
+
+
+def content(parent: Element) -> Iterator[Element]:
+    """The elements that an element holds once xacro has decided, without those that it puts in."""
+    for child in parent.children():
+        if child.name in _TRANSPARENT:
+            yield from content(child)
+        elif not _is_of_xacro(child):
+            yield child
+
+
+def _place(body: Element) -> UrdfElement | None:
+    """Where a body belongs: at the first of the places that know most of it; None where none does."""
+    robot = urdf()
+    if body.name == "robot":
+        return robot
+    best, place = 0, None
+    for path in _PLACES:
+        candidate = cast(UrdfElement, robot.at(path))
+        known, foreign = _fit(body, candidate)
+        if known >= _SHARE * foreign and known - foreign > best:
+            best, place = known - foreign, candidate
+    return place
+
+
+def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
+    """How many of the names inside an element are known at a place, and how many are foreign to URDF."""
+    known = foreign = 0
+    for child in content(parent):
+        definition = place.children.get(child.name)
+        if definition is None:
+            foreign += ":" not in child.name and not _is_slip(child.name, place)
+            continue
+        given = [name for name in child.attributes if ":" not in name]
+        right = sum(name in definition.attributes for name in given)
+        wrong = sum(suggest(name, definition.attributes) is None for name in given)
+        inner = (0, 0) if definition.open else _fit(child, definition)
+        known += 1 + right + inner[0]
+        foreign += wrong + inner[1]
+    return known, foreign
+
+
+def _is_slip(name: str, place: UrdfElement) -> bool:
+    """Whether an element is URDF's, but misspelt or in another place than its own."""
+    return bool(known_parents(name)) or suggest(name, place.children) is not None

@@ -1,0 +1,242 @@
+"""Where the elements of an expanded document were written."""
+
+from __future__ import annotations
+
+import os
+import re
+from bisect import bisect_right
+from collections.abc import Sequence
+from pathlib import Path
+
+from lxml import etree
+
+from sdfcheck.source.decode import decode
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.scanner.quick_scan import quick_scan
+from sdfcheck.source.scanner.scan import Scan
+from sdfcheck.source.scanner.start_tag import START, StartTag, parse_start_tag
+from sdfcheck.source.spans import Spans
+from sdfcheck.source.text import Source, Span, Step
+
+_WORD = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\)|\S)+")
+
+
+class OriginSpan(Span):
+    """A place in a xacro file, reached by macro calls and includes: ``origins``, the nearest first.
+
+    Reached in another way it is another place.
+    """
+
+    origins: tuple[Step, ...] = ()
+
+    def __eq__(self, other: object) -> bool:
+        return tuple.__eq__(self, other) is True and self.origins == getattr(other, "origins", ())
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = Span.__hash__
+
+    @classmethod
+    def of(cls, span: Span, origins: tuple[Step, ...]) -> Span:
+        if not origins:
+            return span
+        placed = cls(*span)
+        placed.origins = origins
+        return placed
+
+
+class Call(NamedTuple):
+    """A macro call or include as the expansion reports it; ``outer`` is the row of the one around it."""
+
+    kind: str
+    name: str
+    file: int
+    line: int
+    column: int
+    outer: int
+
+
+class Sources:
+    """The files that took part, read once; ``top`` is at hand already."""
+
+    def __init__(self, top: Source) -> None:
+        self.top = top
+        self._known = {_key(top.path): top}
+        self._scans: dict[int, Scan] = {}
+        self._kept: list[Source] = []
+
+    def get(self, path: Path) -> Source:
+        key = _key(path)
+        source = self._known.get(key)
+        if source is None:
+            try:
+                data = Path(key).read_bytes()
+            except OSError:
+                data = b""
+            source = self._known[key] = decode(data, shown(path))[0]
+        return source
+
+    def scan(self, source: Source) -> Scan:
+        found = self._scans.get(id(source))
+        if found is None:
+            self._kept.append(source)
+            found = self._scans[id(source)] = quick_scan(source)
+        return found
+
+
+def shown(path: Path) -> Path:
+    """A path as people want to see it: without detours, from the current folder if it lies below that."""
+    plain = os.path.normpath(path)
+    here = os.getcwd() + os.sep
+    return Path(plain.removeprefix(here))
+
+
+def _key(path: Path) -> str:
+    return os.path.abspath(path)
+
+
+class Provenance:
+    """The places of all elements of one expansion, by their number in document order."""
+
+    def __init__(
+        self, sources: Sources, files: Sequence[str], calls: Sequence[Call], places: list[int]
+    ) -> None:
+        self.sources = sources
+        self.files = [sources.get(Path(name)) for name in files]
+        self.calls = calls
+        self.places = places
+        self._chains: dict[int, tuple[Step, ...]] = {-1: ()}
+
+    def source(self, number: int) -> Source:
+        return self.files[self.places[4 * number]]
+
+    def offset(self, number: int) -> int:
+        _, line, column, _ = self.places[4 * number : 4 * number + 4]
+        return self.source(number).offset(line, column)
+
+    def chain(self, number: int) -> tuple[Step, ...]:
+        """The calls and includes that led to element ``number``, the nearest first."""
+        return self.steps(self.places[4 * number + 3])
+
+    def steps(self, row: int) -> tuple[Step, ...]:
+        if row not in self._chains:
+            call = self.calls[row]
+            step = Step(self.name_at(call.file, call.line, call.column), _told(call))
+            self._chains[row] = (step, *self.steps(call.outer))
+        return self._chains[row]
+
+    def name_at(self, file: int, line: int, column: int) -> Span:
+        """The name of the tag that starts there."""
+        source = self.files[file]
+        at = source.offset(line, column)
+        match = START.match(source.text, at)
+        return source.span(match.start(1), match.end(1)) if match else source.span(at, at)
+
+
+def _told(call: Call) -> str:
+    return f"in macro `{call.name}`, called here" if call.kind == "macro" else "included here"
+
+
+class OriginSpans(Spans):
+    """Like :class:`Spans`, but places are in the xacro files, where the elements were written.
+
+    The place of a value is that of the expression that it came from.
+    """
+
+    __slots__ = ("_indices", "provenance")
+
+    def __init__(self, provenance: Provenance, source: Source, scan: Scan, root: Element) -> None:
+        super().__init__(source, scan, root)
+        self.provenance = provenance
+        self._indices: dict[int, int] = {}
+
+    def home(self, element: Element) -> Source:
+        return self.provenance.source(self._numbers[element])
+
+    def span(self, element: Element, start: int, end: int) -> Span:
+        number = self._numbers[element]
+        return OriginSpan.of(self.provenance.source(number).span(start, end), self.provenance.chain(number))
+
+    def origins(self, element: Element) -> tuple[Step, ...]:
+        return self.provenance.chain(self._numbers[element])
+
+    def found(self, element: Element) -> tuple[Scan, int]:
+        number = self._numbers[element]
+        scan = self.provenance.sources.scan(self.provenance.source(number))
+        index = self._indices.get(number)
+        if index is None:
+            index = max(bisect_right(scan.starts, self.provenance.offset(number)) - 1, 0)
+            self._indices[number] = index
+        return scan, index
+
+    def start_tag(self, element: Element) -> StartTag:
+        scan, index = self.found(element)
+        return parse_start_tag(self.home(element), scan.starts[index])[0]
+
+    def part(self, span: Span, index: int) -> Span:
+        """The ``index``-th word; an expression is one word, whatever comes of it."""
+        words = list(_WORD.finditer(span.text))
+        if index >= len(words):
+            return span
+        start = span.start + words[index].start()
+        part = span.source.span(start, start + len(words[index][0]))
+        return OriginSpan.of(part, getattr(span, "origins", ()))
+
+
+class ExpandedDocument(Document):
+    """The expansion of a xacro file; its places are in the files that were expanded."""
+
+    __slots__ = ()
+
+    def __init__(self, source: Source, provenance: Provenance) -> None:
+        self.provenance = provenance
+        super().__init__(source, None, [])
+
+    @property
+    def spans(self) -> OriginSpans:
+        if self._spans is None:
+            assert self.root is not None, "spans belong to elements, and there is none"
+            self._spans = OriginSpans(self.provenance, self.source, self.scan, self.root)
+        assert isinstance(self._spans, OriginSpans)
+        return self._spans
+
+    @property
+    def is_expanded(self) -> bool:
+        return True
+
+    def origins(self, element: Element) -> tuple[Step, ...]:
+        return self.spans.origins(element)
+
+    @property
+    def top(self) -> Source:
+        """The xacro file that was expanded."""
+        return self.provenance.sources.top
+
+    def origins_at(self, span: Span) -> tuple[Step, ...]:
+        """How a place came to be; for a plain place, how the first element written there did."""
+        if isinstance(span, OriginSpan):
+            return span.origins
+        best, number = -1, -1
+        for element in range(len(self.provenance.places) // 4):
+            if self.provenance.source(element) is span.source:
+                offset = self.provenance.offset(element)
+                if best < offset <= span.start:
+                    best, number = offset, element
+        return self.provenance.chain(number) if number >= 0 else ()
+
+    def written(self, span: Span) -> Span:
+        """The place behind one in the expanded text; any other place is returned as it is."""
+        if span.source is not self.source or self.root is None:
+            return span
+        number = max(bisect_right(self.scan.starts, span.start) - 1, 0)
+        element = next(e for n, e in enumerate(self.root.iter(etree.Element)) if n == number)
+        tag = parse_start_tag(self.source, self.scan.starts[number])[0]
+        for attribute in tag.attributes:
+            if attribute.value_start <= span.start and span.end <= attribute.value_end:
+                return self.spans.attribute_value(element, attribute.name)  # type: ignore[arg-type]
+            if attribute.name_start <= span.start and span.end <= attribute.name_end:
+                return self.spans.attribute_name(element, attribute.name)  # type: ignore[arg-type]
+        return self.spans.name(element)  # type: ignore[arg-type]

@@ -1,0 +1,104 @@
+"""The elements of the xacro language, also where somebody slipped in writing them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, PREFIX, REQUIRED
+from sdfcheck.xacro.nearby import nearest
+from sdfcheck.xacro.problems import MissingXacroPrefix, WrongXacroAttribute
+
+_FREE = frozenset({"gazebo", "plugin", "ros2_control", "transmission", "mujoco"})
+"""What is inside of these is somebody else's, and may be called as xacro's elements are."""
+
+
+def keyword(element: Element) -> str:
+    """Which element of the language this is or was meant to be, empty if none."""
+    name = element.name
+    if name.startswith(PREFIX):
+        own = name[len(PREFIX) :]
+        if own in KEYWORDS:
+            return own
+        near = nearest(own, REQUIRED)
+        return near if near is not None and _has_needs(element, near) else ""
+    return name if lacks_prefix(element) else ""
+
+
+def lacks_prefix(element: Element) -> bool:
+    """Whether an element is xacro's but for the prefix: by its name, its attributes and its place."""
+    name = element.name
+    if name not in REQUIRED or not _has_needs(element, name):
+        return False
+    above = element.parent
+    while above is not None:
+        if above.name in _FREE or (":" in above.name and not above.name.startswith(PREFIX)):
+            return False
+        above = above.parent
+    return True
+
+
+def is_conditional(element: Element) -> bool:
+    """Whether xacro may pass over an element."""
+    above = element.parent
+    while above is not None and keyword(above) not in {"if", "unless"}:
+        above = above.parent
+    return above is not None
+
+
+def own_attributes(element: Element, own: str) -> dict[str, str]:
+    """The attributes of an element of the language, each by the name that was meant."""
+    given = element.attributes
+    if own not in REQUIRED or all(name in _taken(own) for name in given):
+        return given
+    meant: dict[str, str] = {}
+    for name, text in given.items():
+        meant.setdefault(_meant(name, own, given) or name, text)
+    return meant
+
+
+def element_problems(document: Document) -> Iterator[MissingXacroPrefix | WrongXacroAttribute]:
+    """What is wrong with the elements of the language in a document, their prefix and attributes."""
+    assert document.root is not None
+    for element in document.root.iterdescendants("*"):
+        if not isinstance(element, Element):
+            continue
+        if lacks_prefix(element):
+            end = document.spans.end_name(element)
+            names = tuple(span for span in (element.span, end) if span is not None)
+            yield MissingXacroPrefix(element.span, element.name, names)
+        elif element.name.startswith(PREFIX) and element.name[len(PREFIX) :] in REQUIRED:
+            yield from _wrong_attributes(element, element.name[len(PREFIX) :])
+
+
+def _wrong_attributes(element: Element, own: str) -> Iterator[WrongXacroAttribute]:
+    given = element.attributes
+    meant = set()
+    for name in given:
+        if name not in _taken(own) and ":" not in name:
+            near = _meant(name, own, given)
+            meant.add(near)
+            span = element.document.spans.attribute_name(element, name)
+            yield WrongXacroAttribute(span, element.name, name, is_missing=False, near=near)
+    for name in REQUIRED[own]:
+        if name not in given and name not in meant:
+            yield WrongXacroAttribute(element.span, element.name, name, is_missing=True)
+
+
+def _meant(name: str, own: str, given: dict[str, str]) -> str | None:
+    """What an attribute was meant to be: one that is near, else the only one that is required and missing."""
+    free = [each for each in _taken(own) if each not in given]
+    if name in _taken(own) or ":" in name:
+        return None
+    missing = [each for each in REQUIRED[own] if each not in given]
+    unknown = [each for each in given if each not in _taken(own)]
+    return nearest(name, free) or (missing[0] if len(missing) == len(unknown) == 1 else None)
+
+
+def _taken(own: str) -> tuple[str, ...]:
+    return (*REQUIRED[own], *OPTIONAL.get(own, ()))
+
+
+def _has_needs(element: Element, own: str) -> bool:
+    return all(name in element.attributes for name in REQUIRED[own])

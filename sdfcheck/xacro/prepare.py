@@ -1,0 +1,100 @@
+"""What there is to lint about a xacro file: its own problems, and the documents that come of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.problems import SyntaxDefect
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
+from sdfcheck.xacro import static
+from sdfcheck.xacro.expansion import Expander
+from sdfcheck.xacro.nearby import is_included
+from sdfcheck.xacro.origins import ExpandedDocument
+from sdfcheck.xacro.problems import (
+    ExpansionFailure,
+    Failure,
+    MissingXacroPrefix,
+    Problem,
+    UndeclaredXacroPrefix,
+    UndefinedArgument,
+    UndefinedBlock,
+    UndefinedMacro,
+    UndefinedProperty,
+    UnevaluatedExpression,
+    WrongXacroAttribute,
+)
+from sdfcheck.xacro.world import is_robot
+
+_STOPS = (
+    MissingXacroPrefix,
+    UndeclaredXacroPrefix,
+    UndefinedArgument,
+    UndefinedBlock,
+    UnevaluatedExpression,
+    WrongXacroAttribute,
+)
+"""With one of these an expansion fails, or shows what follows from them."""
+
+
+class Prepared(NamedTuple):
+    """``problems`` are those of the xacro file itself, ``documents`` its expansions."""
+
+    problems: tuple[Problem, ...]
+    documents: tuple[ExpandedDocument, ...]
+
+
+def prepare(
+    document: Document, expander: Expander | None, argument_sets: Iterable[Mapping[str, str]] = ()
+) -> Prepared:
+    """Read a xacro document, and expand it once for each set of arguments (without one: once).
+
+    A macro library is not expanded, nor is what cannot be, and nothing is without
+    ``expander``. Two problems of one kind at one place are one, and so are all uses of one
+    undefined name.
+    """
+    if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
+        return Prepared((), ())
+    found: list[Problem] = list(static.problems(document))
+    documents: list[ExpandedDocument] = []
+    is_sound = not any(isinstance(problem, _STOPS) for problem in found)
+    if expander is not None and is_sound and is_robot(document):
+        for arguments in list(argument_sets) or [{}]:
+            expansion = expander.expand(document, arguments)
+            if expansion.document is not None and is_complete(expansion.document):
+                expansion.document.library = document.library
+                documents.append(expansion.document)
+            found += [p for p in expansion.problems if not (_needs_includer(p) and is_included(document))]
+    return Prepared(tuple(_merged(found)), tuple(documents))
+
+
+def _merged(found: list[Problem]) -> Iterator[Problem]:
+    """The first of the problems of one kind at one place, and of those with one undefined name."""
+    names: dict[tuple[type, str], list[UndefinedMacro | UndefinedProperty]] = {}
+    seen = set()
+    for problem in found:
+        key = type(problem), problem.span
+        if key in seen:
+            continue
+        seen.add(key)
+        if isinstance(problem, UndefinedMacro | UndefinedProperty):
+            names.setdefault((type(problem), problem.name), []).append(problem)
+        else:
+            yield problem
+    for first, *others in names.values():
+        places = tuple(other.span for other in others)
+        yield type(first)(first.span, first.name, first.near, first.origins, places)
+
+
+def is_complete(document: Document) -> bool:
+    """Whether a document can stand alone: a robot with links, or SDFormat."""
+    root = document.root
+    return root is not None and (document.kind is not Kind.URDF or root.has("link"))
+
+
+def _needs_includer(problem: Problem) -> bool:
+    """Whether a file that includes this one may give what an expansion lacks."""
+    if isinstance(problem, ExpansionFailure):
+        return problem.kind is Failure.ARGUMENT
+    return isinstance(problem, UndefinedMacro | UndefinedProperty)

@@ -1,0 +1,210 @@
+"""What one xacro file defines, calls, includes and reads, found without evaluating anything."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.record import Record
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.language import (
+    KEYWORDS,
+    PREFIX,
+    Parameter,
+    expressions,
+    is_literal,
+    parameters,
+    substitutions,
+)
+from sdfcheck.xacro.own_elements import keyword, own_attributes
+
+_WORD = re.compile(r"[^\W\d]\w*")
+_OWN_LANGUAGE = frozenset({"name", "filename"})
+
+
+class Macro(Record):
+    """A macro: its element, its parameters, and the words that its body reads."""
+
+    element: Element
+    name: str
+    parameters: tuple[Parameter, ...]
+    words: frozenset[str]
+    calls: tuple[str, ...]
+
+
+class Property(Record):
+    """A property; ``macro`` is the macro in whose body it is defined, ``value`` None for a block."""
+
+    element: Element
+    name: str
+    value: str | None
+    macro: Element | None
+
+
+class Call(Record):
+    """A use of a macro."""
+
+    element: Element
+    name: str
+
+
+class Expression(Record):
+    """A ``${…}``: its code, where it stands (``attribute`` None: in the text), and in which macro's body."""
+
+    element: Element
+    attribute: str | None
+    code: str
+    macro: Element | None
+
+
+class Include(Record):
+    """An include; ``conditional`` inside ``xacro:if`` or a macro, ``optional`` where the file may be missing."""
+
+    element: Element
+    filename: str
+    namespace: str
+    conditional: bool
+    optional: bool
+
+
+class Command(Record):
+    """A ``$(…)``, and whether it is evaluated for certain."""
+
+    element: Element
+    attribute: str | None
+    text: str
+    certain: bool
+
+
+class Reading:
+    """The facts of one file; made by :func:`reading` once for each document."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.macros: list[Macro] = []
+        self.properties: list[Property] = []
+        self.calls: list[Call] = []
+        self.expressions: list[Expression] = []
+        self.includes: list[Include] = []
+        self.commands: list[Command] = []
+        self.elements: list[tuple[Element, Element | None]] = []
+        """All elements, each with the macro in whose body it stands."""
+        self.arguments: dict[str, str] = {}
+        self.words: set[str] = set()
+        """Every word in an expression, and every name that is inserted or forwarded."""
+        self.is_open = False
+        """Whether names are made by expressions, so that not all of them can be known."""
+        if document.root is not None:
+            self._walk(document.root, None, False)
+
+    def _walk(self, element: Element, macro: Element | None, conditional: bool) -> None:
+        name = element.name
+        self.elements.append((element, macro))
+        own = keyword(element)
+        if name.startswith(PREFIX) and name[len(PREFIX) :] not in KEYWORDS:
+            self.calls.append(Call(element, name[len(PREFIX) :]))
+        if own == "macro":
+            self._take_macro(element)
+            macro, conditional = element, True
+        elif own:
+            self._take_keyword(own, element, macro, conditional)
+            conditional |= own in {"if", "unless"}
+        self._take_values(element, macro, conditional)
+        for child in element.children():
+            self._walk(child, macro, conditional)
+
+    def _take_macro(self, element: Element) -> None:
+        attributes = own_attributes(element, "macro")
+        name = attributes.get("name", "").removeprefix(PREFIX)
+        found = tuple(parameters(attributes.get("params", "")))
+        words: set[str] = set()
+        calls: list[str] = []
+        for node in element.iterdescendants("*"):
+            if node.name == "xacro:macro" or not isinstance(node, Element):  # type: ignore[attr-defined]
+                continue
+            words |= _words_of(node)
+            if node.name.startswith(PREFIX) and node.name[len(PREFIX) :] not in KEYWORDS - {"call"}:
+                calls.append(node.name[len(PREFIX) :])
+        for parameter in found:
+            default = parameter.default or ""
+            words.update(word for _, code in expressions(default) for word in _WORD.findall(code))
+        self.words.update(p.name for p in found if p.forwards)
+        self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls)))
+
+    def _take_keyword(self, own: str, element: Element, macro: Element | None, conditional: bool) -> None:
+        attributes = own_attributes(element, own)
+        name = attributes.get("name", "")
+        if own == "property":
+            self.is_open |= not is_literal(name)
+            self.properties.append(
+                Property(element, name, attributes.get("value", attributes.get("default")), macro)
+            )
+        elif own == "arg":
+            self.arguments.setdefault(name, attributes.get("default", ""))
+        elif own == "include":
+            optional = attributes.get("optional", "") not in {"", "false", "False", "0"}
+            namespace = attributes.get("ns", "")
+            self.is_open |= not is_literal(namespace)
+            filename = attributes.get("filename", "")
+            self.includes.append(Include(element, filename, namespace, conditional or optional, optional))
+        elif own == "call":
+            self.is_open |= not is_literal(attributes.get("macro", ""))
+            if is_literal(attributes.get("macro", "")):
+                self.calls.append(Call(element, attributes.get("macro", "")))
+
+    def _take_values(self, element: Element, macro: Element | None, conditional: bool) -> None:
+        self.words |= _words_of(element)
+        certain = not conditional and element.name != "xacro:property"
+        for attribute, text in texts(element):
+            for _, code in expressions(text):
+                self.expressions.append(Expression(element, attribute, code, macro))
+            for _, command in substitutions(text):
+                self.commands.append(Command(element, attribute, command, certain))
+
+
+def reading(document: Document) -> Reading:
+    """The facts of a document, read once."""
+    return document.view(Reading)
+
+
+def texts(element: Element, signs: str = "$") -> Iterator[tuple[str | None, str]]:
+    """The attribute values and the text that xacro evaluates, as far as they have one of the signs."""
+    for attribute, value in element.attributes.items():
+        if any(sign in value for sign in signs):
+            yield attribute, value
+    for text in (element.text, *(child.tail for child in element)):
+        if text and any(sign in text for sign in signs):
+            yield None, str(text)
+
+
+def _words_of(element: Element) -> set[str]:
+    """The words in an element's expressions, and the block that it inserts."""
+    words = {
+        word for _, text in texts(element) for _, code in expressions(text) for word in _WORD.findall(code)
+    }
+    for _, text in texts(element):
+        words.update(word for _, command in substitutions(text) for word in _WORD.findall(command))
+    if element.name == "xacro:insert_block":
+        words.add(element.attributes.get("name", ""))
+    return words
+
+
+def place(element: Element, attribute: str | None, code: str, word: str = "") -> Span:
+    """The place of a word in an expression; the expression, the value or the tag if it is not found."""
+    spans = element.document.spans
+    if attribute is not None:
+        whole = spans.attribute_value(element, attribute)
+    else:
+        at = spans.place(element)
+        whole = spans.span(element, at.end, at.close)
+    start = whole.source.text.find(code, whole.start, whole.end)
+    if start < 0:
+        return whole if attribute is not None else element.span
+    if word:
+        pattern = re.compile(rf"(?<![\w.]){re.escape(word)}(?!\w)")
+        match = pattern.search(whole.source.text, start, start + len(code))
+        if match:
+            return whole.source.span(match.start(), match.end())
+    return whole.source.span(start, start + len(code))

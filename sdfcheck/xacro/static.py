@@ -1,0 +1,218 @@
+"""What is wrong with a xacro file as far as reading it shows: no expression is evaluated."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from sdfcheck.files.library import library_of
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX, Parameter
+from sdfcheck.xacro.names import free_names
+from sdfcheck.xacro.nearby import guess, nearest, project_names
+from sdfcheck.xacro.own_elements import element_problems
+from sdfcheck.xacro.problems import (
+    Mismatch,
+    Problem,
+    UndeclaredXacroPrefix,
+    UndefinedMacro,
+    UndefinedProperty,
+    UnknownPackage,
+    UnusedMacroParameter,
+    UnusedProperty,
+    WrongMacroArguments,
+    XacroIncludeCycle,
+)
+from sdfcheck.xacro.reading import Call, Macro, place, reading
+from sdfcheck.xacro.world import World, is_robot, knows_all, world
+from sdfcheck.xacro.written import written_problems
+
+_DECLARED = re.compile(r"\sxmlns:xacro\s*=")
+_BLOCK_MAKERS = frozenset({"xacro:if", "xacro:unless", "xacro:insert_block", "xacro:include"})
+
+
+def problems(document: Document) -> Iterator[Problem]:
+    """The problems of a xacro document."""
+    if document.root is None:
+        return
+    yield from _undeclared(document)
+    around = world(document)
+    yield from element_problems(document)
+    yield from written_problems(document, around)
+    yield from _undefined_macros(document, around)
+    yield from _undefined_properties(document, around)
+    yield from _wrong_arguments(document, around)
+    yield from _unused_properties(document, around)
+    yield from _unused_parameters(document, around)
+    for cycle in around.cycles:
+        if cycle.certain:
+            element = cycle.include.element
+            span = document.spans.attribute_value(element, "filename")
+            yield XacroIncludeCycle(span, cycle.include.filename, cycle.steps)
+    yield from _unknown_packages(document)
+
+
+def _undeclared(document: Document) -> Iterator[Problem]:
+    if _DECLARED.search(document.source.text):
+        return
+    assert document.root is not None
+    uses = [e for e in document.root.iter("*") if isinstance(e, Element) and e.name.startswith(PREFIX)]
+    if uses:
+        name = document.spans.name(uses[0])
+        span = name.source.span(name.start, name.start + len(PREFIX) - 1)
+        tag = document.spans.start_tag(document.root)
+        end = tag.attributes[-1].value_end + 1 if tag.attributes else tag.name_end
+        yield UndeclaredXacroPrefix(span, len(uses), document.source.span(end, end))
+
+
+def _undefined_macros(document: Document, around: World) -> Iterator[Problem]:
+    known = {*around.macros, *KEYWORDS}
+    for call in reading(document).calls:
+        if call.name in around.macros or call.name.rpartition(".")[2] in around.macros:
+            continue
+        if knows_all(document):
+            near = guess(document, call.name, known, surely=False)
+        else:
+            elsewhere = project_names(document)
+            near = guess(document, call.name, known | elsewhere, surely=True)
+            if near is None or call.name in elsewhere:
+                continue
+        yield UndefinedMacro(_called(call), call.name, near)
+
+
+def _called(call: Call) -> Span:
+    """The name of the macro in a call."""
+    if call.element.name == "xacro:call":
+        return call.element.document.spans.attribute_value(call.element, "macro")
+    span = call.element.span
+    return span.source.span(span.start + len(PREFIX), span.end)
+
+
+def _undefined_properties(document: Document, around: World) -> Iterator[Problem]:
+    outside, inside = around.properties, around.properties | around.parameters
+    for found in reading(document).expressions:
+        known = outside if found.macro is None else inside
+        for name in sorted(free_names(found.code) - known - BUILT_IN):
+            is_function = re.search(rf"(?<![\w.]){name}\s*\(", found.code) is not None
+            is_certain = knows_all(document)
+            candidates = known | BUILT_IN if is_function else known
+            near = guess(document, name, candidates, surely=not is_certain)
+            # Who includes a library may define properties, but hardly functions.
+            if not is_certain and (name in project_names(document) or (near is None and not is_function)):
+                continue
+            yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)
+
+
+def _wrong_arguments(document: Document, around: World) -> Iterator[Problem]:
+    for call in reading(document).calls:
+        macros = around.macros.get(call.name, [])
+        if len(macros) != 1 or call.element.name == "xacro:call":
+            continue
+        macro = macros[0]
+        given = [name for name in call.element.attributes if not name.startswith(PREFIX)]
+        taken = {p.name for p in macro.parameters if not p.is_block}
+        names = tuple(p.name for p in macro.parameters)
+        missing = tuple(
+            p.name for p in macro.parameters if not p.is_block and not p.is_optional and p.name not in given
+        )
+        for name in given:
+            if name not in taken:
+                span = document.spans.attribute_name(call.element, name)
+                near = missing[0] if len(missing) == 1 else nearest(name, taken.difference(given))
+                missing = tuple(each for each in missing if each != near)
+                yield WrongMacroArguments(
+                    span, macro.name, Mismatch.UNKNOWN, (name,), names, _definition(macro), near=near
+                )
+        if missing:
+            span = call.element.span
+            yield WrongMacroArguments(span, macro.name, Mismatch.MISSING, missing, names, _definition(macro))
+        else:
+            yield from _wrong_blocks(call, macro, names)
+
+
+def _wrong_blocks(call: Call, macro: Macro, names: tuple[str, ...]) -> Iterator[Problem]:
+    blocks = list(call.element.children())
+    if any(block.name.startswith(PREFIX) for block in blocks):
+        return
+    wanted = [p.name for p in macro.parameters if p.is_block]
+    if len(blocks) < len(wanted):
+        lacking = tuple(wanted[len(blocks) :])
+        yield WrongMacroArguments(
+            call.element.span, macro.name, Mismatch.MISSING_BLOCK, lacking, names, _definition(macro)
+        )
+    elif len(blocks) > len(wanted):
+        extra = blocks[len(wanted)]
+        yield WrongMacroArguments(
+            extra.span, macro.name, Mismatch.EXTRA_BLOCK, (extra.name,), names, _definition(macro)
+        )
+
+
+def _definition(macro: Macro) -> Span:
+    return macro.element.document.spans.attribute_value(macro.element, "name")
+
+
+def _unused_properties(document: Document, around: World) -> Iterator[Problem]:
+    if around.is_open:
+        return
+    robot = is_robot(document)
+    seen = set()
+    for found in reading(document).properties:
+        if (found.macro is None and not robot) or found.name in around.words or found.name in seen:
+            continue
+        attributes = found.element.attributes
+        if attributes.get("remove") or attributes.get("scope") or not found.name:
+            continue
+        seen.add(found.name)
+        yield UnusedProperty(document.spans.attribute_value(found.element, "name"), found.name)
+
+
+def _unused_parameters(document: Document, around: World) -> Iterator[Problem]:
+    for macro in reading(document).macros:
+        for parameter in macro.parameters:
+            if not _is_read(parameter.name.lstrip("*"), macro, around, set()):
+                yield UnusedMacroParameter(_parameter_place(macro, parameter), parameter.name, macro.name)
+
+
+def _is_read(name: str, macro: Macro, around: World, seen: set[str]) -> bool:
+    """Whether a macro's body reads a name, or a macro that it calls reads the caller's."""
+    if name in macro.words:
+        return True
+    for call in macro.calls:
+        if call == "call" or call not in around.macros:
+            return True
+        if call in seen:
+            continue
+        seen.add(call)
+        for called in around.macros[call]:
+            own = {p.name.lstrip("*") for p in called.parameters if not p.forwards}
+            if any(p.forwards and p.name == name for p in called.parameters):
+                return True
+            if name not in own and _is_read(name, called, around, seen):
+                return True
+    return False
+
+
+def _parameter_place(macro: Macro, parameter: Parameter) -> Span:
+    span = macro.element.document.spans.attribute_value(macro.element, "params")
+    if span.text[parameter.start : parameter.end] == parameter.name:
+        return span.source.span(span.start + parameter.start, span.start + parameter.end)
+    return span
+
+
+def _unknown_packages(document: Document) -> Iterator[Problem]:
+    """Packages that an expansion needs for certain; in a robot the expansion itself tells of the others."""
+    if (library := library_of(document)) is None:
+        return
+    packages = library.packages(document.path)
+    seen = set()
+    for command in reading(document).commands:
+        match = FIND.match(command.text)
+        if match is None or not command.certain or match[1] in seen or "$" in match[1]:
+            continue
+        seen.add(match[1])
+        if packages.find(match[1]) is None:
+            span = place(command.element, command.attribute, command.text, match[1])
+            near = nearest(match[1], set(packages.names))
+            yield UnknownPackage(span, match[1], near, tuple(str(folder) for folder in packages.searched))

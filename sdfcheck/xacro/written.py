@@ -1,0 +1,157 @@
+"""What no expansion can make sense of, whatever the values: told from the text alone."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.language import COMMANDS, EXPRESSION, PREFIX, expressions, is_literal
+from sdfcheck.xacro.names import free_names
+from sdfcheck.xacro.nearby import guess, nearest, project_names
+from sdfcheck.xacro.own_elements import is_conditional, keyword, own_attributes
+from sdfcheck.xacro.problems import (
+    ExpansionFailure,
+    Failure,
+    UndefinedArgument,
+    UndefinedBlock,
+    UnevaluatedExpression,
+)
+from sdfcheck.xacro.reading import Include, place, reading, texts
+from sdfcheck.xacro.world import World, knows_all
+
+_BRACES = re.compile(r"\{([^{}$\"':,]+)\}")
+_ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
+_TRUTHS = frozenset({"true", "True", "false", "False"})
+
+Found = ExpansionFailure | UndefinedArgument | UndefinedBlock | UnevaluatedExpression
+
+
+def written_problems(document: Document, around: World) -> Iterator[Found]:
+    """The problems of the expressions, substitutions, conditions and inclusions of a document."""
+    yield from _expressions(document)
+    yield from _unevaluated(document, around)
+    yield from _commands(document, around)
+    yield from _conditions(document)
+    yield from _blocks(document, around)
+    for include in around.missing:
+        yield _missing_file(include)
+
+
+def _expressions(document: Document) -> Iterator[ExpansionFailure]:
+    for found in reading(document).expressions:
+        reason = _fault(found.code, found.element)
+        if reason is not None:
+            whole = f"${{{found.code}}}"
+            span = place(found.element, found.attribute, whole)
+            yield ExpansionFailure(span, Failure.EXPRESSION, reason, whole)
+
+
+def _fault(code: str, element: Element) -> str | None:
+    """Why a piece of code has no value in any case, None if it may have one."""
+    if "$" in code:
+        return None  # made of what is put into it
+    try:
+        tree = ast.parse(code.strip(), mode="eval")
+    except SyntaxError as error:
+        return error.msg
+    except (ValueError, RecursionError, MemoryError):
+        return "invalid syntax"
+    if any(_divides_by_zero(node) for node in ast.walk(tree)) and not is_conditional(element):
+        return "division by zero"
+    return None
+
+
+def _divides_by_zero(node: ast.AST) -> bool:
+    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mod):
+        return False
+    return isinstance(node.right, ast.Constant) and node.right.value == 0
+
+
+def _unevaluated(document: Document, around: World) -> Iterator[UnevaluatedExpression]:
+    """Braces around a name that is known here without their dollar, and expressions without end."""
+    for element, macro in reading(document).elements:
+        known = around.properties | (around.parameters if macro is not None else set())
+        for attribute, text in texts(element, "{("):
+            plain = EXPRESSION.sub(lambda match: " " * len(match[0]), text)
+            for match in _BRACES.finditer(plain):
+                names = free_names(match[1])
+                if names and names <= known and not _is_free(element):
+                    span = place(element, attribute, match[0])
+                    yield UnevaluatedExpression(span, f"${match[0]}", is_open=False)
+            for rest in _endless(text, plain):
+                yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
+
+
+def _endless(text: str, plain: str) -> Iterator[str]:
+    """The expressions that lack their end; ``plain`` is the text without those that have one."""
+    for _, code in expressions(text):
+        if "${" in code:
+            yield "${" + code.partition("${")[0]
+    for start in (plain.find("${"), plain.find("$(")):
+        if start >= 0:
+            yield text[start:].strip()
+
+
+def _is_free(element: Element) -> bool:
+    """Whether braces may be meant: in code, templates and the like that somebody else reads."""
+    return element.name in {"param", "plugin", "xacro:property"}
+
+
+def _commands(document: Document, around: World) -> Iterator[ExpansionFailure | UndefinedArgument]:
+    declared = {name for read in around.readings for name in read.arguments}
+    for found in reading(document).commands:
+        word = found.text.partition(" ")[0].strip()
+        if word not in COMMANDS and "$" not in word:
+            whole = f"$({found.text})"
+            span = place(found.element, found.attribute, whole)
+            meant = nearest(word, COMMANDS)
+            detail = f"there is no `{word}`" + (f"; did you mean `{meant}`?" if meant else "")
+            yield ExpansionFailure(span, Failure.EXPRESSION, detail, whole)
+        argument = _ARGUMENT.match(found.text)
+        if argument and argument[1] not in declared:
+            near = guess(document, argument[1], declared, surely=not knows_all(document))
+            if near is not None and argument[1] not in project_names(document):
+                span = place(found.element, found.attribute, found.text, argument[1])
+                yield UndefinedArgument(span, argument[1], near)
+
+
+def _conditions(document: Document) -> Iterator[ExpansionFailure]:
+    for element, _ in reading(document).elements:
+        if keyword(element) in {"if", "unless"}:
+            text = own_attributes(element, "if").get("value", "0")
+            if is_literal(text) and text not in _TRUTHS and not _is_whole(text):
+                value = element.attribute("value")
+                span = value.span if value is not None else element.span
+                yield ExpansionFailure(span, Failure.EXPRESSION, f"`{text}` is neither true nor false")
+
+
+def _is_whole(text: str) -> bool:
+    try:
+        int(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _blocks(document: Document, around: World) -> Iterator[UndefinedBlock]:
+    known = {name.lstrip("*") for name in around.parameters} | around.properties
+    for element, _ in reading(document).elements:
+        if element.name != f"{PREFIX}insert_block":
+            continue
+        name = element.attributes.get("name", "")
+        if name in known or not is_literal(name) or name in project_names(document):
+            continue
+        near = guess(document, name, known, surely=not knows_all(document))
+        if near is not None:
+            yield UndefinedBlock(element.document.spans.attribute_value(element, "name"), name, near)
+
+
+def _missing_file(include: Include) -> ExpansionFailure:
+    element = include.element
+    span: Span = element.document.spans.attribute_value(element, "filename")
+    detail = f"{include.filename}: no such file or directory"
+    return ExpansionFailure(span, Failure.FILE, detail, "")

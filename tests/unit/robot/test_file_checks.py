@@ -1,0 +1,153 @@
+"""Files and things that descriptions name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.robot.file_problems import (
+    AbsolutePath,
+    MissingFile,
+    MissingFolder,
+    MissingOwner,
+    UnknownReference,
+    UnportableUri,
+    WrongCase,
+)
+from sdfcheck.robot.resources import problems, urdf_problems
+from tests.unit.robot.files import MODEL, document, opened, write
+
+MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
+LINK = MODEL.format('<link name="l">{}</link>')
+VISUAL = LINK.format('<visual name="v">{}</visual>')
+FILES = {"meshes/arm.dae": "", "materials/textures/wood.png": "", "other/model.config": ""}
+
+
+def kinds(folder: Path, text: str) -> list[type]:
+    write(folder, FILES)
+    return [type(problem) for problem in problems(document(folder, text))]
+
+
+@pytest.mark.parametrize(
+    ("uri", "expected"),
+    [
+        ("meshes/arm.dae", []),
+        ("file://meshes/arm.dae", []),
+        ("https://example.org/arm.dae", []),
+        ("__default__", []),
+        ("meshes/leg.dae", [MissingFile]),
+        ("model://other/leg.dae", [MissingFile]),
+        ("model://other/meshes/leg.dae", [MissingFolder]),
+        ("model://nowhere/leg.dae", [MissingOwner]),
+        ("package://nowhere/leg.dae", [MissingOwner]),
+        ("Meshes/arm.dae", [WrongCase]),
+        ("/nowhere/arm.dae", [AbsolutePath]),
+    ],
+)
+def test_meshes(tmp_path: Path, uri: str, expected: list[type]) -> None:
+    assert kinds(tmp_path, VISUAL.format(MESH.format(uri))) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        VISUAL.format("<material><pbr><metal><albedo_map>no.png</albedo_map></metal></pbr></material>"),
+        VISUAL.format("<material><pbr><specular><normal_map>no.png</normal_map></specular></pbr></material>"),
+        VISUAL.format("<geometry><heightmap><uri>no.png</uri></heightmap></geometry>"),
+        VISUAL.format(
+            "<geometry><heightmap><texture><diffuse>no.png</diffuse></texture></heightmap></geometry>"
+        ),
+        VISUAL.format("<material><script><uri>no.material</uri><name>x</name></script></material>"),
+        LINK.format("<audio_source><uri>no.mp3</uri></audio_source>"),
+        LINK.format('<projector name="p"><texture>no.png</texture></projector>'),
+        '<sdf version="1.12"><actor name="a"><skin><filename>no.dae</filename></skin></actor></sdf>',
+    ],
+)
+def test_other_files(tmp_path: Path, text: str) -> None:
+    assert kinds(tmp_path, text) == [MissingFile]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        VISUAL.format("<material><pbr><metal><albedo_map>wood.png</albedo_map></metal></pbr></material>"),
+        VISUAL.format("<material><diffuse>1 0 0 1</diffuse></material>"),
+        VISUAL.format("<geometry><plane><normal>0 0 1</normal></plane></geometry>"),
+        VISUAL.format(
+            "<material><script><uri>file://media/materials/scripts/gazebo.material</uri>"
+            "<name>Gazebo/Red</name></script></material>"
+        ),
+    ],
+)
+def test_no_files_or_found_ones(tmp_path: Path, text: str) -> None:
+    assert kinds(tmp_path, text) == []
+
+
+def test_what_is_lacked_as_a_whole_is_told_once(tmp_path: Path) -> None:
+    shapes = "".join(
+        f'<visual name="{n}">{MESH.format(uri)}</visual>'
+        for n, uri in enumerate(["gone/a.dae", "gone/b.dae", "model://lost/a.dae", "model://lost/b.dae"])
+    )
+    found = list(problems(document(tmp_path, LINK.format(shapes))))
+    assert [(type(p), len(p.uses)) for p in found if isinstance(p, MissingOwner | MissingFolder)] == [
+        (MissingOwner, 2),
+        (MissingFolder, 2),
+    ]
+    assert len(found) == 2
+
+
+def test_urdf(tmp_path: Path) -> None:
+    meshes = [
+        "package://lost/a.stl",
+        "meshes/arm.dae",
+        "model://other/a.stl",
+        "$(find x)/a.stl",
+        "file://b.stl",
+    ]
+    visuals = "".join(f'<visual><geometry><mesh filename="{m}"/></geometry></visual>' for m in meshes)
+    write(tmp_path, {**FILES, "r.urdf": f'<robot name="r"><link name="l">{visuals}</link></robot>'})
+    found = list(urdf_problems(opened(tmp_path / "r.urdf")))
+    assert [type(problem) for problem in found] == [
+        MissingFile,
+        MissingFile,
+        MissingOwner,
+        UnportableUri,
+        UnportableUri,
+    ]
+
+
+def test_without_a_library_only_the_spelling_counts(tmp_path: Path) -> None:
+    found = document(tmp_path, VISUAL.format(MESH.format("gone.dae")))
+    found.library = None
+    assert list(problems(found)) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ('<sensor name="s" type="contact"><contact><collision>c</collision></contact></sensor>', None),
+        ('<sensor name="s" type="contact"><contact><collision>d</collision></contact></sensor>', "d"),
+        ("<audio_source><contact><collision>d</collision></contact></audio_source>", "d"),
+    ],
+)
+def test_collisions(tmp_path: Path, text: str, name: str | None) -> None:
+    found = [
+        problem.value.text
+        for problem in problems(document(tmp_path, LINK.format('<collision name="c"/>' + text)))
+        if isinstance(problem, UnknownReference)
+    ]
+    assert found == ([] if name is None else [name])
+
+
+def test_gripper_links_may_be_included(tmp_path: Path) -> None:
+    text = (
+        "<include><uri>arm.sdf</uri></include>"
+        '<gripper name="g"><gripper_link>arm::tip</gripper_link><palm_link>arm::grip</palm_link></gripper>'
+    )
+    found = [
+        p.value.text
+        for p in problems(document(tmp_path, MODEL.format(text)))
+        if isinstance(p, UnknownReference)
+    ]
+    assert found == ["arm::grip"], "a frame is no link"

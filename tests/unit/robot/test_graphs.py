@@ -1,0 +1,136 @@
+"""Graphs and how they are written down."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.files.library import Library
+from sdfcheck.robot.graph_text import dot, mermaid, tree
+from sdfcheck.robot.graphs import Graph, GraphKind, graph
+from sdfcheck.source.document import read
+
+MODEL = """<model name="m"><link name="a"/><frame name="f" attached_to="a"><pose>0 0 1 0 0 -0</pose></frame>
+  <frame name="lost" attached_to="nowhere"/>
+  <model name="n"><link name="b"><pose relative_to="__model__">1 0 0 0 0 0.5</pose></link></model>
+  <model name="stand"><static>true</static><link name="s"/></model>
+  <joint name="j" type="revolute"><parent>world</parent><child>a</child></joint>
+  <joint name="k" type="ball"><parent>f</parent><child>n</child></joint></model>"""
+
+TREES = {
+    GraphKind.FRAMES: """\
+link a
+├─ model m (canonical link)
+├─ frame f (attached to)
+└─ joint j (child)
+model stand
+link n::b
+└─ model n (canonical link)
+   └─ joint k (child)
+link stand::s
+unknown nowhere
+└─ frame lost (attached to)
+""",
+    GraphKind.POSES: """\
+model m
+├─ link a  0 0 0 0 0 0
+│  ├─ frame f (attached to)  0 0 1 0 0 0
+│  └─ joint j (child)  0 0 0 0 0 0
+├─ model n  0 0 0 0 0 0
+│  ├─ joint k (child)  0 0 0 0 0 0
+│  └─ link n::b (relative to)  1 0 0 0 0 0.5
+└─ model stand  0 0 0 0 0 0
+   └─ link stand::s  0 0 0 0 0 0
+unknown nowhere
+└─ frame lost (attached to)  there is no frame 'nowhere' in m
+""",
+    GraphKind.JOINTS: """\
+link stand::s
+world
+└─ j (revolute) → link a
+   └─ k (ball) → link n::b
+""",
+}
+
+
+def draw(text: str, kind: GraphKind) -> Graph:
+    whole = text if text.startswith("<robot") else f'<sdf version="1.12">{text}</sdf>'
+    return graph(read(whole.encode(), Path("example")), kind)
+
+
+@pytest.mark.parametrize("kind", GraphKind)
+def test_trees(kind: GraphKind) -> None:
+    assert tree(draw(MODEL, kind)) == TREES[kind]
+
+
+def test_rings_are_cut_once() -> None:
+    frames = '<frame name="p" attached_to="q"/><frame name="q" attached_to="p"/>'
+    text = f'<model name="m"><link name="a"/>{frames}</model>'
+    assert tree(draw(text, GraphKind.FRAMES)).splitlines()[2:] == [
+        "frame p",
+        "└─ frame q (attached to)",
+        "   └─ frame p (attached to) (again)",
+    ]
+
+
+def test_urdf() -> None:
+    text = (
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><origin xyz="0 0 1"/>'
+        '<parent link="a"/><child link="b"/></joint></robot>'
+    )
+    assert tree(draw(text, GraphKind.JOINTS)) == "link a\n└─ j (fixed) → link b\n"
+    assert "   └─ link b (j)  0 0 1 0 0 0\n" in tree(draw(text, GraphKind.POSES))
+
+
+def test_several_roots_are_told_apart() -> None:
+    text = '<world name="v"><model name="m"><link name="l"/></model></world><world name="w"/>'
+    assert tree(draw(text, GraphKind.JOINTS)) == "link v::m::l\n"
+
+
+def test_included_models(tmp_path: Path) -> None:
+    (tmp_path / "arm.sdf").write_text('<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>')
+    file = tmp_path / "world.sdf"
+    file.write_text('<sdf version="1.12"><world name="w"><include><uri>arm.sdf</uri></include></world></sdf>')
+    document = Library().document(file)
+    assert document is not None
+    assert tree(graph(document, GraphKind.POSES)) == (
+        "world w\n└─ model arm  0 0 0 0 0 0\n   └─ link arm::l  0 0 0 0 0 0\n"
+    )
+
+
+ODD = """<model name="m"><link name='a"&lt;b\\'/><link name="c"/>
+  <joint name="j" type="fixed"><parent>c</parent><child>a"&lt;b\\</child></joint></model>"""
+
+
+def test_graphviz() -> None:
+    assert dot(draw(ODD, GraphKind.JOINTS)).splitlines()[3:] == [
+        '  n0 [label="link a\\"<b\\\\", shape=box];',
+        '  n1 [label="link c", shape=box];',
+        '  n1 -> n0 [label="j (fixed)"];',
+        "}",
+    ]
+
+
+def test_mermaid() -> None:
+    assert mermaid(draw(ODD, GraphKind.JOINTS)).splitlines() == [
+        "flowchart TD",
+        '  n0["link a#quot;#lt;b\\"]',
+        '  n1["link c"]',
+        '  n1 -->|"j (fixed)"| n0',
+    ]
+
+
+def test_arrows_point_to_what_a_frame_refers_to() -> None:
+    text = '<model name="m"><link name="a"/><frame name="f" attached_to="a"/></model>'
+    assert '  n2 -->|"attached to"| n1' in mermaid(draw(text, GraphKind.FRAMES)).splitlines()
+
+
+def test_long_chains() -> None:
+    frames = "".join(f'<frame name="f{n}" attached_to="f{n + 1}"/>' for n in range(1500))
+    text = f'<model name="m"><link name="l"/>{frames}<frame name="f1500" attached_to="l"/></model>'
+    assert len(tree(draw(text, GraphKind.FRAMES)).splitlines()) == 1503
+
+
+def test_nothing() -> None:
+    assert tree(draw("", GraphKind.JOINTS)) == ""

@@ -1,0 +1,81 @@
+"""Scopes with included models in them; however often models include each other, they end."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.robot import frames
+from sdfcheck.robot.resources import problems
+from sdfcheck.robot.scopes import scopes
+from tests.unit.robot.files import MODEL, WORLD, document, opened, write
+
+
+def nested(uri: str, name: str, merge: str = "false") -> str:
+    return f'<include merge="{merge}"><uri>{uri}</uri><name>{name}</name></include>'
+
+
+def test_references_reach_into_included_models(tmp_path: Path) -> None:
+    scope = scopes(document(tmp_path, WORLD.format(nested("arm.sdf", "left")))).roots[0]
+    assert scope.find("left::tip") is not None
+    assert scope.find("left::toe") is None
+    assert not scope.may_hold("left::toe")
+
+
+def test_merged_models_give_their_frames(tmp_path: Path) -> None:
+    scope = scopes(document(tmp_path, MODEL.format(nested("arm.sdf", "left", "true")))).roots[0]
+    assert set(scope.frames) == {"base", "tip", "elbow", "grip", "_merged__left__model__"}
+
+
+def test_a_urdf_gives_its_links_and_joints(tmp_path: Path) -> None:
+    robot = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"/></robot>'
+    scope = scopes(document(tmp_path, WORLD.format(nested("robot.sdf", "r")), robot=robot)).roots[0]
+    assert [name for name in ("r::a", "r::b", "r::j") if scope.find(name) is None] == []
+
+
+def test_what_could_not_be_read_may_hold_anything(tmp_path: Path) -> None:
+    named, merged = (
+        scopes(document(tmp_path, MODEL.format(nested("gone.sdf", "x", merge)))).roots[0]
+        for merge in ("0", "1")
+    )
+    assert named.may_hold("x::link")
+    assert not named.may_hold("y")
+    assert merged.may_hold("y")
+
+
+def test_an_include_may_make_a_model_static(tmp_path: Path) -> None:
+    text = WORLD.format("<include><uri>arm.sdf</uri><static>true</static></include>")
+    (frame,) = scopes(document(tmp_path, text)).roots[0].frames.values()
+    assert frame.inner is not None
+    assert frame.inner.is_static
+
+
+@pytest.mark.parametrize("merge", ["false", "true"])
+def test_a_model_in_itself_ends(tmp_path: Path, merge: str) -> None:
+    found = document(tmp_path, MODEL.format('<link name="l"/>' + nested("main.sdf", "again", merge)))
+    assert len(list(scopes(found).roots[0].names())) < 500
+    frames.problems(found)
+    list(problems(found))
+
+
+@pytest.mark.parametrize("merge", ["false", "true"])
+def test_models_that_multiply_end(tmp_path: Path, merge: str) -> None:
+    for n in range(40):
+        two = nested(f"{n + 1}.sdf", "a", merge) + nested(f"{n + 1}.sdf", "b", merge)
+        write(tmp_path, {f"{n}.sdf": MODEL.format(two)})
+    write(tmp_path, {"40.sdf": MODEL.format("")})
+    remove = '<experimental:params><link element_id="a::nowhere" action="remove"/></experimental:params>'
+    write(tmp_path, {"main.sdf": WORLD.format(f"<include><uri>0.sdf</uri>{remove}</include>")})
+    found = opened(tmp_path / "main.sdf")
+    frames.problems(found)
+    assert len(list(problems(found))) < 3
+
+
+def test_a_long_chain_of_models_ends(tmp_path: Path) -> None:
+    for n in range(400):
+        write(tmp_path, {f"{n}.sdf": MODEL.format(nested(f"{n + 1}.sdf", "a"))})
+    write(tmp_path, {"400.sdf": MODEL.format('<link name="l"/>')})
+    found = opened(tmp_path / "0.sdf")
+    frames.problems(found)
+    assert list(problems(found)) == []

@@ -1,0 +1,243 @@
+"""Includes: what each brings, and what can be wrong with it."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.formats.sdf.problems import MissingElement
+from sdfcheck.robot.file_problems import AbsolutePath, MalformedUri, WrongCase
+from sdfcheck.robot.include_problems import (
+    EmptyIncludeSetting,
+    FolderWithoutConfig,
+    IncludeCycle,
+    InvalidMerge,
+    OldManifest,
+    UnresolvedInclude,
+    UnusableInclude,
+)
+from sdfcheck.robot.includes import Included, Obstacle, included, includes_of
+from sdfcheck.robot.names import ClashingName, DuplicateName, ReservedName
+from sdfcheck.robot.resources import problems
+from sdfcheck.source.document import Document
+from tests.unit.robot.files import ARM, CONFIG, MODEL, WORLD, document, opened, write
+
+
+def include(uri: str, more: str = "", merge: str = "") -> str:
+    attribute = f' merge="{merge}"' if merge else ""
+    return f"<include{attribute}><uri>{uri}</uri>{more}</include>"
+
+
+def first(found: Document) -> Included:
+    return included(found, includes_of(found)[0])
+
+
+def kinds(found: Document) -> list[type]:
+    return [type(problem) for problem in problems(found)]
+
+
+def test_what_an_include_brings(tmp_path: Path) -> None:
+    brought = first(document(tmp_path, WORLD.format(include("arm.sdf"))))
+    assert brought.model is not None
+    assert (brought.kind, brought.name, brought.obstacle) == ("model", "arm", None)
+    assert brought.model.document.path == tmp_path / "arm.sdf"
+
+
+def test_its_own_name_counts(tmp_path: Path) -> None:
+    assert first(document(tmp_path, WORLD.format(include("arm.sdf", "<name>left</name>")))).name == "left"
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ('<sdf version="1.12"><light name="x" type="point"/></sdf>', "light"),
+        ('<sdf version="1.12"><actor name="x"><script/></actor></sdf>', "actor"),
+        ('<sdf version="1.12"><light name="l" type="point"/><model name="x"/></sdf>', "model"),
+        ('<robot name="x"><link name="l"/></robot>', "model"),
+    ],
+)
+def test_kinds(tmp_path: Path, text: str, kind: str) -> None:
+    brought = first(document(tmp_path, WORLD.format(include("other.sdf")), other=text))
+    assert (brought.kind, brought.name) == (kind, "x")
+
+
+def test_a_folder_says_which_file_it_means(tmp_path: Path) -> None:
+    write(tmp_path, {"models/arm/model.config": CONFIG, "models/arm/model.sdf": ARM})
+    found = document(tmp_path, WORLD.format(include("model://arm")))
+    assert first(found).file == tmp_path / "models/arm/model.sdf"
+    assert kinds(found) == []
+
+
+def test_each_file_is_read_once(tmp_path: Path) -> None:
+    other = os.path.join("..", tmp_path.name, "arm.sdf")
+    text = include("arm.sdf", "<name>a</name>") + include(other, "<name>b</name>")
+    found = document(tmp_path, WORLD.format(text))
+    left, right = (included(found, element) for element in includes_of(found))
+    assert left.document is right.document
+
+
+@pytest.mark.parametrize(
+    ("uri", "problem"),
+    [
+        ("nowhere.sdf", UnresolvedInclude),
+        ("model://nowhere", UnresolvedInclude),
+        ("https://example.org/arm", UnresolvedInclude),
+        ("Arm.sdf", WrongCase),
+        ("model:/arm", MalformedUri),
+        ("folder", FolderWithoutConfig),
+        ("old", OldManifest),
+    ],
+)
+def test_what_leads_nowhere(tmp_path: Path, uri: str, problem: type) -> None:
+    write(tmp_path, {"folder/arm.sdf": ARM, "old/manifest.xml": CONFIG, "old/model.sdf": ARM})
+    assert kinds(document(tmp_path, WORLD.format(include(uri)))) == [problem]
+
+
+def test_an_absolute_path_is_one_problem_only_where_it_leads_somewhere(tmp_path: Path) -> None:
+    assert kinds(document(tmp_path, WORLD.format(include(str(tmp_path / "arm.sdf"))))) == [AbsolutePath]
+    assert kinds(document(tmp_path, WORLD.format(include(str(tmp_path / "no.sdf"))))) == [UnresolvedInclude]
+
+
+def test_what_is_elsewhere_is_told_once(tmp_path: Path) -> None:
+    (problem,) = problems(document(tmp_path, WORLD.format(include("model://lost_arm") * 3)))
+    assert isinstance(problem, UnresolvedInclude)
+    assert len(problem.uses) == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "obstacle"),
+    [
+        ('<sdf version="1.12"><world name="w"/></sdf>', Obstacle.NO_MODEL),
+        ('<sdf version="1.12"/>', Obstacle.NO_MODEL),
+        ("<COLLADA/>", Obstacle.FOREIGN),
+        ('<robot name="r"><xacro:leg/></robot>', Obstacle.XACRO),
+    ],
+)
+def test_files_that_hold_nothing_to_include(tmp_path: Path, text: str, obstacle: Obstacle) -> None:
+    (problem,) = problems(document(tmp_path, WORLD.format(include("other.sdf")), other=text))
+    assert isinstance(problem, UnusableInclude)
+    assert problem.obstacle is obstacle
+
+
+@pytest.mark.parametrize("text", ["", "<", "\x00\x01", "no markup"])
+def test_files_that_are_no_xml_are_told_there(tmp_path: Path, text: str) -> None:
+    found = document(tmp_path, WORLD.format(include("other.sdf")), other=text)
+    assert kinds(found) == []
+    assert first(found).obstacle is Obstacle.BROKEN
+
+
+def test_what_has_no_end_is_not_read(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    with (tmp_path / "huge.sdf").open("wb") as file:
+        file.truncate(65 * 1024 * 1024)
+    for uri in ("pipe", "huge.sdf"):
+        (problem,) = problems(document(tmp_path, WORLD.format(include(uri))))
+        assert isinstance(problem, UnusableInclude)
+        assert problem.obstacle is Obstacle.UNREADABLE
+
+
+@pytest.mark.parametrize("setting", ["<name/>", "<static> </static>", "<pose/><placement_frame/>"])
+def test_empty_settings(tmp_path: Path, setting: str) -> None:
+    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", setting)))) == [EmptyIncludeSetting]
+
+
+def test_a_placement_frame_needs_a_pose(tmp_path: Path) -> None:
+    placed = "<placement_frame>grip</placement_frame>"
+    (problem,) = problems(document(tmp_path, WORLD.format(include("arm.sdf", placed))))
+    assert isinstance(problem, MissingElement)
+    assert problem.child == "pose"
+    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", f"<pose/>{placed}")))) == []
+
+
+def test_the_root_frame_places_nothing(tmp_path: Path) -> None:
+    setting = "<pose/><placement_frame>__root__</placement_frame>"
+    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", setting)))) == [ReservedName]
+
+
+# Cycles
+
+
+def cycle(found: Document) -> list[str] | None:
+    steps = next((p.steps for p in problems(found) if isinstance(p, IncludeCycle)), None)
+    return None if steps is None else [step.element.document.path.name for step in steps]
+
+
+def test_a_file_that_includes_itself(tmp_path: Path) -> None:
+    found = document(tmp_path, MODEL.format('<link name="l"/>' + include("main.sdf", "<name>x</name>")))
+    assert cycle(found) == ["main.sdf"]
+
+
+def test_a_ring_is_told_in_its_first_file(tmp_path: Path) -> None:
+    ring = {name: MODEL.format(include(f"{to}.sdf", "<name>x</name>")) for name, to in ("ab", "bc", "ca")}
+    write(tmp_path, {f"{name}.sdf": text for name, text in ring.items()})
+    told = {name: cycle(opened(tmp_path / f"{name}.sdf")) for name in ring}
+    assert told == {"a": ["a.sdf", "b.sdf", "c.sdf"], "b": None, "c": None}
+
+
+def test_the_way_to_a_ring_is_none(tmp_path: Path) -> None:
+    itself = MODEL.format(include("other.sdf", "<name>x</name>"))
+    assert cycle(document(tmp_path, WORLD.format(include("other.sdf")), other=itself)) is None
+
+
+# Merging
+
+LAMP = '<sdf version="1.12"><light name="lamp" type="point"/></sdf>'
+ACTOR = '<sdf version="1.12"><actor name="x"><script/></actor></sdf>'
+GRIPPER = MODEL.format('<link name="l"/><gripper name="g"><gripper_link>l</gripper_link></gripper>')
+SHELL = MODEL.format('<model name="n"><link name="l"/></model><frame name="f"/>')
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "parts"),
+    [
+        (LAMP, "light", ()),
+        (ACTOR, "actor", ()),
+        (ARM, "model", ("link `base`", "link `tip`")),
+        (GRIPPER, "model", ("link `l`", "gripper `g`")),
+    ],
+)
+def test_what_a_world_cannot_merge(tmp_path: Path, text: str, kind: str, parts: tuple[str, ...]) -> None:
+    (problem,) = problems(document(tmp_path, WORLD.format(include("other.sdf", merge="true")), other=text))
+    assert isinstance(problem, InvalidMerge)
+    assert (problem.kind, problem.parts) == (kind, parts)
+
+
+@pytest.mark.parametrize(("outer", "text"), [(WORLD, SHELL), (MODEL, ARM), (MODEL, GRIPPER)])
+def test_what_merges(tmp_path: Path, outer: str, text: str) -> None:
+    assert kinds(document(tmp_path, outer.format(include("other.sdf", merge="1")), other=text)) == []
+
+
+def test_a_parameter_may_remove_what_a_world_cannot_take(tmp_path: Path) -> None:
+    remove = "".join(f'<link element_id="{name}" action="remove"/>' for name in ("base", "tip"))
+    more = f"<experimental:params>{remove}</experimental:params>"
+    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", more, merge="true")))) == []
+
+
+def test_nothing_merges_into_a_frame(tmp_path: Path) -> None:
+    text = '<link name="l"/><frame name="f">' + include("arm.sdf", merge="true") + "</frame>"
+    (problem,) = problems(document(tmp_path, MODEL.format(text)))
+    assert isinstance(problem, InvalidMerge)
+    assert problem.parent.name == "frame"
+
+
+@pytest.mark.parametrize(
+    ("beside", "problem"),
+    [
+        ('<link name="base"/>', DuplicateName),
+        ('<frame name="elbow"/>', ClashingName),
+        (include("other.sdf", "<name>tip</name>"), ClashingName),
+        (include("other.sdf", merge="true"), DuplicateName),
+    ],
+)
+def test_names_that_a_merged_model_brings(tmp_path: Path, beside: str, problem: type) -> None:
+    other = '<sdf version="1.12"><model name="o"><link name="base"/></model></sdf>'
+    text = MODEL.format(beside + include("arm.sdf", merge="true"))
+    assert kinds(document(tmp_path, text, other=other)) == [problem]
+
+
+def test_without_a_library_nothing_is_looked_up(tmp_path: Path) -> None:
+    found = document(tmp_path, WORLD.format(include("nowhere.sdf") + include("folder", merge="true")))
+    found.library = None
+    assert kinds(found) == []

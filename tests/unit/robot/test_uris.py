@@ -1,0 +1,142 @@
+"""From URIs to files."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.files.uris import locate
+from sdfcheck.robot.file_problems import UriFault, WrongCase
+from sdfcheck.robot.uri_spelling import absolute, malformed, misspelt
+from sdfcheck.source.document import read
+from sdfcheck.source.element import Value
+from tests.unit.robot.files import MODEL, opened, write
+
+
+def value(text: str) -> Value:
+    root = read(f'<robot name="{text}"/>'.encode(), Path("a.urdf")).root
+    assert root is not None
+    return Value(root, "name", text)
+
+
+@pytest.mark.parametrize(
+    ("uri", "found"),
+    [
+        ("near.dae", "worlds/near.dae"),
+        ("../arm/mesh.dae", "arm/mesh.dae"),
+        ("file://near.dae", "worlds/near.dae"),
+        ("model://arm", "arm"),
+        ("model://arm/mesh.dae", "arm/mesh.dae"),
+        ("model://lamp/lamp.sdf", "models/lamp/lamp.sdf"),
+        ("lamp", "models/lamp"),
+        ("package://arm/mesh.dae", "arm/mesh.dae"),
+        ("package://worlds/near.dae", "worlds/near.dae"),
+        ("model://faraway/far.sdf", "elsewhere/faraway/far.sdf"),
+    ],
+)
+def test_found(tmp_path: Path, uri: str, found: str) -> None:
+    home = tmp_path / "home"
+    write(
+        tmp_path,
+        {
+            "home/worlds/main.sdf": MODEL,
+            "home/worlds/near.dae": "",
+            "home/arm/mesh.dae": "",
+            "home/models/lamp/lamp.sdf": "",
+            "home/elsewhere/faraway/far.sdf": "",
+        },
+    )
+    location = locate(opened(home / "worlds/main.sdf", home / "elsewhere"), uri)
+    assert location.path is not None
+    assert os.path.samefile(location.path, home / found)
+
+
+@pytest.mark.parametrize("variable", ["GZ_SIM_RESOURCE_PATH", "SDF_PATH", "GAZEBO_MODEL_PATH"])
+def test_the_environment_names_model_folders(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, variable: str
+) -> None:
+    write(tmp_path, {"a/main.sdf": MODEL, "b/c/d/arm/arm.sdf": ""})
+    monkeypatch.setenv(variable, os.pathsep.join(("", str(tmp_path / "b/c/d"))))
+    assert (
+        locate(opened(tmp_path / "a/main.sdf"), "model://arm/arm.sdf").path == tmp_path / "b/c/d/arm/arm.sdf"
+    )
+
+
+def test_not_found_tells_what_was_tried_and_what_is_near(tmp_path: Path) -> None:
+    write(tmp_path, {"main.sdf": MODEL, "arm/meshes/Arm.dae": ""})
+    location = locate(opened(tmp_path / "main.sdf"), "model://arm/meshes/arm.DAE")
+    assert location.path is None
+    assert str(tmp_path / "arm/meshes/arm.DAE") in location.tried
+    assert location.near == tmp_path / "arm/meshes/Arm.dae"
+    assert (location.name, location.owner) == ("arm", tmp_path / "arm")
+
+
+def test_nothing_on_the_network_is_a_file(tmp_path: Path) -> None:
+    write(tmp_path, {"main.sdf": MODEL})
+    location = locate(opened(tmp_path / "main.sdf"), "https://example.org/arm")
+    assert location.is_remote
+    assert location.tried == ()
+
+
+@pytest.mark.parametrize("uri", ["a" * 5000, "loop", "\x01", "model://../../../../..", "//", ""])
+def test_any_text_is_looked_up(tmp_path: Path, uri: str) -> None:
+    write(tmp_path, {"main.sdf": MODEL})
+    (tmp_path / "loop").symlink_to("loop")
+    locate(opened(tmp_path / "main.sdf"), uri)
+
+
+@pytest.mark.parametrize(
+    ("uri", "fault", "meant"),
+    [
+        ("package:/arm/a.stl", UriFault.SLASHES, "package://arm/a.stl"),
+        ("model:arm", UriFault.SLASHES, "model://arm"),
+        ("package:///arm", UriFault.SLASHES, "package://arm"),
+        (r"model:\\arm\a.stl", UriFault.BACKSLASH, "model://arm/a.stl"),
+        (r"meshes\a.stl", UriFault.BACKSLASH, "meshes/a.stl"),
+        ("Package://arm/a.stl", UriFault.SCHEME_CASE, "package://arm/a.stl"),
+        ("pakcage://arm/a.stl", UriFault.UNKNOWN_SCHEME, "package://arm/a.stl"),
+        ("model://", UriFault.NO_NAME, None),
+        (" package://arm/a.stl", UriFault.BLANK, "package://arm/a.stl"),
+    ],
+)
+def test_malformed(uri: str, fault: UriFault, meant: str | None) -> None:
+    found = malformed(value(uri))
+    assert found is not None
+    assert (found.fault, found.meant) == (fault, meant)
+
+
+@pytest.mark.parametrize(
+    "uri",
+    ["model://a/b.dae", "a b/c.dae", "https://x.org/a", "file:///a", "C:/a", "x:y", "drake://a", "a:b.stl"],
+)
+def test_sound(uri: str) -> None:
+    assert malformed(value(uri)) is None
+
+
+@pytest.mark.parametrize(
+    "uri", ["/home/ann/a.dae", "file:///home/ann/a.dae", "C:\\a.dae", "file:///C:/a.dae"]
+)
+def test_absolute(uri: str) -> None:
+    assert absolute(value(uri)) is not None
+
+
+@pytest.mark.parametrize("uri", ["a.dae", "file://a.dae", "model://a", "$(find arm)/a.dae"])
+def test_not_absolute(uri: str) -> None:
+    assert absolute(value(uri)) is None
+
+
+@pytest.mark.parametrize(
+    ("uri", "meant"),
+    [
+        ("model://Arm/MESHES/a.dae", "model://arm/meshes/a.dae"),
+        ("arm/meshes/A.dae", "arm/meshes/a.dae"),
+        ("../home/arm/Meshes/a.dae", "../home/arm/meshes/a.dae"),
+    ],
+)
+def test_wrong_case(tmp_path: Path, uri: str, meant: str) -> None:
+    write(tmp_path, {"home/main.sdf": MODEL, "home/arm/meshes/a.dae": ""})
+    found = misspelt(value(uri), locate(opened(tmp_path / "home/main.sdf"), uri))
+    assert isinstance(found, WrongCase)
+    assert found.meant == meant

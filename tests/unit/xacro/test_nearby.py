@@ -1,0 +1,65 @@
+"""Names that are defined where nobody can look, and names that are misspelt."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+from sdfcheck.xacro.nearby import slip_of
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+@pytest.mark.parametrize(
+    ("name", "other", "same"),
+    [
+        ("wheel_macor", "wheel_macro", True),
+        ("wheelmacro", "wheel_macro", True),
+        ("Wheel_Macro", "wheel_macro", True),
+        ("left_weel_joint", "left_wheel_joint", True),
+        ("control_wheel", "control_head", False),
+        ("control_imu", "control_arm", False),
+        ("arm_1", "arm_2", False),
+        ("arm_x", "arm_y", False),
+        ("scanner", "scanner_mount", False),
+        ("base_z_offset", "shell_z_offset", False),
+    ],
+)
+def test_a_slip_is_one_in_each_word(name: str, other: str, same: bool) -> None:
+    assert (slip_of(name, [other]) == other) is same
+
+
+def codes(folder: Path, name: str) -> list[str]:
+    run = sdfcheck.lint(folder / name, isolated=True, ignore=["XAC005", "XAC007", "XAC009"])
+    return [diagnostic.code for diagnostic in run.diagnostics]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    return tmp_path
+
+
+def test_what_an_unknown_package_may_define_is_not_missing(folder: Path) -> None:
+    text = (
+        f'<robot name="r" {XACRO}><xacro:include filename="$(find nowhere_near)/m.xacro"/>'
+        '<xacro:macro name="scanner_mount" params="side"><xacro:{}/></xacro:macro></robot>'
+    )
+    (folder / "a.xacro").write_text(text.format("scanner"))
+    assert codes(folder, "a.xacro") == []
+    (folder / "a.xacro").write_text(text.format('scaner_mount side="left"'))
+    assert codes(folder, "a.xacro") == ["XAC003"]
+
+
+def test_an_included_robot_may_use_what_the_includer_has(folder: Path) -> None:
+    link = '<link name="base"><visual><geometry><sphere radius="${SIZE}"/></geometry></visual></link>'
+    (folder / "part.xacro").write_text(f'<robot name="part" {XACRO}>{link}</robot>')
+    assert codes(folder, "part.xacro") == ["XAC004"]
+    # Not even the whole project knows where SIZE comes from.
+    whole = (
+        '<xacro:include filename="$(find nowhere_near)/sizes.xacro"/><xacro:include filename="part.xacro"/>'
+    )
+    (folder / "whole.xacro").write_text(f'<robot name="whole" {XACRO}>{whole}</robot>')
+    assert codes(folder, "part.xacro") == []
