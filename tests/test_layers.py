@@ -38,6 +38,18 @@ BELOW = {
 }
 """Layer → the layers that it may import besides itself."""
 
+CIRCLES = {
+    (
+        "sdfcheck.convert.include_expansion",
+        "sdfcheck.convert.migrate.including",
+        "sdfcheck.convert.migrate.migrate",
+    ): ("an include is expanded in another version, which may take expanding its own includes"),
+    ("sdfcheck.lint.engine", "sdfcheck.lint.expanded"): "the engine lints what xacro makes, too",
+    ("sdfcheck.robot.frame_cycles", "sdfcheck.robot.frames"): "both will be part of the graph",
+    ("sdfcheck.source.document", "sdfcheck.source.element"): "a document and its elements are one type",
+}
+"""Modules that import one another, by name → why they may, for now."""
+
 
 class Import(NamedTuple):
     line: int
@@ -96,6 +108,58 @@ def test_layers_import_only_what_lies_below(layer: str) -> None:
             elif module == "sdfcheck" and names != ("__version__",):
                 wrong.append(f"{name(path)}:{line} imports the public API")
     assert not wrong, "\n".join(wrong)
+
+
+def graph(package: Path) -> dict[str, set[str]]:
+    """Each module of a package → those of its modules that it imports, wherever it does so."""
+    paths = {dotted(path, package.parent): path for path in modules(package)}
+    found: dict[str, set[str]] = {}
+    for module, path in paths.items():
+        found[module] = set()
+        for _, imported, names in imports(path):
+            inner = {f"{imported}.{each}" for each in names} & paths.keys()
+            found[module] |= inner
+            if imported in paths and (len(inner) < len(names) or not names):
+                found[module].add(imported)
+    return found
+
+
+def dotted(path: Path, root: Path) -> str:
+    return ".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__")
+
+
+def circles(imported: dict[str, set[str]]) -> set[tuple[str, ...]]:
+    """The groups of modules that import one another, directly or by way of others."""
+    reached = {module: reachable(imported, module) for module in imported}
+    return {
+        tuple(sorted(other for other in others if module in reached[other]))
+        for module, others in reached.items()
+        if module in others
+    }
+
+
+def reachable(imported: dict[str, set[str]], start: str) -> set[str]:
+    found: set[str] = set()
+    waiting = [start]
+    while waiting:
+        new = imported[waiting.pop()] - found
+        found |= new
+        waiting += new
+    return found
+
+
+def test_no_modules_import_one_another() -> None:
+    assert circles(graph(ENGINE)) == set(CIRCLES)
+
+
+def test_circles_are_found(tmp_path: Path) -> None:
+    package = tmp_path / "package"
+    package.mkdir()
+    (package / "above.py").write_text("from package.below import f\n")
+    (package / "below.py").write_text("def f():\n    import package.between\n")
+    (package / "between.py").write_text("if TYPE_CHECKING:\n    from package import above\n")
+    (package / "user.py").write_text("import package.above\n")
+    assert circles(graph(package)) == {("package.above", "package.below", "package.between")}
 
 
 def test_rules_import_the_public_api_and_their_family_only() -> None:

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 import click
 
 from sdfcheck.cli.terminal import emit
-from sdfcheck.formats.describe.place import HOW_OFTEN, Description, Entry, UnknownPlace, describe
+from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
+from sdfcheck.formats.describe.place import describe
 from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
 from sdfcheck.source.wrong_usage import WrongUsage
 

@@ -88,7 +88,8 @@ def read_tables(pack: Pack) -> list[Path]:
     """The tables of a pack's vendors; raises PackError for one that cannot be read."""
     paths = sorted(pack.folder.glob(f"*{SUFFIX}"))
     if paths:
-        from sdfcheck.formats.vendor.definitions import DIALECTS, BadTable, vendor
+        from sdfcheck.formats.vendor.definitions import DIALECTS, BadTable
+        from sdfcheck.formats.vendor.table import vendor
 
         try:
             for path in paths:

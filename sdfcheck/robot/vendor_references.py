@@ -7,8 +7,9 @@ from pathlib import Path
 
 from sdfcheck.formats.suggest import suggest_in
 from sdfcheck.formats.vendor.check import VendorCheck
-from sdfcheck.formats.vendor.definitions import REFUSED, Slot, vendor
+from sdfcheck.formats.vendor.definitions import REFUSED, Slot
 from sdfcheck.formats.vendor.problems import UnknownTagReference
+from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.robot.scopes import MODEL_FRAME, Scope, scopes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element

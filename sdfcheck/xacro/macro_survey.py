@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator
 from typing import cast
 
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.formats.urdf.survey import UrdfSurvey, UrdfWalk
-from sdfcheck.formats.urdf.table import UrdfElement, known_parents, urdf
+from sdfcheck.formats.urdf.survey import UrdfWalk
+from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, known_parents, urdf
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.own_elements import lacks_prefix
@@ -31,14 +31,13 @@ class Bodies:
     __slots__ = ("links", "problems")
 
     def __init__(self, document: Document, bodies: Iterable[Element]) -> None:
-        surveyed = UrdfSurvey(document)
-        walk = _BodyWalk(surveyed)
+        walk = _BodyWalk(document, VERSIONS[0])
         for body in bodies:
             place = _place(body)
             if place is not None:
                 walk.content(body, place)
         self.problems = walk.conclude()
-        self.links = surveyed.index["link"]
+        self.links = walk.index["link"]
 
 
 class _BodyWalk(UrdfWalk):

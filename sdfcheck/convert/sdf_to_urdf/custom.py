@@ -6,8 +6,9 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
-from sdfcheck.formats.vendor.definitions import Tag, vendor
+from sdfcheck.formats.vendor.definitions import Tag
 from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 

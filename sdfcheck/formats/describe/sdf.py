@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.formats.describe.place import Description, Entry, missing
+from sdfcheck.formats.describe.description import Description, Entry, missing
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.choices import Choices
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.describe.place import Description, Entry, UnknownPlace, missing
+from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, UrdfElement, extension, urdf
 from sdfcheck.source.record import NamedTuple
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from typing import TYPE_CHECKING
 
 from sdfcheck.formats.folding import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
@@ -19,12 +18,11 @@ from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.topology import standard_inside
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
+from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
 from sdfcheck.formats.suggest import suggest
+from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.sdf.survey import Survey
 
 # Without these the file is refused; for all else that is required a default is taken.
 _REFUSED = frozenset(
@@ -59,12 +57,21 @@ _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 _VERSION = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
 
 
+Named = dict[Element, list[tuple[str, str, Element]]]
+"""Parent → (element name, value of its ``name``, element)."""
+
+
 class Findings:
     """The problems of one document, collected during its walk."""
 
-    def __init__(self, survey: Survey) -> None:
-        self.survey = survey
-        self.version = survey.version
+    def __init__(self, document: Document, version: Version, named: Named) -> None:
+        self.document = document
+        self.version = version
+        self.named = named
+        self.customs: list[tuple[Element, Element, Definition]] = []
+        """Custom elements in standard ones, with their parent and its definition."""
+        self.misspelled: set[tuple[Element, str]] = set()
+        """What elements lack only because a child or attribute of theirs is misspelled."""
         self.found: list[object] = []
         self.stray: set[Element] = set()
         self.strange: Counter[Element] = Counter()
@@ -80,7 +87,7 @@ class Findings:
             if name != "version" and ":" not in name and not name.startswith("xmlns"):
                 self.unknown_attribute(root, definition, name)
         version = root.attribute("version")
-        if version is None and (root, "version") in self.survey.slips:
+        if version is None and (root, "version") in self.misspelled:
             return
         if version is None or not version.text.strip():
             self.found.append(problems.MissingVersion(root, self.version, empty=version is not None))
@@ -121,10 +128,10 @@ class Findings:
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         """A prefixed element: free, except that it must not hold what belongs to the standard."""
-        self.survey.customs.append((child, parent, place))
+        self.customs.append((child, parent, place))
         name = child.attributes.get("name")
         if name is not None:
-            self.survey.named[parent].append((child.name, name, child))
+            self.named.setdefault(parent, []).append((child.name, name, child))
         for element in standard_inside(child, parent, place):
             self.found.append(problems.TopologyChanged(element, child, parent))
 
@@ -147,7 +154,7 @@ class Findings:
     def absent(self, parent: Element, place: Definition, name: str) -> object:
         """A required child that is not there; a custom sibling may have been put in its stead."""
         child = place.children[name]
-        customs = [custom for custom, owner, _ in self.survey.customs if owner is parent and len(custom) == 0]
+        customs = [custom for custom, owner, _ in self.customs if owner is parent and len(custom) == 0]
         customs.sort(key=lambda custom: custom.name.partition(":")[2] != name)
         for custom in customs if child.type is not None else ():
             if custom.content and child.accepts(custom.content):
@@ -213,11 +220,11 @@ class Findings:
             suggestion = suggest(name, lacking)
             needed = suggestion in definition.required_attributes
             if suggestion is not None:
-                self.survey.slips.add((element, suggestion))
+                self.misspelled.add((element, suggestion))
             self.found.append(problems.UnknownAttribute(element, name, suggestion, needed))
 
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
-        if (element, name) in self.survey.slips:
+        if (element, name) in self.misspelled:
             return
         until = history.required_until(definition, name)
         self.found.append(problems.MissingAttribute(element, name, empty=False, until=until))
@@ -237,7 +244,7 @@ class Findings:
         counterpart = newest.attributes.get(known.name) if newest else None
         if counterpart is not None and counterpart.accepts(text):
             return
-        self.found += judge(value, known, known.read(text))
+        self.found += judge(value, known, read_at(known, text))
 
     # Values
 
@@ -247,7 +254,7 @@ class Findings:
             self.unexpected(child, element, definition)
         self.found += text_problems(element, definition)
 
-    def misspelt(self) -> set[tuple[Element, str]]:
+    def judge_unknown(self) -> None:
         """Note the unknown elements; what a misspelt one was meant to be is not missing as well."""
         lacking = {
             (parent, name): self.absent(parent, place, name) for parent, place, name in self.missing_children
@@ -260,24 +267,23 @@ class Findings:
             if taken[key] or name is None:
                 self.found.append(problem)
                 continue
-            self.survey.slips.add((parent, name))
+            self.misspelled.add((parent, name))
             absent = lacking.get((parent, name))
             refused = isinstance(absent, problems.MissingElement) and absent.refused
             refused |= problem.refused or f"{parent.name}/{name}" in _VITAL
             self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
-        return self.survey.slips
 
     def conclude(self) -> list[object]:
         """Everything found, once the walk is over."""
-        lost = self.misspelt()
+        self.judge_unknown()
         for parent, place, name in self.missing_children:
-            if (parent, name) not in lost:
+            if (parent, name) not in self.misspelled:
                 self.found.append(self.absent(parent, place, name))
         for key, uses in self.too_new.items():
             attribute = key[1]
             parent, since = self.too_new_at[key]
             first, all_uses = uses[0], tuple(uses)
-            root = self.survey.document.root
+            root = self.document.root
             declaration = root.attribute("version") if root is not None else None
             assert declaration is not None, "without one nothing is too new"
             if attribute:

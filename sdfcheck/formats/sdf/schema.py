@@ -7,53 +7,18 @@ first use, so that a document pays for the part of the format that it uses.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.sdf.needed import is_needed
+from sdfcheck.formats.sdf.row_in_version import RowInVersion
 from sdfcheck.formats.sdf.table import Row, at, block, newest_name
 from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.reading import Reading
-    from sdfcheck.formats.sdf.bounds import Range
-    from sdfcheck.formats.sdf.choices import Choices
 
 __all__ = ["NEWEST", "OLDEST", "AttributeDefinition", "Definition", "Schema", "Version", "schema"]
 
 
-class _Row:
-    """A row of the table, as one version has it."""
-
-    __slots__ = ("accepts", "choices", "may_be_infinite", "name", "place", "range", "row", "version")
-    version: Version
-    row: Row
-    name: str
-    place: str
-    """Where it stands over all versions, such as ``joint:joint/axis/limit/lower`` or ``joint:joint/@type``."""
-    range: Range | None
-    """Bounds that hold by meaning or by the table; readers do not check those of attributes."""
-    choices: Choices | None
-    may_be_infinite: bool
-    accepts: Callable[[str], object]
-    """True for text that is surely read as written and nothing can be said against.
-
-    For a pose: with rotation_format euler_rpy, the default.
-    """
-
-    @property
-    def minimum(self) -> str | None:
-        """The least value by the table."""
-        return at(self.row.extra("min"), self.version.minor) or None
-
-    @property
-    def maximum(self) -> str | None:
-        """The greatest value by the table."""
-        return at(self.row.extra("max"), self.version.minor) or None
-
-
-class AttributeDefinition(_Row):
+class AttributeDefinition(RowInVersion):
     """An attribute, as one version allows it at one place."""
 
     __slots__ = ("default", "required", "type")
@@ -74,20 +39,13 @@ class AttributeDefinition(_Row):
     def __repr__(self) -> str:
         return f"AttributeDefinition({self.place!r}, {self.version})"
 
-    def read(self, text: str) -> Reading:
-        """How readers take a text; the explaining counterpart of ``accepts``."""
-        from sdfcheck.formats.sdf.values import read_attribute
-
-        return read_attribute(self, text)
-
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name: str) -> Any:
-            _judge(self, name, self.row, self.required)
-            return object.__getattribute__(self, name)
+    @property
+    def needs_value(self) -> bool:
+        """Whether an empty text is refused."""
+        return self.required
 
 
-class Definition(_Row):
+class Definition(RowInVersion):
     """An element, as one version allows it below one kind of parent.
 
     ``multiplicity`` (``0``, ``1``, ``+``, ``*``, or ``-1`` for deprecated) is the one written
@@ -160,12 +118,6 @@ class Definition(_Row):
         """Whether an empty text is refused; elsewhere it means the default."""
         return self.type is not None and self.own_multiplicity == "1"
 
-    def read(self, text: str, rotation_format: str = "euler_rpy") -> Reading:
-        """How readers take a text; the explaining counterpart of ``accepts``."""
-        from sdfcheck.formats.sdf.values import read_element
-
-        return read_element(self, text, rotation_format)
-
     def _unfold(self) -> None:
         schema, minor = self._schema, self.version.minor
         self.children = children = {}
@@ -188,35 +140,10 @@ class Definition(_Row):
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            if name in _UNFOLDED:
-                self._unfold()
-            else:
-                _judge(self, name, self.row, self.needs_value)
+            if name not in _UNFOLDED:
+                return super().__getattr__(name)
+            self._unfold()
             return object.__getattribute__(self, name)
-
-
-def _judge(definition: Definition | AttributeDefinition, name: str, row: Row, needs_value: bool) -> None:
-    """Fill in what is asked about values: ``choices``, ``range``, ``accepts``."""
-    if name == "choices":
-        definition.choices = None
-        if row.extra("choices"):
-            from sdfcheck.formats.sdf.choices import Choices
-
-            definition.choices = Choices.of(row, definition.version)
-    elif name == "range":
-        definition.range = None
-        if row.extras:
-            from sdfcheck.formats.sdf.bounds import Range
-
-            definition.range = Range.of(row, definition.version.minor)
-    elif name == "may_be_infinite":
-        definition.may_be_infinite = "inf" in row.default or row.extra("infinite") != ""
-    elif name == "accepts":
-        from sdfcheck.formats.sdf.acceptance import acceptance
-
-        definition.accepts = acceptance(definition, needs_value)
-    else:
-        raise AttributeError(name)
 
 
 _UNFOLDED = {"attributes", "children", "needed_children", "required_attributes", "required_children"}

@@ -36,24 +36,19 @@ class Survey:
 
     def __init__(self, document: Document) -> None:
         root = document.root
-        text = document.version if root is not None and root.name == "sdf" else None
-        self.prepare(document, (Version.parse(text) if text else None) or NEWEST)
-        if root is not None and root.name == "sdf":
-            self.problems += _Walk(self).run(root)
-
-    def prepare(self, document: Document, version: Version) -> None:
-        """Be empty."""
+        is_sdf = root is not None and root.name == "sdf"
         self.document = document
-        self.version = version
+        self.version = (Version.parse(document.version or "") if is_sdf else None) or NEWEST
         """The declared version; the newest one where none or an unknown one is declared."""
-        self.index: defaultdict[str, list[Element]] = defaultdict(list)
-        self.named: defaultdict[Element, list[tuple[str, str, Element]]] = defaultdict(list)
+        walk = _Walk(document, self.version)
+        self.problems = walk.run(root) if root is not None and is_sdf else []
+        self.index = walk.index
+        self.named = walk.named
         """Parent → (element name, value of its ``name``, element)."""
-        self.customs: list[tuple[Element, Element, Definition]] = []
-        """Custom elements that stand in standard ones, with their parent and its definition."""
-        self.problems: list[object] = []
-        self.slips: set[tuple[Element, str]] = set()
-        """What elements lack only because a child or attribute of theirs is misspelt."""
+        self.customs = walk.explained.customs if walk.explained else []
+        """Custom elements in standard ones, with their parent and its definition."""
+        self.slips = walk.explained.misspelled if walk.explained else set()
+        """What elements lack only because a child or attribute of theirs is misspelled."""
 
 
 def survey(document: Document) -> Survey:
@@ -68,36 +63,35 @@ def problems(document: Document) -> list[object]:
 
 def examine(element: Element, definition: Definition) -> list[object]:
     """What is wrong with an element where the walk does not go, taken for what ``definition`` describes."""
-    notes = Survey.__new__(Survey)
-    notes.prepare(element.document, definition.version)
-    return _Walk(notes).part(element, definition)
+    return _Walk(element.document, definition.version).part(element, definition)
 
 
 class _Walk:
-    def __init__(self, result: Survey) -> None:
-        self.index = result.index
-        self.named = result.named
-        self.result = result
-        self._findings: Findings | None = None
+    def __init__(self, document: Document, version: Version) -> None:
+        self.document = document
+        self.version = version
+        self.index: defaultdict[str, list[Element]] = defaultdict(list)
+        self.named: defaultdict[Element, list[tuple[str, str, Element]]] = defaultdict(list)
+        self.explained: Findings | None = None
 
     @property
     def findings(self) -> Findings:
         """The explaining side, loaded when there is something to explain."""
-        if self._findings is None:
+        if self.explained is None:
             from sdfcheck.formats.sdf.findings import Findings
 
-            self._findings = Findings(self.result)
-        return self._findings
+            self.explained = Findings(self.document, self.version, self.named)
+        return self.explained
 
     def run(self, root: Element) -> list[object]:
-        definition = schema(self.result.version).root
+        definition = schema(self.version).root
         version = definition.attributes["version"]
         self.index[root.tag].append(root)
         items = root.items()
         if len(items) != 1 or items[0][0] != "version" or not version.accepts(items[0][1]):
             self.findings.root(root, definition)
         self.children(root, definition)
-        return self._findings.conclude() if self._findings else []
+        return self.explained.conclude() if self.explained else []
 
     def part(self, element: Element, definition: Definition) -> list[object]:
         parent = element.parent
@@ -107,7 +101,7 @@ class _Walk:
             self.findings.value(element, parent, definition)
         elif not definition.open:
             self.children(element, definition)
-        return self._findings.conclude() if self._findings else []
+        return self.explained.conclude() if self.explained else []
 
     def children(self, parent: Element, place: Definition) -> None:  # noqa: C901, PLR0912 - the hot loop
         """Check the children of one container, and theirs."""

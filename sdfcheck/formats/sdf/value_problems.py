@@ -9,6 +9,7 @@ from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.choices import Verdict
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import cut_text, part
+from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.source.element import Element, Value
@@ -30,15 +31,15 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     elif not value.text:
         # An empty pose is a usual way to leave it at the default, an empty number is none.
         if definition.needs_value or definition.type not in {"pose", "string"}:
-            yield problems.MalformedValue(value, definition, definition.read(""), element.span)
+            yield problems.MalformedValue(value, definition, read_at(definition, ""), element.span)
     elif cut := cut_text(element):
         yield problems.CutText(value, cut)
     elif rotation is not None:
-        yield from judge(value, newest, newest.read(value.text, rotation.text.strip() or "euler_rpy"))
+        yield from judge(value, newest, read_at(newest, value.text, rotation.text.strip() or "euler_rpy"))
     elif not definition.accepts(value.text) and (
         newest.type != definition.type or not newest.accepts(value.text)
     ):
-        yield from judge(value, definition, definition.read(value.text))
+        yield from judge(value, definition, read_at(definition, value.text))
 
 
 def _exclude_each_other(rotation: Value, degrees: Value) -> bool:

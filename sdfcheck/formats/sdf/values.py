@@ -7,7 +7,6 @@ a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 without a
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.sdf.bounds import Range
@@ -22,9 +21,7 @@ from sdfcheck.formats.sdf.parts import (
     rest_cause,
     word_at,
 )
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf.row_in_version import RowInVersion
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}
 _WHOLE = frozenset(("time", "vector2i"))
@@ -88,24 +85,14 @@ def expected_of(kind: str) -> str:
     return f"{count} number{'s' * (count > 1)}" if count else "text"
 
 
-def read_element(definition: Definition, text: str, rotation_format: str = "euler_rpy") -> Reading:
-    """How the text of an element is read, with the choices and the range of its place."""
-    if definition.type is None:
+def read_at(definition: RowInVersion, text: str, rotation_format: str = "euler_rpy") -> Reading:
+    """How a text is read at its place, with the choices and the range there: what explains ``accepts``."""
+    kind, required = definition.type, definition.needs_value
+    choices, bounds = definition.choices, definition.range
+    if kind is None:
         return AS_WRITTEN
     if definition.place not in _TURNING_POSES:
         rotation_format = "euler_rpy"
-    return _read_at(definition, definition.type, text, definition.needs_value, rotation_format)
-
-
-def read_attribute(definition: AttributeDefinition, text: str) -> Reading:
-    """How the text of an attribute is read, with the choices and the range of its place."""
-    return _read_at(definition, definition.type, text, definition.required, "euler_rpy")
-
-
-def _read_at(
-    definition: Definition | AttributeDefinition, kind: str, text: str, required: bool, rotation_format: str
-) -> Reading:
-    choices, bounds = definition.choices, definition.range
     trimmed = text.strip(" \t\n")
     if choices is not None and trimmed:
         verdict = choices.judge(trimmed)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from typing import TYPE_CHECKING
 
 from sdfcheck.formats.folding import MOST, folded
 from sdfcheck.formats.reading import Outcome
@@ -17,11 +16,9 @@ from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.urdf import problems as urdf_problems
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, UrdfElement, is_expression, known_parents
+from sdfcheck.formats.urdf.values import read
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.text import Span
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.urdf.survey import UrdfSurvey
+from sdfcheck.source.text import Source, Span
 
 _VALUE_PROBLEMS = {
     Outcome.MISREAD: problems.MisreadValue,
@@ -34,8 +31,11 @@ _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 class UrdfFindings:
     """The problems of one document, collected during its walk."""
 
-    def __init__(self, survey: UrdfSurvey) -> None:
-        self.survey = survey
+    def __init__(self, source: Source, version: Version) -> None:
+        self.source = source
+        self.version = version
+        self.customs: list[Element] = []
+        """Prefixed elements in standard ones."""
         self.found: list[object] = []
         self.stray: set[Element] = set()
         self.unknown: dict[tuple[str, str], list[Element]] = {}
@@ -53,7 +53,7 @@ class UrdfFindings:
         """A child that the table does not list."""
         name = child.name
         if ":" in name:
-            self.survey.customs.append(child)
+            self.customs.append(child)
             return
         if place.name == "geometry":
             return  # a shape, in its way
@@ -102,7 +102,7 @@ class UrdfFindings:
 
     def too_new(self, element: Element, since: Version) -> None:
         self.found.append(
-            urdf_problems.FeatureAboveVersion(element, element.name, str(since), str(self.survey.version))
+            urdf_problems.FeatureAboveVersion(element, element.name, str(since), str(self.version))
         )
 
     def stray_text(self, element: Element) -> None:
@@ -125,10 +125,10 @@ class UrdfFindings:
                     return
                 self.unknown_values.setdefault((element.name, key), []).append(Value(element, key, text))
             return
-        if known.since > self.survey.version:
+        if known.since > self.version:
             value = Value(element, key, text)
             self.found.append(
-                urdf_problems.FeatureAboveVersion(value, key, str(known.since), str(self.survey.version))
+                urdf_problems.FeatureAboveVersion(value, key, str(known.since), str(self.version))
             )
         self.attribute_value(element, known, text)
 
@@ -171,10 +171,10 @@ class UrdfFindings:
 
     def setting(self, element: Element, known: UrdfAttribute) -> None:
         """A number in ``<gazebo>``, in the attribute ``value`` or as text."""
-        from sdfcheck.formats.sdf.values import read
+        from sdfcheck.formats.sdf.values import read as read_as_sdf
 
         value = element.attribute("value") or element.own_value
-        reading = read(known.type, value.text, required=True)
+        reading = read_as_sdf(known.type, value.text, required=True)
         if reading.outcome is Outcome.EMPTY:
             self.found.append(problems.MalformedValue(value, known, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
@@ -184,7 +184,7 @@ class UrdfFindings:
     def judge(self, value: Value, known: UrdfAttribute) -> None:
         """Turn the reading of a value into the problem that it is."""
         text = _written(value)
-        reading = known.read(text)
+        reading = read(known, text)
         if reading.is_fine or is_expression(text):
             return
         span = _part(value, reading.start, reading.end)
@@ -201,15 +201,14 @@ class UrdfFindings:
 
     def expressions(self) -> None:
         """What xacro would have replaced, reported once: it is one step that was left out."""
-        source = self.survey.document.source
-        comments = [match.span() for match in _COMMENT.finditer(source.text)]
+        comments = [match.span() for match in _COMMENT.finditer(self.source.text)]
         places = [
             match.span()
-            for match in _EXPRESSION.finditer(source.text)
+            for match in _EXPRESSION.finditer(self.source.text)
             if not any(start <= match.start() < end for start, end in comments)
         ]
         if places:
-            self.found.append(urdf_problems.UnexpandedExpression(source.span(*places[0]), len(places)))
+            self.found.append(urdf_problems.UnexpandedExpression(self.source.span(*places[0]), len(places)))
 
     def conclude(self) -> list[object]:
         """Everything found, once the walk is over."""

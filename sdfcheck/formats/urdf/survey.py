@@ -11,6 +11,7 @@ import re
 from collections import defaultdict
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, is_expression, urdf
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -38,19 +39,22 @@ class UrdfSurvey:
 
     def __init__(self, document: Document) -> None:
         self.document = document
-        self.index: defaultdict[str, list[Element]] = defaultdict(list)
-        self.customs: list[Element] = []
-        """Prefixed elements that stand in standard ones."""
-        self.problems: list[object] = []
-        self.version = VERSIONS[0]
-        """The declared version of URDF; the first where none or an unknown one is declared."""
         root = document.root
         self.root = root if root is not None and root.name == "robot" and not _is_xacro(root) else None
         """The element ``robot``; None where there is none to check."""
+        self.version = VERSIONS[0]
+        """The declared version of URDF; the first where none or an unknown one is declared."""
+        self.index: defaultdict[str, list[Element]] = defaultdict(list)
+        self.customs: list[Element] = []
+        """Prefixed elements in standard ones."""
+        self.problems: list[object] = []
         if self.root is not None:
             declared = document.version or ""
             self.version = next((v for v in VERSIONS if str(v) == declared), VERSIONS[0])
-            self.problems = UrdfWalk(self).run(self.root)
+            walk = UrdfWalk(document, self.version)
+            self.problems = walk.run(self.root)
+            self.index = walk.index
+            self.customs = walk.explained.customs if walk.explained else []
 
     def top(self, name: str) -> list[Element]:
         """The children of ``robot`` of that name."""
@@ -70,39 +74,37 @@ def problems(document: Document) -> list[object]:
 class UrdfWalk:
     """One walk; what it meets that is not accepted at once goes to its findings."""
 
-    def __init__(self, result: UrdfSurvey) -> None:
-        self.result = result
-        self.index = result.index
-        self.version = result.version
-        self._findings: UrdfFindings | None = None
-        text = result.document.source.text
-        self.has_expressions = is_expression(text)
+    def __init__(self, document: Document, version: Version) -> None:
+        self.source = document.source
+        self.version = version
+        self.index: defaultdict[str, list[Element]] = defaultdict(list)
+        self.explained: UrdfFindings | None = None
         # A tab or line break in a value matters, and the parser has turned it into a space.
-        self.is_wrapped = _WRAPPED_VALUE.search(text) is not None
+        self.is_wrapped = _WRAPPED_VALUE.search(document.source.text) is not None
 
     @property
     def findings(self) -> UrdfFindings:
         """The explaining side, loaded when there is something to explain."""
-        if self._findings is None:
+        if self.explained is None:
             from sdfcheck.formats.urdf.findings import UrdfFindings
 
-            self._findings = UrdfFindings(self.result)
-        return self._findings
+            self.explained = UrdfFindings(self.source, self.version)
+        return self.explained
 
     def run(self, root: Element) -> list[object]:
         definition = urdf()
         self.index["robot"].append(root)
         self.attributes(root, definition)
         self.children(root, definition)
-        if self.has_expressions:
+        if is_expression(self.source.text):
             self.findings.expressions()
         return self.conclude()
 
     def conclude(self) -> list[object]:
         """All problems, once every element is walked over."""
-        if "<gazebo" in self.result.document.source.text:
+        if "<gazebo" in self.source.text:
             self.extensions()
-        return self._findings.conclude() if self._findings else []
+        return self.explained.conclude() if self.explained else []
 
     def children(self, parent: Element, place: UrdfElement) -> None:  # noqa: C901 - the hot loop
         """Check the children of one container, and theirs."""

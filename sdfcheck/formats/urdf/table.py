@@ -10,13 +10,9 @@ from collections.abc import Callable
 from functools import cache
 from math import inf
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.formats.sdf.version import Version
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.reading import Reading
 
 _FILE = Path(__file__).parents[1] / "data" / "urdf.txt"
 
@@ -79,12 +75,6 @@ class UrdfAttribute:
     def is_number(self) -> bool:
         """Whether it holds numbers, one or several."""
         return self.type in _COUNTS
-
-    def read(self, text: str) -> Reading:
-        """How urdfdom takes a text; the explaining counterpart of ``accepts``."""
-        from sdfcheck.formats.urdf.values import read
-
-        return read(self, text)
 
 
 class UrdfElement:

@@ -9,16 +9,12 @@ from __future__ import annotations
 
 import re
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed
+from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.formats.sdf.numbers import BLANKS, stream_float
 from sdfcheck.formats.sdf.parts import no_number
-from sdfcheck.formats.urdf.table import is_expression
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.sdf.bounds import Range
-    from sdfcheck.formats.urdf.table import UrdfAttribute
+from sdfcheck.formats.urdf.table import UrdfAttribute, is_expression
 
 _SIZES = {"vector3": 3, "color": 4, "quaternion": 4}
 _EXPECTED = {"double": "a number", "int": "a whole number", "unsigned int": "a whole number"}

@@ -8,8 +8,6 @@ its prefix, which is the beginning of the file's name.
 from __future__ import annotations
 
 from enum import Enum
-from functools import cache
-from pathlib import Path
 
 from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.source.element import Element
@@ -260,18 +258,6 @@ class Vendor:
             if f"/{chain}".endswith(f"/{path}") or (inside != path and f"/{inside}/" in f"/{chain}/"):
                 return PASSED_OVER
         return self.unknown
-
-
-@cache
-def vendor(path: Path, dialect: str) -> Vendor:
-    """A vendor's table, for ``sdf`` or ``urdf``.
-
-    Raises:
-        BadTable: it cannot be read.
-    """
-    from sdfcheck.formats.vendor.table import read_table
-
-    return read_table(path, dialect)
 
 
 def _steps(text: str) -> tuple[Step, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
 
 from sdfcheck.formats.vendor.definitions import (
@@ -27,8 +28,13 @@ _OWN = re.compile(r"(?<![\w:]):(?=[A-Za-z_])")
 """The colon of a name that has the vendor's own prefix left out."""
 
 
-def read_table(path: Path, dialect: str) -> Vendor:
-    """The table as ``dialect`` (``sdf`` or ``urdf``) has it; raises BadTable naming the line at fault."""
+@cache
+def vendor(path: Path, dialect: str) -> Vendor:
+    """A vendor's table, as ``dialect`` (``sdf`` or ``urdf``) has it.
+
+    Raises:
+        BadTable: it cannot be read; the text names the line at fault.
+    """
     prefix = prefix_of(path)
     reader = _Reader(prefix, dialect)
     try:

@@ -7,6 +7,7 @@ import pytest
 from sdfcheck.formats.reading import Outcome
 from sdfcheck.formats.sdf.choices import Verdict
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, Version, schema
+from sdfcheck.formats.sdf.values import read_at
 
 TEXTS = [
     "", " ", "0", "1", "-1", "+1", "1.", ".5", "-0.5", ".", "-", "+", "1e5", "1E-5", "1e", "1e400",
@@ -43,7 +44,7 @@ def test_accepted_means_read_as_written(version: Version) -> None:
         (definition.place, text, reading)
         for definition in definitions
         for text in TEXTS
-        if definition.accepts(text) and not (reading := definition.read(text)).is_fine
+        if definition.accepts(text) and not (reading := read_at(definition, text)).is_fine
     ]
     assert wrong == []
 
@@ -91,7 +92,7 @@ def test_out_of_range(place: str, text: str, refused: bool) -> None:
     definition = schema(Version(1, 12)).at(place)
     assert definition is not None
     assert not definition.accepts(text)
-    reading = definition.read(text)
+    reading = read_at(definition, text)
     assert (reading.outcome, reading.refused) == (Outcome.OUT_OF_RANGE, refused)
 
 
@@ -129,7 +130,7 @@ def test_choices(
     choices = definition.choices
     assert choices is not None
     assert (choices.judge(text), choices.refuses(text)) == (verdict, refused)
-    reading = definition.read(text)
+    reading = read_at(definition, text)
     assert reading.is_fine is (verdict is Verdict.LISTED)
     assert reading.is_fine or (reading.verdict, reading.refused) == (verdict, refused)
 
@@ -138,8 +139,8 @@ def test_a_default_outside_the_list_is_fine() -> None:
     fog = schema(Version(1, 12)).at("scene:scene/fog/type")
     assert fog is not None
     assert fog.accepts("none")
-    assert fog.read("none").is_fine
-    assert not fog.read("thick").is_fine
+    assert read_at(fog, "none").is_fine
+    assert not read_at(fog, "thick").is_fine
 
 
 def test_required_values_may_not_be_empty() -> None:
@@ -148,7 +149,7 @@ def test_required_values_may_not_be_empty() -> None:
     assert size is not None
     assert pose is not None
     assert joint is not None
-    assert size.read("").outcome is Outcome.EMPTY
-    assert pose.read("").outcome is Outcome.DEFAULT
-    assert joint.attributes["name"].read(" ").outcome is Outcome.EMPTY
+    assert read_at(size, "").outcome is Outcome.EMPTY
+    assert read_at(pose, "").outcome is Outcome.DEFAULT
+    assert read_at(joint.attributes["name"], " ").outcome is Outcome.EMPTY
     assert pose.attributes["relative_to"].accepts("")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.describe.place import Description, UnknownPlace, describe
+from sdfcheck.formats.describe.description import Description, UnknownPlace
+from sdfcheck.formats.describe.place import describe
 from sdfcheck.formats.sdf.version import Version
 
 

@@ -159,21 +159,6 @@ def test_types_and_defaults(text: str, path: str, kind: str | None, default: str
 
 
 @pytest.mark.parametrize(
-    ("text", "path", "minimum", "maximum"),
-    [
-        ("1.4", "model/link/sensor/camera/horizontal_fov", "0.1", "1.5708"),
-        ("1.5", "model/link/sensor/camera/horizontal_fov", "0.001", "6.283186"),
-        ("1.3", "model/link/collision/surface/friction/ode/mu", "0.0", "1.0"),
-        ("1.4", "model/link/collision/surface/friction/ode/mu", "0.0", None),
-        ("1.12", "model/link/inertial/mass", None, None),
-    ],
-)
-def test_minimum_and_maximum(text: str, path: str, minimum: str | None, maximum: str | None) -> None:
-    definition = known(text, path)
-    assert (definition.minimum, definition.maximum) == (minimum, maximum)
-
-
-@pytest.mark.parametrize(
     ("text", "path", "deprecated"),
     [
         ("1.9", "model/joint/thread_pitch", False),

@@ -6,6 +6,7 @@ import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, extension, known_parents, urdf
+from sdfcheck.formats.urdf.values import read
 
 
 def attribute(path: str, name: str) -> UrdfAttribute:
@@ -67,7 +68,7 @@ def test_known_parents() -> None:
 
 @pytest.mark.parametrize("text", ["1", "-1", "+1.5", ".5", "1.", "1e-3", " 1", "1E5", "1e-400"])
 def test_numbers(text: str) -> None:
-    assert LOWER.read(text).is_fine
+    assert read(LOWER, text).is_fine
 
 
 @pytest.mark.parametrize(
@@ -87,7 +88,7 @@ def test_numbers(text: str) -> None:
 )
 def test_what_urdfdom_refuses_as_a_number(text: str, cause: Cause) -> None:
     assert not LOWER.accepts(text)
-    reading = LOWER.read(text)
+    reading = read(LOWER, text)
     assert reading.outcome is Outcome.MALFORMED
     assert reading.refused
     assert reading.cause in {cause, Cause.TRAILING} if cause is Cause.NOT_A_NUMBER else reading.cause is cause
@@ -95,7 +96,7 @@ def test_what_urdfdom_refuses_as_a_number(text: str, cause: Cause) -> None:
 
 @pytest.mark.parametrize("text", ["0 0 0", "0  0   0", " 0 0 0 ", "\t0 0 0", "1e-3 .5 -2"])
 def test_vectors(text: str) -> None:
-    assert XYZ.read(text).is_fine
+    assert read(XYZ, text).is_fine
 
 
 @pytest.mark.parametrize(
@@ -110,7 +111,7 @@ def test_vectors(text: str) -> None:
     ],
 )
 def test_what_is_to_blame_in_a_vector(text: str, part: str) -> None:
-    reading = XYZ.read(text)
+    reading = read(XYZ, text)
     assert reading.outcome is Outcome.MALFORMED
     assert text[reading.start : reading.end] == part
     assert reading.expected == "3 numbers"
@@ -118,7 +119,7 @@ def test_what_is_to_blame_in_a_vector(text: str, part: str) -> None:
 
 @pytest.mark.parametrize(("text", "got", "part"), [("0 0", 2, "0 0"), ("0 0 0 1", 4, "1")])
 def test_the_number_of_numbers(text: str, got: int, part: str) -> None:
-    reading = XYZ.read(text)
+    reading = read(XYZ, text)
     assert (reading.outcome, reading.wanted, reading.got) == (Outcome.WRONG_COUNT, (3,), got)
     assert text[reading.start : reading.end] == part
 
@@ -126,14 +127,14 @@ def test_the_number_of_numbers(text: str, got: int, part: str) -> None:
 def test_ranges() -> None:
     assert SIZE.accepts("1 2 3")
     assert not SIZE.accepts("1 0 3")
-    reading = SIZE.read("1 0 3")
+    reading = read(SIZE, "1 0 3")
     assert reading.outcome is Outcome.OUT_OF_RANGE
     assert not reading.refused
     assert reading.range is not None
     assert reading.range.instead == "1"
     assert RGBA.accepts("1 0 0 1")
-    assert RGBA.read("255 0 0 1").refused
-    assert RGBA.read("1 0 0").outcome is Outcome.WRONG_COUNT
+    assert read(RGBA, "255 0 0 1").refused
+    assert read(RGBA, "1 0 0").outcome is Outcome.WRONG_COUNT
 
 
 def test_choices() -> None:
@@ -141,11 +142,11 @@ def test_choices() -> None:
     assert kind.accepts("revolute")
     for text in ("Revolute", " revolute", "ball"):
         assert not kind.accepts(text)
-        assert kind.read(text).outcome is Outcome.NOT_A_CHOICE
+        assert read(kind, text).outcome is Outcome.NOT_A_CHOICE
 
 
 @pytest.mark.parametrize("text", ["1", "1 2 3", "1 2 3 4", "x", "1e999", "", "1 ", "-0.5", "0 0 1m", "nan"])
 @pytest.mark.parametrize("known", [SIZE, LOWER, RGBA, XYZ], ids=repr)
 def test_the_quick_check_accepts_nothing_that_reading_does_not(known: UrdfAttribute, text: str) -> None:
     if known.accepts(text):
-        assert known.read(text).is_fine
+        assert read(known, text).is_fine

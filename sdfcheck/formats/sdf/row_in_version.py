@@ -1,4 +1,4 @@
-"""Fast checks of values: true for text that is surely read as written, and nothing said of the rest."""
+"""What elements and attributes have in common: a row of the table, as one version has it."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import re
 from collections.abc import Callable
 from functools import cache
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from sdfcheck.formats.sdf.table import at
+from sdfcheck.formats.sdf.table import Row, at
+from sdfcheck.formats.sdf.version import Version
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.bounds import Range
-    from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
+    from sdfcheck.formats.sdf.choices import Choices
 
 Accepts = Callable[[str], object]
 
@@ -37,19 +38,74 @@ _PATTERNS = {
 }
 
 
-def acceptance(definition: Definition | AttributeDefinition, needs_value: bool) -> Accepts:
+class RowInVersion:
+    """An element or attribute; ``choices``, ``range``, ``may_be_infinite`` and ``accepts`` at their first use."""
+
+    __slots__ = ("accepts", "choices", "may_be_infinite", "name", "place", "range", "row", "version")
+    version: Version
+    row: Row
+    name: str
+    place: str
+    """Its path over all versions, such as ``joint:joint/axis/limit/lower`` or ``joint:joint/@type``."""
+    range: Range | None
+    """Bounds that hold by meaning or by the table; libsdformat does not check those of attributes."""
+    choices: Choices | None
+    may_be_infinite: bool
+    accepts: Accepts
+    """True for text that is surely read as written and nothing can be said against.
+
+    For a pose: with rotation_format euler_rpy, the default.
+    """
+
+    if TYPE_CHECKING:
+        type: str | None
+        default: str | None
+
+        @property
+        def needs_value(self) -> bool: ...
+    else:
+
+        def __getattr__(self, name: str) -> Any:
+            if name == "choices":
+                self.choices = self._read_choices()
+            elif name == "range":
+                self.range = self._read_range()
+            elif name == "may_be_infinite":
+                self.may_be_infinite = "inf" in self.row.default or self.row.extra("infinite") != ""
+            elif name == "accepts":
+                self.accepts = _acceptance(self)
+            else:
+                raise AttributeError(name)
+            return object.__getattribute__(self, name)
+
+    def _read_choices(self) -> Choices | None:
+        if not self.row.extra("choices"):
+            return None
+        from sdfcheck.formats.sdf.choices import Choices
+
+        return Choices.of(self.row, self.version)
+
+    def _read_range(self) -> Range | None:
+        if not self.row.extras:
+            return None
+        from sdfcheck.formats.sdf.bounds import Range
+
+        return Range.of(self.row, self.version.minor)
+
+
+def _acceptance(definition: RowInVersion) -> Accepts:
     """The check for one place. An empty text is accepted for texts only, where it is the default."""
     kind, bounds = definition.type, definition.range
     if kind is None:
         return _nothing
     if listed := at(definition.row.extra("choices"), definition.version.minor):
-        return _choices(definition, listed, needs_value)
+        return _choices(definition, listed)
     if kind == "bool":
         return _TRUTH.__contains__
     if kind in {"int", "unsigned int"}:
         return _bounded(_digits, bounds) if bounds else _digits
     if kind == "string" and bounds is None:
-        return str.strip if needs_value else _anything
+        return str.strip if definition.needs_value else _anything
     matches: Accepts
     if kind in {"double", "string"}:
         matches = _number_or_infinity if definition.may_be_infinite else _number
@@ -85,13 +141,13 @@ def _nothing(text: str) -> bool:
     return not text or text.isspace()
 
 
-def _choices(definition: Definition | AttributeDefinition, listed: str, needs_value: bool) -> Accepts:
+def _choices(definition: RowInVersion, listed: str) -> Accepts:
     accepted = set(listed.split(","))
     if library := definition.row.extra("library"):
         accepted.intersection_update(library.split(","))
     if definition.default != "__default__":
         accepted.add(definition.default or "")
-    accepted.discard("") if needs_value else accepted.add("")
+    accepted.discard("") if definition.needs_value else accepted.add("")
     return frozenset(accepted).__contains__
 
 
