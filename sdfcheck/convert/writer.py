@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from sdfcheck.source.element import Element, written_name
+from sdfcheck.source.element import Element
+from sdfcheck.source.rewritten import written_name
 from sdfcheck.source.wrong_usage import WrongUsage
 
 INDENT = "  "

@@ -46,7 +46,7 @@ class _Borrowed(Spans):
         elements = document.root.iter(etree.Element)
         self._of = dict(zip(elements, sources, strict=True))
 
-    def span(self, element: Element, start: int, end: int) -> Span:
+    def span(self, element: etree.ElementBase, start: int, end: int) -> Span:
         return self._of[element].span
 
 

@@ -112,7 +112,7 @@ class _Analysis:
 
     def __init__(self, document: Document) -> None:
         # Only texts with prefixes pay for it.
-        from sdfcheck.source.scanner.start_tag import parse_start_tag
+        from sdfcheck.source.scanner.parse_tag import parse_start_tag
 
         self.parse = parse_start_tag
         self.document = document

@@ -171,6 +171,6 @@ def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
     if not sources:
         return []
     from sdfcheck.lint.suppress.comments import comments
-    from sdfcheck.source.scanner.scan import scan
+    from sdfcheck.source.scanner.full_scan import scan
 
     return [comment for source in sources for comment in comments(source, scan(source))]

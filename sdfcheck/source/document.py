@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from lxml import etree
 
 from sdfcheck.source.decode import decode
-from sdfcheck.source.element import ATTRIBUTE_LIMIT, Element, Value
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step
 
@@ -139,7 +140,7 @@ class Document:
                 root = self._parse_without_hyphens()
                 if root is not None:
                     return root
-        from sdfcheck.source.scanner.scan import scan
+        from sdfcheck.source.scanner.full_scan import scan
 
         self._scan = scan(self.source)
         found = self._scan.problems
@@ -209,7 +210,9 @@ def problems(document: Document) -> list[Problem]:
         return document.problems
     from sdfcheck.source.scanner.recognition import unrecognized
 
-    return [unrecognized(document)]
+    root = document.root
+    found = (root.name, root.span) if root is not None else (None, None)
+    return [unrecognized(document.source, document.kind, *found)]
 
 
 def _encoded(text: str) -> bytes:

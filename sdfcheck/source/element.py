@@ -7,30 +7,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
 from lxml import etree
 
+from sdfcheck.source.rewritten import COLON, written_name
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
-COLON = "\ua4fd"
-"""Stands for the colon in names of a text that was written anew.
-
-Namespace processing has no place there. It is a Lisu letter (tone mya jeu) that looks
-like a colon, that XML allows in names, and that no robot description uses.
-"""
-
-ATTRIBUTE_LIMIT = 1000
-"""So many attributes of an element are looked at: to list them costs the square of their number."""
-
 T = TypeVar("T", str, int, float, bool)
-
-
-def written_name(tag: str, prefix: str | None) -> str:
-    """A name as the file has it, ``prefix:local``, from lxml's ``{uri}local``."""
-    if tag[:1] == "{":
-        local = tag[tag.index("}") + 1 :]
-        return f"{prefix}:{local}" if prefix else local
-    return tag.replace(COLON, ":") if COLON in tag else tag
 
 
 class Value:

@@ -14,9 +14,10 @@ from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.scanner.parse_tag import parse_start_tag
 from sdfcheck.source.scanner.quick_scan import quick_scan
 from sdfcheck.source.scanner.scan import Scan
-from sdfcheck.source.scanner.start_tag import START, StartTag, parse_start_tag
+from sdfcheck.source.scanner.start_tag import START, StartTag
 from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source, Span, Step
 
@@ -153,17 +154,17 @@ class OriginSpans(Spans):
         self.provenance = provenance
         self._indices: dict[int, int] = {}
 
-    def home(self, element: Element) -> Source:
+    def home(self, element: etree.ElementBase) -> Source:
         return self.provenance.source(self._numbers[element])
 
-    def span(self, element: Element, start: int, end: int) -> Span:
+    def span(self, element: etree.ElementBase, start: int, end: int) -> Span:
         number = self._numbers[element]
         return OriginSpan.of(self.provenance.source(number).span(start, end), self.provenance.chain(number))
 
     def origins(self, element: Element) -> tuple[Step, ...]:
         return self.provenance.chain(self._numbers[element])
 
-    def found(self, element: Element) -> tuple[Scan, int]:
+    def found(self, element: etree.ElementBase) -> tuple[Scan, int]:
         number = self._numbers[element]
         scan = self.provenance.sources.scan(self.provenance.source(number))
         index = self._indices.get(number)
@@ -172,7 +173,7 @@ class OriginSpans(Spans):
             self._indices[number] = index
         return scan, index
 
-    def start_tag(self, element: Element) -> StartTag:
+    def start_tag(self, element: etree.ElementBase) -> StartTag:
         scan, index = self.found(element)
         return parse_start_tag(self.home(element), scan.starts[index])[0]
 

@@ -8,7 +8,8 @@ from typing import Any
 
 from sdfcheck.files.packages import Packages
 from sdfcheck.source.document import Document
-from sdfcheck.source.scanner.start_tag import StartTag, parse_start_tag
+from sdfcheck.source.scanner.parse_tag import parse_start_tag
+from sdfcheck.source.scanner.start_tag import StartTag
 from sdfcheck.source.text import Source, Span, Step
 from sdfcheck.xacro.origins import Provenance
 from sdfcheck.xacro.problems import (

@@ -15,7 +15,8 @@ from sdfcheck.formats.vendor.definitions import REFUSED, Effect, Outcome, Place,
 from sdfcheck.formats.vendor.relations import beside, missing_children, relations
 from sdfcheck.formats.vendor.values import expected_of, misreading, out_of_range
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import COLON, Element, Value
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.rewritten import COLON
 
 _CLOSED = frozenset(("plugin", "gazebo"))
 """What lies in these is for their own readers."""

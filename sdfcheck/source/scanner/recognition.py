@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from sdfcheck.source.document import Document
 from sdfcheck.source.problems import UnrecognizedDocument
 from sdfcheck.source.scanner.tokens import Token, TokenKind, first_line
 from sdfcheck.source.sniff import HEAD, Kind, sniff, suggested_root
+from sdfcheck.source.text import Source, Span
 
 
-def unrecognized(document: Document) -> UnrecognizedDocument:
-    """Say what the document looks like, at its root element or its first line."""
-    text, kind = document.source.text, document.kind
+def unrecognized(source: Source, kind: Kind, name: str | None, place: Span | None) -> UnrecognizedDocument:
+    """What a text looks like, at its root element (``name`` at ``place``) or its first line."""
+    text = source.text
     if kind in {Kind.BROKEN_XML, Kind.NOT_XML, Kind.OTHER_XML}:
-        kind = sniff(text[:HEAD].encode("utf-8", "surrogatepass"), document.path)
+        kind = sniff(text[:HEAD].encode("utf-8", "surrogatepass"), source.path)
     looks_like = kind.description if kind is not Kind.NOT_XML else "plain text"
-    root = document.root
-    if root is None:
+    if name is None or place is None:
         if kind in {Kind.OTHER_XML, Kind.BROKEN_XML}:
             looks_like = "XML without any element"
-        place = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
-        return UnrecognizedDocument(document.source.span(*place), looks_like, None, None)
+        line = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
+        return UnrecognizedDocument(source.span(*line), looks_like, None, None)
     if kind not in {Kind.OTHER_XML, Kind.MISSPELT_ROOT}:
-        return UnrecognizedDocument(root.span, looks_like, None, None)
-    return UnrecognizedDocument(root.span, looks_like, root.name, suggested_root(root.name))
+        return UnrecognizedDocument(place, looks_like, None, None)
+    return UnrecognizedDocument(place, looks_like, name, suggested_root(name))

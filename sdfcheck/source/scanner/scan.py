@@ -1,9 +1,7 @@
-"""Where everything stands: one pass over the text, never failing.
+"""The places of a text's elements and comments.
 
 lxml keeps the tree; a scan keeps the places. Both number elements in document order,
-which is how they find each other. On a text that is not well formed the scan also says
-why (:mod:`sdfcheck.source.problems`) and writes it anew, well formed, so that the rest
-can be linted all the same. Three steps: cut the text up, join the tags, write.
+which is how they find each other.
 """
 
 from __future__ import annotations
@@ -15,7 +13,6 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.source.problems import Problem
     from sdfcheck.source.scanner.start_tag import StartTag
-    from sdfcheck.source.text import Source
 
 
 class ElementPlace(NamedTuple):
@@ -65,26 +62,3 @@ class Scan:
     def inside(self, index: int, tag: StartTag) -> tuple[int, int]:
         """From behind an element's start tag to where, at the latest, its first text ends."""
         return self.ends[index], self.closes[index]
-
-
-def scan(source: Source) -> Scan:
-    """Scan any text, and write it anew in well-formed XML."""
-    from sdfcheck.source.scanner.pairing import pair
-    from sdfcheck.source.scanner.prepare import prepare
-    from sdfcheck.source.scanner.tokenizer import tokenize
-    from sdfcheck.source.scanner.tokens import TokenKind
-    from sdfcheck.source.scanner.wellformed import Writer
-
-    result = Scan()
-    prepared = prepare(source)
-    tokens = tokenize(source, prepared.text)
-    pairs = pair(source, prepared.text, tokens)
-    writer = Writer(source, prepared.text, result, tokens.entities)
-    writer.write(pairs.steps)
-    read = (problem for problem in (*prepared.problems, *tokens.problems) if problem.span.start < pairs.end)
-    found = [*read, *pairs.problems, *result.problems]
-    result.problems = sorted(found, key=lambda problem: (problem.span.start, problem.span.end))
-    result.doubtful = [*prepared.doubtful, *tokens.doubtful, *pairs.doubtful]
-    pieces = (token for token in tokens.pieces if token.kind is TokenKind.COMMENT)
-    result.comments = [(token.start, token.end) for token in pieces if token.start < pairs.end]
-    return result

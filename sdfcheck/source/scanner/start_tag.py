@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from itertools import islice
 
-from sdfcheck.source.element import ATTRIBUTE_LIMIT
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT
 from sdfcheck.source.text import Source
 
 BLANK = r"[ \t\r\n]"
@@ -42,17 +42,6 @@ class StartTag(NamedTuple):
     attributes: tuple[AttributePlace, ...]
     end: int
     empty: bool
-
-
-def parse_start_tag(source: Source, at: int) -> tuple[StartTag, list[Problem]]:
-    """Parse the start tag whose ``<`` is at ``at``; always returns one, and what is wrong with it."""
-    match = START.match(source.text, at)
-    if match is None or not has_names(match):
-        from sdfcheck.source.scanner.broken_tag import parse_broken_tag
-
-        return parse_broken_tag(source, source.text, at)
-    tag = tag_of(match)
-    return tag, repeated_attributes(source, tag)
 
 
 def has_names(match: re.Match[str]) -> bool:

@@ -2,7 +2,7 @@
 
 What is sound is copied. Start tags keep their number and order, which is all that the
 mapping between tree and text needs. Namespace processing is kept out: colons in names
-are replaced by :data:`sdfcheck.source.element.COLON`, and declarations are left to the
+are replaced by :data:`sdfcheck.source.rewritten.COLON`, and declarations are left to the
 textual namespace analysis.
 """
 
@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import re
 
-from sdfcheck.source.element import ATTRIBUTE_LIMIT, COLON
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind, UnknownEntity
+from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT, COLON
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.scanner.start_tag import BLANK, NAME, START, StartTag, repeated_attributes, tag_of
 from sdfcheck.source.scanner.steps import Act, Step

@@ -11,7 +11,8 @@ from lxml import etree
 
 from sdfcheck.source.document import Document, problems, read
 from sdfcheck.source.problems import DocumentType, SyntaxDefect, SyntaxKind, TooDeep
-from sdfcheck.source.scanner.scan import Scan, scan
+from sdfcheck.source.scanner.full_scan import scan
+from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.text import Source
 
 PATH = Path("example.sdf")

@@ -15,7 +15,8 @@ from sdfcheck.source.problems import (
     SyntaxDefect,
     SyntaxKind,
 )
-from sdfcheck.source.scanner.scan import Scan, scan
+from sdfcheck.source.scanner.full_scan import scan
+from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.text import Source
 
 ROBOT = """<?xml version="1.0"?>
