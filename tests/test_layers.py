@@ -39,11 +39,6 @@ BELOW = {
 """Layer → the layers that it may import besides itself."""
 
 CIRCLES = {
-    (
-        "sdfcheck.convert.include_expansion",
-        "sdfcheck.convert.migrate.including",
-        "sdfcheck.convert.migrate.migrate",
-    ): ("an include is expanded in another version, which may take expanding its own includes"),
     ("sdfcheck.lint.engine", "sdfcheck.lint.expanded"): "the engine lints what xacro makes, too",
     ("sdfcheck.robot.frame_cycles", "sdfcheck.robot.frames"): "both will be part of the graph",
     ("sdfcheck.source.document", "sdfcheck.source.element"): "a document and its elements are one type",

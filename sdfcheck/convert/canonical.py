@@ -8,6 +8,7 @@ import numpy as np
 
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.include_expansion import IncludeExpansion
+from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
 from sdfcheck.convert.tidy_tree import Branch, branch_of, render
 from sdfcheck.convert.writer import number
@@ -111,7 +112,7 @@ def _verify(document: Document, result: Document) -> None:
 def _without_includes(document: Document) -> tuple[Document, list[str]]:
     assert document.root is not None
     root = branch_of(document.root)
-    expansion = IncludeExpansion()
+    expansion = IncludeExpansion(to_sdf)
     expansion.expand(root, document)
     if not expansion.expanded:
         return document, expansion.notes

@@ -8,10 +8,12 @@ name that libsdformat gives it.
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 
 from sdfcheck.convert.include_parameters import apply_parameters
-from sdfcheck.convert.loss import Loss
+from sdfcheck.convert.loss import Loss, NotConvertible
 from sdfcheck.convert.relocation import relocated
+from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.survey import survey
@@ -31,6 +33,9 @@ _MERGED = frozenset(("frame", "gripper", "include", "joint", "link", "model", "p
 _FREE = frozenset(("plugin",))
 _BESIDES = ("pose", "static")
 
+ToSdf = Callable[[Document, Version], Conversion]
+"""Converts what is included to the version of the file that includes it."""
+
 
 class IncludeExpansion:
     """Expands the includes of one document; ``notes`` say which are left, and why.
@@ -38,7 +43,8 @@ class IncludeExpansion:
     With ``keeps_models`` what an included file includes as a model of its own stays an include.
     """
 
-    def __init__(self, *, keeps_models: bool = False) -> None:
+    def __init__(self, to_sdf: ToSdf, *, keeps_models: bool = False) -> None:
+        self.to_sdf = to_sdf
         self.keeps_models = keeps_models
         self.notes: list[str] = []
         self.losses: list[Loss] = []
@@ -98,19 +104,11 @@ class IncludeExpansion:
 
     def _in_version(self, found: Included, version: Version) -> Element | None:
         """What an include brings, in the version of the file that includes it; None if it cannot be had."""
-        from sdfcheck.convert.migrate.migrate import NotConvertible, sdf_to_sdf
-        from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
-        from sdfcheck.convert.urdf_to_sdf.options import Options
-
         assert found.document is not None
-        is_urdf = found.document.kind is Kind.URDF
-        if not is_urdf and survey(found.document).version == version:
+        if found.document.kind is Kind.SDF and survey(found.document).version == version:
             return found.model
         try:
-            if is_urdf:
-                conversion = urdf_to_sdf(found.document, Options(version))
-            else:
-                conversion = sdf_to_sdf(found.document, version, keep_unknown=True)
+            conversion = self.to_sdf(found.document, version)
         except NotConvertible as error:
             self.notes.append(f"{_place(found.include)}: the include stays: {error}")
             return None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from lxml import etree
 
 from sdfcheck.convert.include_expansion import IncludeExpansion
+from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.tidy_tree import Branch, branch_of, render
 from sdfcheck.robot.includes import included, includes_of
 from sdfcheck.robot.parameters import PARAMETERS
@@ -67,7 +68,7 @@ def written_out(document: Document) -> tuple[Document, list[str]]:
     """The document with all includes replaced by what they bring, and why some of them are not."""
     assert document.root is not None
     root = branch_of(document.root)
-    expansion = IncludeExpansion()
+    expansion = IncludeExpansion(to_sdf)
     expansion.expand(root, document)
     if not expansion.expanded:
         return document, expansion.notes

@@ -76,6 +76,3 @@ def _write(axis: Node, turn: Array, flag: str) -> None:
         old.write(flag)
     elif not flag and old is not None:
         old.remove()
-
-
-__all__ = ["express_axes"]

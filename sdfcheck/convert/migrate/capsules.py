@@ -70,6 +70,3 @@ def _add_sphere(owner: Node, name: str, radius: float, pose: Array) -> None:
     sphere.parts.append(size)
     owner.parent.append(copied, after=owner)
     (copied.find("pose") or copied.add("pose", first=True)).write(numbers.pose(pose))
-
-
-__all__ = ["split_capsules"]

@@ -128,6 +128,3 @@ def _carry_attribute(node: Node, name: str, target: str) -> None:
     elif node.find(target) is None:
         node.add(target, text)
         node.unset(name)
-
-
-__all__ = ["Operation", "convert_to", "operations"]

@@ -71,6 +71,3 @@ def defined(root: Node, version: Version) -> Iterator[tuple[Node, Definition]]:
                 yield from walk(child, inner)
 
     yield from walk(root, schema(version).root)
-
-
-__all__ = ["defined", "drop_dead", "write_defaults"]

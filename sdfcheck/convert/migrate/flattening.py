@@ -118,6 +118,3 @@ def _rename(part: Node, model: str, own: set[str | None]) -> None:
 def flat_links(names: list[str]) -> dict[str, Counterpart]:
     """Where verification finds the links of nested models."""
     return {name: Counterpart(name.replace("::", "__")) for name in names if "::" in name}
-
-
-__all__ = ["flat_links", "flatten"]

@@ -42,7 +42,7 @@ def _write_out(migration: Migration, include: Node, *, keeps_models: bool) -> st
     """Replace an include by what it brings; returns why it has to stay."""
     migration.draft.read()
     element = migration.draft.element(include)
-    expansion = IncludeExpansion(keeps_models=keeps_models)
+    expansion = IncludeExpansion(migration.to_sdf, keeps_models=keeps_models)
     branches = expansion.replacement(element)
     if not branches:
         return expansion.notes[-1].partition(": the include stays: ")[2]
@@ -103,6 +103,3 @@ def tell_of_newer_files(migration: Migration) -> None:
         if version_value is not None:
             loss = Loss(loss.kind, loss.span, text, loss.severity, ((version_value.span, "its version"),))
         migration.losses.append(loss)
-
-
-__all__ = ["tell_of_newer_files", "write_out_includes", "write_out_merges"]

@@ -59,6 +59,3 @@ def _write(inertial: Node, body: Body) -> None:
         component = inertia.find(name) or inertia.add(name)
         value = float(body.moments[row, column])
         component.write(number(0.0 if abs(value) < 1e-18 else value))
-
-
-__all__ = ["write_inertias"]

@@ -71,6 +71,3 @@ def _drop(migration: Migration, node: Node) -> None:
         severity = Severity.ERROR
     migration.lose(node, text, _KINDS.get(node.name, LossKind.DROPPED_ELEMENT), severity)
     node.remove()
-
-
-__all__ = ["drop_leftovers"]

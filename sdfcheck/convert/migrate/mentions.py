@@ -60,6 +60,3 @@ def _meant(
         say = f"`{called}` in {title(plugin)} says `{text}`: is it the {kind} that is called `{name}` now?"
         migration.lose(node, say, LossKind.RENAMED)
     return None
-
-
-__all__ = ["rename_in_plugins"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from sdfcheck.convert.loss import NotConvertible, refusal
+from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.axes import express_axes
 from sdfcheck.convert.migrate.capsules import split_capsules
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
@@ -36,6 +36,7 @@ from sdfcheck.convert.migrate.world_joints import move_world_joints
 from sdfcheck.convert.result import Conversion, conversion
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
+from sdfcheck.source.sniff import Kind
 
 LOWEST = Version(1, 4)
 """The oldest version that can be asked for."""
@@ -55,6 +56,16 @@ def sdf_to_sdf(
     return conversion(migration.draft.text(), migration.losses, compared, verified=verified)
 
 
+def to_sdf(document: Document, version: Version) -> Conversion:
+    """An SDF or URDF document in a version of SDFormat; raises NotConvertible."""
+    if document.kind is not Kind.URDF:
+        return sdf_to_sdf(document, version, keep_unknown=True)
+    from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+    from sdfcheck.convert.urdf_to_sdf.options import Options
+
+    return urdf_to_sdf(document, Options(version))
+
+
 def migrated(document: Document, target: Version, *, keep_unknown: bool = False) -> Migration:
     """The migration of a document, done.
 
@@ -68,7 +79,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
         raise refusal(root, f"version {document.version!r} is none that can be converted")
     if not target >= LOWEST:
         raise refusal(root, f"{target} is older than anything that can be written")
-    migration = Migration(document, target, keep_unknown=keep_unknown)
+    migration = Migration(document, target, to_sdf, keep_unknown=keep_unknown)
     if document is not given:
         tidy_root(migration.root)
     if target > migration.source:
@@ -119,5 +130,3 @@ _STEPS: tuple[tuple[int, Callable[[Migration], None]], ...] = (
     (5, flatten),
 )
 """What a target below 1.minor needs: in this order, since axes are turned while frames are still there."""
-
-__all__ = ["LOWEST", "TARGETS", "NotConvertible", "migrated", "sdf_to_sdf"]

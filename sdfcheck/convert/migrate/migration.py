@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sdfcheck.convert.include_expansion import ToSdf
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.node import Node
@@ -19,10 +20,13 @@ class Migration:
     ``kept`` stays although the target does not have it.
     """
 
-    def __init__(self, document: Document, target: Version, *, keep_unknown: bool = False) -> None:
+    def __init__(
+        self, document: Document, target: Version, to_sdf: ToSdf, *, keep_unknown: bool = False
+    ) -> None:
         self.draft = Draft(document)
         self.source = Version.parse(document.version or "") or NEWEST
         self.target = target
+        self.to_sdf = to_sdf
         self.keep_unknown = keep_unknown
         self.losses: list[Loss] = []
         self.renamed_joints: dict[str, str] = {}
@@ -63,6 +67,3 @@ def title(node: Node) -> str:
     """What to call a node in a sentence."""
     own = (node.get("name") or "").strip()
     return f"{node.name} `{own}`" if own else f"`{node.name}`"
-
-
-__all__ = ["Migration", "title"]

@@ -76,6 +76,3 @@ def _prefix(model: Node) -> str:
     while at.parent is not None and at.parent.name == "model":
         names, at = f"{at.get('name')}::{names}", at.parent
     return names
-
-
-__all__ = ["rename_clashing_joints", "rename_reserved"]

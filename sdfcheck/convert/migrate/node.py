@@ -277,6 +277,3 @@ class Node:
 
 def _quoted(value: str, quote: str = '"') -> str:
     return quote + escape(value, {quote: "&quot;" if quote == '"' else "&apos;"}) + quote
-
-
-__all__ = ["Node"]

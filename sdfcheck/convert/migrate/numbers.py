@@ -27,6 +27,3 @@ def vector(values: Iterable[float]) -> str:
 def pose(transform: Array) -> str:
     """``x y z roll pitch yaw`` of a 4×4 transform."""
     return vector((*transform[:3, 3], *to_rpy(transform[:3, :3])))
-
-
-__all__ = ["pose", "vector"]

@@ -33,6 +33,3 @@ def tidy_root(root: Node) -> None:
     blanks = " " * _SURPLUS
     root.opening = re.sub(rf"^<{_NEW}{blanks}(?=[\s>/])", f"<{_NEW}", root.opening)
     root.closing = root.closing.replace(f"</{_NEW}{blanks}>", f"</{_NEW}>")
-
-
-__all__ = ["tidy_root", "with_newer_root"]

@@ -136,16 +136,3 @@ def put_canonical_links_first(migration: Migration) -> None:
             model.append(named, before=links[0])
             migration.note(named, f"link `{name}` comes first: the model moves with it", LossKind.REORDERED)
         model.unset("canonical_link")
-
-
-__all__ = [
-    "drop_frames",
-    "name_plugins",
-    "put_canonical_links_first",
-    "put_gravity_into_physics",
-    "rename_frame_ids",
-    "rename_sensors",
-    "rename_states",
-    "write_limits",
-    "write_thread_pitch",
-]

@@ -214,6 +214,3 @@ def _as_seen(scope: Scope, link: Frame, name: str, named: Frame) -> tuple[Frame,
         name = f"{at.name}::{name}"
         at = at.parent
     return link, name
-
-
-__all__ = ["Places", "attach_joints_to_links", "resolve_poses"]

@@ -117,6 +117,3 @@ def correspondence(migration: Migration, source: Robot) -> Correspondence:
         dropped_geometries=frozenset(migration.dropped_shapes),
         changed_bodies=frozenset(source.links) if migration.changed_bodies else frozenset(),
     )
-
-
-__all__ = ["comparable", "comparisons", "correspondence", "models"]

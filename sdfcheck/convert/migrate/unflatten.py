@@ -120,6 +120,3 @@ def _cut(member: Node, prefix: str) -> None:
             reference = node.get(attribute) or ""
             if node.name == name and reference.startswith(prefix):
                 node.set(attribute, reference[len(prefix) :])
-
-
-__all__ = ["unflatten"]

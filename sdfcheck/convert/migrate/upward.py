@@ -165,5 +165,3 @@ _BEFORE = {
     10: (_convert_thread_pitch,),
     12: (_rename_states,),
 }
-
-__all__ = ["STATES", "go_up"]

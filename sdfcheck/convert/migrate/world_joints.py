@@ -77,6 +77,3 @@ def _resolved(places: Places, joint: Node) -> tuple[Array | None, list[tuple[Nod
         turn = places.poses.in_scope(frame)[:3, :3].T @ places.poses.named(frame.scope, expressed)[:3, :3]
         turns.append((xyz, turn @ [float(part) for part in (xyz.content or "0 0 1").split()]))
     return (places.plain(joint) if refers else None), turns
-
-
-__all__ = ["move_world_joints"]

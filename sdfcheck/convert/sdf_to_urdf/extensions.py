@@ -146,15 +146,3 @@ def _keep_springs(context: Context, axis: Element, reference: str) -> None:
 def of_frame(context: Context, link: str, pose: Array) -> Array:
     """The pose of a frame of a link, given in the source's link frame, in that of the URDF."""
     return context.layout.within(link, context.robot.links[link].pose @ pose)
-
-
-__all__ = [
-    "joint_extensions",
-    "keep_base",
-    "keep_frame",
-    "keep_place",
-    "keep_static",
-    "link_extensions",
-    "model_extensions",
-    "of_frame",
-]

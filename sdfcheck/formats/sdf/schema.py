@@ -13,9 +13,7 @@ from typing import TYPE_CHECKING, Any
 from sdfcheck.formats.sdf.needed import is_needed
 from sdfcheck.formats.sdf.row_in_version import RowInVersion
 from sdfcheck.formats.sdf.table import Row, at, block, newest_name
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
-
-__all__ = ["NEWEST", "OLDEST", "AttributeDefinition", "Definition", "Schema", "Version", "schema"]
+from sdfcheck.formats.sdf.version import Version
 
 
 class AttributeDefinition(RowInVersion):

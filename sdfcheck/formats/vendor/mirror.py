@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.schema import NEWEST, Definition, schema
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor import problems
 from sdfcheck.formats.vendor.definitions import PASSED_OVER, REFUSED, Tag, Vendor

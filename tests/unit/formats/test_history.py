@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.sdf import history
-from sdfcheck.formats.sdf.schema import Definition, Version, schema
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.version import Version
 
 
 def at(version: str, place: str) -> Definition:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from sdfcheck.formats.sdf.schema import NEWEST, OLDEST, Definition, Schema, Version, schema
+from sdfcheck.formats.sdf.schema import Definition, Schema, schema
+from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
 
 
 def version(text: str) -> Version:
