@@ -69,9 +69,10 @@ def load(file: Path, settings: Settings) -> Document:
     """Read a description, expanded if it is xacro.
 
     Raises:
-        WrongUsage: it is none, or cannot be read or expanded.
+        WrongUsage: it is none, cannot be read or expanded, or brings too many models.
     """
     from sdfcheck.files.library import Library, SearchPaths
+    from sdfcheck.robot.multiplied import refuse_too_many
     from sdfcheck.source.sniff import sniff
 
     library = Library(SearchPaths(settings.model_paths, settings.package_paths, settings.packages))
@@ -84,6 +85,7 @@ def load(file: Path, settings: Settings) -> Document:
         document = _expanded(document, settings)
     if document is None or document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
         raise WrongUsage(f"{file} looks like {kind.description}, not like a robot or world")
+    refuse_too_many(document)
     return document
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.options import PATH, colored, folders, listing, path
-from sdfcheck.cli.output import FORMATS, Output, outputs, write
+from sdfcheck.cli.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
@@ -143,6 +143,8 @@ def lint(**given: Any) -> int:
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
     teller = _Teller(quiet=request.quiet)
     done = _run(request, paths, options, teller)
+    places = [output.file for output in wanted]
+    refuse_inputs([*places, request.baseline if request.write_baseline else None], inputs_of(paths, done))
     rewrites = request.fix or request.add_ignore
     if rewrites or request.diff:
         from sdfcheck.cli.rewrite import Rewriter, work

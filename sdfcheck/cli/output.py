@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from sdfcheck.cli.terminal import emit, say
+from sdfcheck.files.overwrite import overwrite, same_file
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.source.record import NamedTuple
@@ -43,6 +44,29 @@ def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
     return tuple(wanted)
 
 
+def inputs_of(paths: Sequence[Path], done: Run) -> Iterator[Path]:
+    """The files that a run has read, or was asked to."""
+    yield from (path for path in paths if not path.is_dir())
+    yield from done.files
+    yield from (path for path, _ in done.skipped)
+    yield from {diagnostic.span.source.path for diagnostic in done.diagnostics}
+
+
+def refuse_inputs(places: Iterable[Path | None], inputs: Iterable[Path]) -> None:
+    """Make sure that nothing is written over what is read.
+
+    Raises:
+        WrongUsage: a place is an input, by whatever name.
+    """
+    written = [place for place in places if place is not None and place.exists()]
+    if not written:
+        return
+    for file in inputs:
+        for place in written:
+            if same_file(place, file):
+                raise WrongUsage(f"{place} is an input and would be overwritten; name another file")
+
+
 def write(output: Output, run: Run, *, color: bool, aside: bool = False) -> None:
     """Render a run and put it where it belongs; ``aside``: to stderr where that is stdout.
 
@@ -54,6 +78,6 @@ def write(output: Output, run: Run, *, color: bool, aside: bool = False) -> None
         say(text.rstrip("\n")) if aside else emit(text)
         return
     try:
-        output.file.write_bytes(text.encode("utf-8", "backslashreplace"))
+        overwrite(output.file, text.encode("utf-8", "backslashreplace"))
     except OSError as error:
         raise WrongUsage(f"cannot write {output.file}: {error.strerror}") from None

@@ -8,6 +8,7 @@ import click
 
 from sdfcheck.cli.describe import version
 from sdfcheck.cli.terminal import emit
+from sdfcheck.files.overwrite import overwrite
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -43,6 +44,6 @@ def schema_command(sdf_version: str, form: str, output_file: Path | None) -> Non
         emit(text)
         return
     try:
-        output_file.write_text(text, encoding="utf-8")
+        overwrite(output_file, text.encode())
     except OSError as error:
         raise WrongUsage(f"cannot write {output_file}: {error.strerror}") from None

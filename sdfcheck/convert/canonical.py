@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from sdfcheck.convert.broken_text import break_of
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.migrate.migrate import to_sdf
@@ -21,15 +22,12 @@ from sdfcheck.robot.sdf_robot import automatic_body
 from sdfcheck.robot.urdf_robot import RobotError
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-from sdfcheck.source.problems import ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 from sdfcheck.source.wrong_usage import WrongUsage
 
 _DEGREES_SINCE = Version(1, 9)
 _DUST = 1e-15
-_BEYOND_REPAIR = (ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep)
-"""What is wrong with a text of which some would be lost."""
 _COMPUTED = frozenset(("auto_inertia_params", "density", "inertia", "mass", "pose"))
 
 
@@ -57,11 +55,10 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
         WrongUsage: the text is broken, the format cannot hold what is asked for, or the
             result is another robot.
     """
-    for problem in document.problems:
-        if isinstance(problem, _BEYOND_REPAIR):
-            begin = problem.span.begin
-            place = f"{document.path}:{begin.line}:{begin.column}"
-            raise WrongUsage(f"{place}: the text is broken here; `sdfcheck lint` says how")
+    broken = break_of(document)
+    if broken is not None:
+        place = f"{document.path}:{broken.begin.line}:{broken.begin.column}"
+        raise WrongUsage(f"{place}: the text is broken here; `sdfcheck lint` says how")
     is_sdf = document.kind is Kind.SDF
     if style.numbers.degrees and (not is_sdf or survey(document).version < _DEGREES_SINCE):
         what = f"SDFormat {survey(document).version}" if is_sdf else "URDF"

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from sdfcheck.convert.broken_text import guess_in
 from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.verify import Correspondence, Verification, verify
 from sdfcheck.robot.robot import Robot
+from sdfcheck.source.document import Document
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +28,7 @@ class Comparison:
 class Conversion:
     """A finished conversion; ``comparisons`` (one for each model) are what there is to verify.
 
-    ``verifications`` are empty where nobody asked for them. ``files`` are further
+    ``verifications`` are empty where nobody asked for them, or the text of the source is broken. ``files`` are further
     files that belong to the result, by their paths relative to it.
     """
 
@@ -53,11 +55,23 @@ class Conversion:
 
 
 def conversion(
-    text: str, losses: list[Loss], comparisons: list[Comparison], *, verified: bool = True
+    source: Document,
+    text: str,
+    losses: list[Loss],
+    comparisons: list[Comparison],
+    *,
+    verified: bool = True,
 ) -> Conversion:
-    """A conversion with its losses in order of place, compared with its source if ``verified``."""
+    """A conversion with its losses in order of place, compared with its source if ``verified``.
+
+    A source whose text could only be guessed at proves nothing.
+    """
     ordered = sorted(
         losses, key=lambda loss: (loss.span.source.path.as_posix(), loss.span.start, loss.message)
     )
-    done = tuple(comparison.verify() for comparison in comparisons) if verified else ()
+    done = (
+        tuple(comparison.verify() for comparison in comparisons)
+        if verified and guess_in(source) is None
+        else ()
+    )
     return Conversion(text, tuple(ordered), tuple(comparisons), done)

@@ -1,34 +1,103 @@
-"""Files written whole or not at all."""
+"""Files written whole or not at all; pipes and devices written to."""
 
 from __future__ import annotations
 
 import os
+import stat
+import sys
 from pathlib import Path
+
+_LONGEST_CHAIN = 40
+"""So many symbolic links are followed, as by Linux."""
 
 
 def overwrite(path: Path, data: bytes) -> None:
     """Put ``data`` in the place of a file's content, or leave the file as it is.
 
-    The mode stays; a symbolic link stays one, and the file that it leads to is written.
+    Mode, owner and group stay; a symbolic link stays one, and the file that it leads to is
+    written. Of several hard links only this one gets the new content. What is not a regular
+    file (a pipe, a device, ``/dev/stdout``) is written to, and stays what it is.
+
     Raises OSError.
     """
+    descriptor = _descriptor(path)
+    if descriptor is not None:
+        _write_to(os.dup(descriptor), data)
+        return
+    try:
+        status = os.stat(path)
+    except FileNotFoundError:
+        _replace(os.path.realpath(path), data, None)
+        return
+    if stat.S_ISREG(status.st_mode):
+        if not os.access(path, os.W_OK):
+            raise PermissionError(13, "not writable", str(path))
+        _replace(os.path.realpath(path), data, status)
+    else:
+        _write_to(os.open(path, os.O_WRONLY | getattr(os, "O_NOCTTY", 0)), data)
+
+
+def same_file(a: Path, b: Path) -> bool:
+    """Whether two paths lead to one file, by whatever links."""
+    try:
+        return os.path.samefile(a, b)
+    except OSError:
+        return os.path.realpath(a) == os.path.realpath(b)
+
+
+def _replace(target: str, data: bytes, old: os.stat_result | None) -> None:
+    """Write a new file and rename it to ``target``."""
     import tempfile
 
-    target = os.path.realpath(path)
-    mode = os.stat(target).st_mode if os.path.exists(target) else None
-    if mode is not None and not os.access(target, os.W_OK):
-        raise PermissionError(13, "not writable", str(path))
     handle, name = tempfile.mkstemp(prefix=".sdfcheck-", dir=os.path.dirname(target))
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
             stream.flush()
             os.fsync(stream.fileno())
-        os.chmod(name, mode & 0o7777 if mode is not None else 0o666 & ~_umask())
+        if old is not None:
+            _keep_owner(name, old)
+        os.chmod(name, old.st_mode & 0o7777 if old is not None else 0o666 & ~_umask())
         os.replace(name, target)
     except BaseException:
         os.unlink(name)
         raise
+
+
+def _keep_owner(name: str, old: os.stat_result) -> None:
+    new = os.stat(name)
+    if (new.st_uid, new.st_gid) == (old.st_uid, old.st_gid):
+        return
+    uid = -1 if new.st_uid == old.st_uid else old.st_uid
+    try:
+        os.chown(name, uid, old.st_gid)
+    except OSError:
+        raise PermissionError(1, "its owner and group cannot be kept") from None
+
+
+def _descriptor(path: Path) -> int | None:
+    """The number of the open file that a path such as ``/dev/stdout`` names in this process."""
+    at = os.path.abspath(path)
+    for _ in range(_LONGEST_CHAIN):
+        folder, name = os.path.split(at)
+        if name.isascii() and name.isdigit() and os.path.realpath(folder) in _folders_of_descriptors():
+            return int(name)
+        if not os.path.islink(at):
+            return None
+        at = os.path.normpath(os.path.join(os.path.realpath(folder), os.readlink(at)))
+    return None
+
+
+def _folders_of_descriptors() -> tuple[str, ...]:
+    folders = ("/dev/fd",) if sys.platform == "darwin" else ("/dev/fd", "/proc/self/fd")
+    return tuple(os.path.realpath(folder) for folder in folders)
+
+
+def _write_to(handle: int, data: bytes) -> None:
+    if sys.stdout is not None:
+        sys.stdout.flush()
+    with os.fdopen(handle, "wb") as stream:
+        stream.write(data)
 
 
 def _umask() -> int:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.robot.multiplied import TooManyModels, refuse_too_many
 from sdfcheck.robot.objects import Root
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import HEAD, Kind, sniff
@@ -32,7 +33,7 @@ def load(
 
     Raises:
         OSError: the file cannot be read.
-        Unreadable: it holds no robot description, or cannot be expanded.
+        Unreadable: it holds no robot description, cannot be expanded, or brings too many models.
     """
     place = Path(path)
     search = SearchPaths(tuple(model_paths), tuple(package_paths))
@@ -70,4 +71,8 @@ def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: 
     if document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
         raise Unreadable(f"{document.path}: looks like {document.kind.description}, no robot description")
     document.library = Library(search)
+    try:
+        refuse_too_many(document)
+    except TooManyModels as error:
+        raise Unreadable(str(error)) from None
     return Root(document, document.root)

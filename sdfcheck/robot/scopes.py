@@ -31,10 +31,10 @@ _FRAME_KINDS = frozenset({"link", "joint", "frame", "model"})
 _LOADED = ("model", "link", "joint", "frame")
 """The order in which libsdformat takes them in."""
 
-_MOST_SCOPES = 10_000
+MOST_MODELS = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
 _MOST_NAMES = 20_000
-_DEEPEST = 50
+DEEPEST = 50
 
 
 class Frame:
@@ -258,10 +258,10 @@ class Scopes:
         """The way into an included file; None where it leads in a ring, or to too much."""
         chain = origin.chain if origin is not None else (self.document,)
         inside = found.document
-        if inside is None or inside in chain or len(chain) > _DEEPEST:
+        if inside is None or inside in chain or len(chain) > DEEPEST:
             return None
         self._built += 1
-        if self._built > _MOST_SCOPES:
+        if self._built > MOST_MODELS:
             return None
         alterations = origin.alterations if origin is not None else None
         if alterations is None and found.include.has("experimental:params"):

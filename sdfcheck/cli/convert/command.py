@@ -15,9 +15,10 @@ import click
 
 from sdfcheck.cli.group import LazyCommand, LazyGroup
 from sdfcheck.cli.options import F, colored, configured
-from sdfcheck.cli.output import FORMATS, Output, outputs
+from sdfcheck.cli.output import FORMATS, Output, outputs, refuse_inputs
 from sdfcheck.cli.terminal import emit, say, wants_color
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from sdfcheck.convert.result import Conversion
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
-    from sdfcheck.source.sniff import Kind
+    from sdfcheck.source.text import Span
 
     Convert = Callable[[Document, bool], Conversion]
     """Converts a document; compares the result with it if the second argument is true."""
@@ -122,6 +123,8 @@ class _Outcome(NamedTuple):
     failed: bool = False
     is_unsound: bool = False
     """Whether errors of the source stopped it."""
+    broken: Span | None = None
+    """Where the text of the source is no XML."""
 
     @property
     def has_losses(self) -> bool:
@@ -147,6 +150,7 @@ def convert_files(
 
     targets = _targets(request, suffix)
     wanted = outputs(request.output_format or ("full",), None)
+    _refuse_to_overwrite(request.files, targets, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
     outcomes = []
     unusable = 0
     with Reader(request.config, request.isolated, request.arguments, lint=request.lint) as reader:
@@ -193,12 +197,27 @@ def _targets(request: Request, suffix: str) -> list[Path | None]:
     return list(targets)
 
 
+def _refuse_to_overwrite(
+    files: Sequence[Path], targets: Sequence[Path | None], wanted: Sequence[Output], *, stays: bool
+) -> None:
+    """Keep reports off inputs and results, and results off inputs unless the format ``stays`` the same."""
+    reports = [output.file for output in wanted]
+    refuse_inputs(reports, files)
+    if not stays:
+        refuse_inputs(targets, files)
+    named = {report.resolve() for report in reports if report is not None}
+    for target in targets:
+        if target is not None and target.resolve() in named:
+            raise WrongUsage(f"the result and a report would both go to {target}")
+
+
 def _stem(file: Path) -> str:
     name = file.name.removesuffix(".xacro")
     return name.rpartition(".")[0] or name
 
 
 def _convert(given: Input, convert: Convert, request: Request) -> _Outcome:
+    from sdfcheck.convert.broken_text import guess_in
     from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 
     if given.document is None or not given.is_sound:
@@ -222,7 +241,8 @@ def _convert(given: Input, convert: Convert, request: Request) -> _Outcome:
         for one in found:
             text = f"the result is not the same robot: {one.what} of `{one.name}` {one.text}"
             losses.append(to_diagnostic(Loss(LossKind.NOT_VERIFIED, span, text, Severity.ERROR)))
-    return _Outcome(given.file, given.errors, losses, done, bool(found))
+    broken = guess_in(given.document) if request.verify else None
+    return _Outcome(given.file, given.errors, losses, done, bool(found), broken=broken)
 
 
 def _write(done: Conversion, target: Path | None) -> None:
@@ -270,5 +290,8 @@ def _sum_up(outcome: _Outcome, *, named: bool) -> None:
         say(f"{prefix}not converted, nothing written{advice}")
     elif verification is not None:
         say(f"{prefix}verified: {verification}")
+    elif outcome.broken is not None:
+        line, column = outcome.broken.begin
+        say(f"{prefix}not verified: the text is broken at {line}:{column}; `sdfcheck lint` says how")
     else:
         say(f"{prefix}not verified")

@@ -67,7 +67,7 @@ class Reader:
         """Read a file that must be of one of ``kinds``.
 
         Raises:
-            WrongUsage: it does not exist, cannot be read or is of another kind.
+            WrongUsage: it does not exist, cannot be read, is of another kind or brings too many models.
         """
         settings = self._configuration.settings_for(file)
         search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
@@ -78,6 +78,7 @@ class Reader:
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         kind = sniff(data, file)
+        from sdfcheck.robot.multiplied import refuse_too_many
         from sdfcheck.source.document import read
 
         document = read(data, file, None if kind is Kind.BROKEN_XML else kind)
@@ -91,6 +92,7 @@ class Reader:
         if document.kind not in kinds or document.root is None:
             names = " or ".join(kinds.values())
             raise WrongUsage(f"{file} looks like {document.kind.description}, not like {names}")
+        refuse_too_many(document)
         return self._judged(document, settings) if self._lint else Input(file, document)
 
     def _expand(self, document: Document, settings: Settings) -> tuple[Document | None, Sequence[object]]:

@@ -53,7 +53,7 @@ def sdf_to_sdf(
     """
     migration = migrated(document, target, keep_unknown=keep_unknown)
     compared = comparisons(migration) if verified else []
-    return conversion(migration.draft.text(), migration.losses, compared, verified=verified)
+    return conversion(document, migration.draft.text(), migration.losses, compared, verified=verified)
 
 
 def to_sdf(document: Document, version: Version) -> Conversion:

@@ -50,6 +50,7 @@ def convert(
         NotConvertible: URDF cannot say it, or it cannot be worked out.
     """
     options = options or Options()
+    source = document
     if needs_writing_out(document):
         document, _ = written_out(document)
     scope = choose(document, options.model)
@@ -72,7 +73,7 @@ def convert(
         context.ledger.note(
             LossKind.EXPANDED_INCLUDE, include, f"{include_title(include)} is written out", Severity.INFO
         )
-    return conversion(text, context.ledger.losses, [comparison], verified=verified)
+    return conversion(source, text, context.ledger.losses, [comparison], verified=verified)
 
 
 def _text(context: Context) -> str:

@@ -55,7 +55,7 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
         raise refusal(root, f"with what is in <gazebo> blocks the result cannot be read: {error}") from None
     comparison = Comparison(source, result, correspondence(made, context))
     text = with_line_ends(text, document.source.text)
-    return conversion(text, context.losses, [comparison], verified=verified)
+    return conversion(document, text, context.losses, [comparison], verified=verified)
 
 
 def _refuse_broken(root: Element, robot: Robot) -> None:

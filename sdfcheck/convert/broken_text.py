@@ -1,0 +1,24 @@
+"""Texts that are read as XML by guessing."""
+
+from __future__ import annotations
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.problems import ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep, UnknownEntity
+from sdfcheck.source.text import Span
+
+_BEYOND_REPAIR = (ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep)
+
+
+def break_of(document: Document) -> Span | None:
+    """The first place where some of a text would be lost if it were written anew; None if there is none."""
+    return _first(document, _BEYOND_REPAIR)
+
+
+def guess_in(document: Document) -> Span | None:
+    """The first place where others may read another text; None if the whole of it can be compared."""
+    return _first(document, (*_BEYOND_REPAIR, UnknownEntity))
+
+
+def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
+    spans = (problem.span for problem in document.problems if isinstance(problem, kinds))
+    return min(spans, key=lambda span: span.start, default=None)
