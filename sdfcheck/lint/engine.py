@@ -9,22 +9,19 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from lxml import etree
-
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
+from sdfcheck.lint.subjects import subjects
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.document import problems as text_problems
-from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Library
-    from sdfcheck.lint.rule import Rule
     from sdfcheck.lint.suppress.comments import Comment
     from sdfcheck.xacro.expansion import Expander
 
@@ -100,7 +97,7 @@ class Xacro(NamedTuple):
 
 
 class Dispatch:
-    """Which rules want which problems and which elements; made once for a set of rules."""
+    """Which rules want which problems, objects and elements; made once for a set of rules."""
 
     def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
         self.index = index
@@ -110,15 +107,13 @@ class Dispatch:
         self.readers = active.targets.union(*(facts.affects for facts in waiting))
         """The readers that somebody asks about: as a target, or by a rule that is off by default."""
         self.by_problem: dict[str, list[RuleFacts]] = {}
-        self.by_element: dict[str, dict[str, list[tuple[list[str], RuleFacts]]]] = {}
+        self.by_subject: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
+        """What is looked at (classes of the robot, selectors of elements) → the rules that do."""
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
-            for selector in facts.selects:
-                dialect, _, path = selector.partition(":")
-                *parents, name = path.split("/")
-                by_name = self.by_element.setdefault(dialect, {})
-                by_name.setdefault(name, []).append((parents[::-1], facts))
+            if facts.looks_at or facts.selects:
+                self.by_subject.setdefault((facts.looks_at, facts.selects), []).append(facts)
 
 
 def lint_source(
@@ -159,11 +154,10 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         from sdfcheck.robot.vendor_references import problems
 
         found += explain(problems(document, tables), document, dispatch)
-    by_name = dispatch.by_element.get(document.kind.value, {})
-    for name, element in _selected(document, by_name):
-        for parents, rule in by_name[name]:
-            if _stands_in(element, parents):
-                found += _check(rule, element, document, dispatch)
+    for (looks_at, selects), rules in dispatch.by_subject.items():
+        if seen := subjects(document, looks_at, selects):
+            for rule in rules:
+                found += _check(rule, _applying(rule, seen, dispatch), document, dispatch)
     # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
     certain = (diagnostic for diagnostic in found if not document.is_doubtful(diagnostic.span))
     return sorted({*textual, *certain}, key=lambda diagnostic: diagnostic.sort_key)
@@ -198,7 +192,7 @@ def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) 
     """What the rules have to say about problems of a document."""
     for problem in problems:
         for rule in dispatch.by_problem.get(type(problem).__name__, ()):
-            yield from _check(rule, problem, document, dispatch)
+            yield from _check(rule, (problem,), document, dispatch)
 
 
 def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = False) -> FileResult:
@@ -213,46 +207,29 @@ def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = Fa
     return FileResult(diagnostics, comments(source, document.scan), outward)
 
 
-def _selected(document: Document, by_name: dict[str, Any]) -> Iterator[tuple[str, Element]]:
-    """The elements of the wanted names: in SDF and URDF those that stand where the format places them."""
-    if not by_name or document.root is None:
-        return
-    index: Mapping[str, list[Element]] | None = None
-    if document.kind is Kind.SDF:
-        from sdfcheck.formats.sdf.survey import survey
-
-        index = survey(document).index
-    elif document.kind is Kind.URDF:
-        from sdfcheck.formats.urdf import survey as urdf_survey
-
-        index = urdf_survey.survey(document).index
-    if index is not None:
-        for name in by_name:
-            for element in index.get(name, ()):
-                yield name, element
-        return
-    for node in document.root.iter(etree.Element):
-        if isinstance(node, Element) and (name := node.name) in by_name:
-            yield name, node
+def _applying(facts: RuleFacts, seen: Iterable[object], dispatch: Dispatch) -> Iterator[object]:
+    """Those of the subjects to which a rule applies; found while it runs, so that a failure is the rule's."""
+    yield from filter(dispatch.index.condition(facts), seen)
 
 
-def _stands_in(element: Element, parents: list[str]) -> bool:
-    """Do the names of the enclosing elements, from the inside out, begin with ``parents``?"""
-    for name in parents:
-        parent = element.parent
-        if parent is None or parent.name != name:
-            return False
-        element = parent
-    return True
-
-
-def _check(facts: RuleFacts, subject: Any, document: Document, dispatch: Dispatch) -> list[Diagnostic]:
-    """Run one rule; a failing rule must not hide what the others have to say."""
+def _check(
+    facts: RuleFacts, subjects: Iterable[Any], document: Document, dispatch: Dispatch
+) -> list[Diagnostic]:
+    """Run one rule up to its first failure, which must not hide what the others report."""
+    diagnostics: list[Diagnostic] = []
+    failure: list[Diagnostic] = []
     try:
-        rule: Rule = dispatch.index.rule(facts)
-        diagnostics = list(rule.check(subject))
+        for subject in subjects:
+            diagnostics += dispatch.index.rule(facts).check(subject)
     except Exception as error:
-        return [_internal_error(facts, error, document)]
+        failure.append(_internal_error(facts, error, document))
+    return [*_adapted(diagnostics, facts, document, dispatch), *failure]
+
+
+def _adapted(
+    diagnostics: list[Diagnostic], facts: RuleFacts, document: Document, dispatch: Dispatch
+) -> list[Diagnostic]:
+    """A rule's diagnostics as the configuration and the targets want them."""
     if not diagnostics:
         return diagnostics
     severity = dispatch.severities.get(facts.code)

@@ -2,19 +2,20 @@
 
 A pack is an import package or a folder of Python files. A pack may ship an index
 (``rule_index.py``, written by :mod:`sdfcheck.lint.index`) that says what can be known of
-its rules without importing them; one without it is imported whole. It may also ship
-tables of a vendor's own elements (``<prefix>.vendor.txt``), against which documents
-that use the prefix are checked.
+its rules without importing them, and with it their conditions in one module
+(``conditions.py``, by :mod:`sdfcheck.lint.conditions`); one without an index is imported
+whole. It may also ship tables of a vendor's own elements (``<prefix>.vendor.txt``),
+against which documents that use the prefix are checked.
 """
 
 from __future__ import annotations
 
 import importlib
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor.files import SUFFIX, prefix_of
@@ -25,9 +26,13 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule
 
+    Condition = Callable[[Any], bool]
+
 BUILT_IN = "sdfcheck_rules"
 INDEX = "rule_index"
 """The module of a pack that tells of its rules."""
+CONDITIONS = "conditions"
+"""The module of a pack with an index that holds the conditions of its rules."""
 
 
 class PackError(Exception):
@@ -43,13 +48,27 @@ class Pack(NamedTuple):
 
 
 class RuleIndex:
-    """The rules that are there: their facts at once, their classes when asked for."""
+    """The rules that are there: their facts at once, their conditions and classes when asked for."""
 
-    def __init__(self, facts: Sequence[RuleFacts], tables: Sequence[Path] = ()) -> None:
+    def __init__(
+        self, facts: Sequence[RuleFacts], tables: Sequence[Path] = (), conditions: Sequence[str] = ()
+    ) -> None:
+        """``conditions`` are the modules that hold conditions of the rules."""
         self.facts = tuple(sorted(facts))
         self.tables = {prefix_of(path): path for path in (*BUILT_IN_TABLES, *tables)}
         """Prefix → the table of the elements that it brings."""
         self._rules: dict[str, Rule] = {}
+        self._conditions: dict[str, Condition] | None = None
+        self._modules_of_conditions = conditions
+
+    def condition(self, facts: RuleFacts) -> Condition:
+        """What decides at little cost whether a rule has something to report."""
+        if self._conditions is None:
+            self._conditions = {}
+            for module in self._modules_of_conditions:
+                self._conditions.update(importlib.import_module(module).CONDITIONS)
+        found = self._conditions.get(facts.code)
+        return self.rule(facts).applies if found is None else found
 
     def rule(self, facts: RuleFacts) -> Rule:
         """The rule itself; its module is imported now if it was not before."""
@@ -69,19 +88,21 @@ def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
     facts: list[RuleFacts] = []
     tables = {prefix_of(path): path for path in BUILT_IN_TABLES}
     taken: dict[str, RuleFacts] = {}
-    for name in (BUILT_IN, *plugins):
-        for fact in read_pack(find_pack(name)):
+    packs = [find_pack(name) for name in (BUILT_IN, *plugins)]
+    for pack in packs:
+        for fact in read_pack(pack):
             for key in (fact.code, fact.name):
                 if key in taken:
-                    raise PackError(f"plugin {name}: {key} is taken by {taken[key].module}")
+                    raise PackError(f"plugin {pack.name}: {key} is taken by {taken[key].module}")
                 taken[key] = fact
             facts.append(fact)
-    for name in plugins:
-        for path in read_tables(find_pack(name)):
+    for pack in packs[1:]:
+        for path in read_tables(pack):
             first = tables.setdefault(prefix_of(path), path)
             if first is not path:
-                raise PackError(f"plugin {name}: the prefix {prefix_of(path)} is taken by {first}")
-    return RuleIndex(facts, tuple(tables.values()))
+                raise PackError(f"plugin {pack.name}: the prefix {prefix_of(path)} is taken by {first}")
+    conditions = [f"{pack.package}.{CONDITIONS}" for pack in packs if has_index(pack, CONDITIONS)]
+    return RuleIndex(facts, tuple(tables.values()), conditions)
 
 
 def read_tables(pack: Pack) -> list[Path]:
@@ -120,17 +141,22 @@ def find_pack(name: str | Path) -> Pack:
 
 def read_pack(pack: Pack) -> list[RuleFacts]:
     """The facts of a pack's rules: from its index, or else by importing all of it."""
-    if pack.package == pack.name and (pack.folder / f"{INDEX}.py").is_file():
+    if has_index(pack):
         records = importlib.import_module(f"{pack.package}.{INDEX}").RULES
         return [from_record(record) for record in records]
     return [describe(rule) for module in import_pack(pack) for rule in rule_classes(module)]
 
 
+def has_index(pack: Pack, *others: str) -> bool:
+    """Does a pack ship an index, and the ``others`` of the modules that are written with it?"""
+    written = (INDEX, *others)
+    return pack.package == pack.name and all((pack.folder / f"{name}.py").is_file() for name in written)
+
+
 def import_pack(pack: Pack) -> Iterator[ModuleType]:
     """Every module of a pack; raises PackError naming the one that fails."""
-    for path in sorted(pack.folder.rglob("*.py")):
-        if path.stem == INDEX:
-            continue
+    written = {pack.folder / f"{name}.py" for name in (INDEX, CONDITIONS) if has_index(pack)}
+    for path in sorted({*pack.folder.rglob("*.py")} - written):
         parts = path.relative_to(pack.folder).with_suffix("").parts
         name = ".".join((pack.package, *(part for part in parts if part != "__init__")))
         try:
@@ -189,6 +215,7 @@ def describe(rule: type[Rule]) -> RuleFacts:
         tuple(kind.__name__ for kind in rule.explains),
         by_dialect(rule.affects),
         rule.__module__,
+        tuple(kind.__name__ for kind in rule.looks_at),
     )
 
 
@@ -204,6 +231,6 @@ def to_record(facts: RuleFacts) -> dict[str, object]:
 def from_record(record: dict[str, object]) -> RuleFacts:
     fields = dict(record)
     fields["severity"] = Severity(fields["severity"])
-    for name in ("selects", "explains"):
+    for name in ("selects", "explains", "looks_at"):
         fields[name] = tuple(fields[name])  # type: ignore[arg-type]
     return RuleFacts(**fields)  # type: ignore[arg-type]

@@ -19,15 +19,17 @@ Target = Span | Value | Element
 class Rule:
     """One defect: its name, its manual (the docstring), its examples, its check.
 
-    A rule looks at elements (``selects``) or puts problems that an analysis found into
-    words (``explains``). Selectors are paths of element names behind a dialect:
-    ``sdf:joint/axis/limit`` is every ``limit`` in an ``axis`` in a ``joint``;
-    ``urdf:robot`` is the root. Rules hold no state, print nothing, raise nothing.
+    A rule looks at objects of the robot (``looks_at``), at elements (``selects``), or puts
+    problems that reading found into words (``explains``). Selectors are paths of element
+    names after a dialect: ``sdf:joint/axis/limit`` is each ``limit`` in an ``axis`` in a
+    ``joint``; ``urdf:robot`` is the root. Rules hold no state, print nothing, raise nothing.
     """
 
     code: ClassVar[str]
     name: ClassVar[str]
     severity: ClassVar[Severity]
+    looks_at: ClassVar[tuple[type, ...]] = ()
+    """Classes of the robot; :class:`Element` may be named with ``selects``, which implies it."""
     selects: ClassVar[tuple[str, ...]] = ()
     explains: ClassVar[tuple[type, ...]] = ()
     affects: ClassVar[Affects] = {}
@@ -38,8 +40,17 @@ class Rule:
     bad: ClassVar[tuple[Bad, ...]]
     good: ClassVar[tuple[Good, ...]]
 
+    @staticmethod
+    def applies(subject: Any) -> bool:
+        """Whether ``check`` has something to report about an object or element.
+
+        It is asked about each of them, also in a clean file, and ``check`` is called where
+        it says True. A rule without one of its own has ``check`` called for each.
+        """
+        return True
+
     def check(self, subject: Any) -> Iterator[Diagnostic]:
-        """Look at one selected element or one problem, and say what is wrong with it."""
+        """Look at one object, element or problem, and say what is wrong with it."""
         raise NotImplementedError
 
     def diagnostic(  # noqa: PLR0913 - all but two are named

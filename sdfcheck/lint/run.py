@@ -34,6 +34,8 @@ class RuleFacts(NamedTuple):
     """Reader → dialect → what it does: a :class:`~sdfcheck.consumers.reaction.Reaction` as text."""
     module: str
     """Module that holds the rule's class."""
+    looks_at: tuple[str, ...] = ()
+    """Names of the classes of the robot that the rule looks at."""
 
 
 def reactions(
