@@ -40,11 +40,13 @@ types: $(TOOLS) build/mypy/sdfcheck_rules
 
 generate: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.index
+	$(BIN)/python -m sdfcheck.lint.conditions
 	$(BIN)/python -m sdfcheck.lint.manual_pages
 	$(BIN)/python -m sdfcheck.convert.loss_table
 
 generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.index --check
+	$(BIN)/python -m sdfcheck.lint.conditions --check
 	$(BIN)/python -m sdfcheck.lint.manual_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
 

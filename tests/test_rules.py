@@ -7,12 +7,17 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library
+from sdfcheck.lint import engine
+from sdfcheck.lint.conditions import is_current, render
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, Xacro, lint_source
 from sdfcheck.lint.example import Bad, Good, fill, unmark
-from sdfcheck.lint.packs import BUILT_IN, find_pack, import_pack, load_index, rule_classes
+from sdfcheck.lint.packs import BUILT_IN, CONDITIONS, find_pack, import_pack, load_index, rule_classes
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.select import ActiveRules
+from sdfcheck.lint.subjects import subjects
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander
 
@@ -25,6 +30,8 @@ RULES = sorted(
 )
 # What speaks of something left out would speak in every snippet that shows something else.
 OF_ABSENCE = {"INR004"}
+MIXED: dict[str, str] = {}
+"""Code → why a rule both looks at objects and explains problems."""
 DEFAULT = {rule.code for rule in RULES if rule.default} - OF_ABSENCE
 
 
@@ -55,7 +62,11 @@ def test_metadata(rule: type[Rule]) -> None:
     assert rule.__name__.lower() == module.replace("_", "")
     assert rule.bad, "a rule shows what it reports"
     assert rule.good, "a rule shows what it leaves alone"
-    assert rule.selects or rule.explains, "a rule looks at something"
+    looks = bool(rule.looks_at or rule.selects)
+    assert looks or rule.explains, "a rule looks at something"
+    assert not (looks and rule.explains) or rule.code in MIXED, "a rule decides or explains"
+    assert rule.selects or Element not in rule.looks_at, "selectors say which elements"
+    assert looks or rule.applies is Rule.applies, "a problem has been decided on"
     first = (rule.__doc__ or "").strip().partition("\n\n")[0]
     assert first.endswith("."), "the manual begins with a sentence that states the defect"
     assert (
@@ -87,6 +98,39 @@ def test_bad_examples_are_reported_in_place(rule: type[Rule], example: Bad, tmp_
 def test_good_examples_are_left_alone(rule: type[Rule], example: Good, tmp_path: Path) -> None:
     found = lint(fill(rule.scaffold, example), example, tmp_path)
     assert [d.message for d in found if d.code == rule.code] == []
+
+
+@pytest.mark.parametrize(
+    ("rule", "example"),
+    [
+        pytest.param(rule, example, id=f"{rule.code}-{number}")
+        for rule in RULES
+        if rule.applies is not Rule.applies
+        for number, example in enumerate((*rule.bad, *rule.good))
+    ],
+)
+def test_conditions_agree_with_checks(
+    rule: type[Rule], example: Bad | Good, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    facts = next(facts for facts in INDEX.facts if facts.code == rule.code)
+    seen: list[object] = []
+
+    def spy(document: Document, looks_at: tuple[str, ...], selects: tuple[str, ...]) -> list[object]:
+        found = subjects(document, looks_at, selects)
+        seen.extend(found if (looks_at, selects) == (facts.looks_at, facts.selects) else ())
+        return found
+
+    monkeypatch.setattr(engine, "subjects", spy)
+    lint(unmark(fill(rule.scaffold, example))[0], example, tmp_path)
+    for subject in seen:
+        applies = rule.applies(subject)
+        assert bool(INDEX.condition(facts)(subject)) is bool(applies), subject
+        assert bool(list(rule().check(subject))) is bool(applies), subject
+
+
+def test_the_conditions_are_up_to_date() -> None:
+    pack = find_pack(BUILT_IN)
+    assert is_current(pack.folder / f"{CONDITIONS}.py", render(pack)), "run `make generate`"
 
 
 @pytest.mark.parametrize(("rule", "example"), examples("bad"))

@@ -26,6 +26,9 @@ TEXTS = {
     ".config",
 }
 
+GENERATED = {"rules/conditions.py", "rules/rule_index.py"}
+"""What nobody writes by hand may be as long as it comes."""
+
 MODULE_LINES = 300
 FUNCTION_LINES = 40
 RULE_LINES = 80
@@ -103,7 +106,7 @@ def check(found: dict[str, int], limit: int, exceptions: dict[str, str]) -> None
 def test_modules_are_short() -> None:
     found = {name(path): len(path.read_text(encoding="utf-8").splitlines()) for path in modules()}
     assert found
-    check(found, MODULE_LINES, LONG_MODULES)
+    check({path: found[path] for path in found.keys() - GENERATED}, MODULE_LINES, LONG_MODULES)
 
 
 def test_functions_are_short() -> None:
