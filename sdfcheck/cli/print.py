@@ -61,8 +61,8 @@ def print_command(**given: Any) -> int:
     comments stay; xacro is expanded. The version stays as it is. Unless rounding or
     snapping is asked for, the result is compared with the source, robot with robot.
     """
-    from sdfcheck.convert.canonical import CanonicalStyle, canonical
-    from sdfcheck.convert.tidy_numbers import NumberStyle
+    from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
+    from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
     from sdfcheck.lint.config.configuration import Configuration
 
     request = Request(**given)

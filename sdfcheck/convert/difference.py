@@ -14,8 +14,8 @@ from pathlib import PurePosixPath
 
 import numpy as np
 
-from sdfcheck.convert.reframing import reframed
-from sdfcheck.convert.renaming import Names, filled, same_geometry, same_names, same_pose, seat
+from sdfcheck.convert.rewrite.reframing import reframed
+from sdfcheck.convert.rewrite.renaming import Names, filled, same_geometry, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.robot.robot import Axis, Body, Geometry, Joint, Link, Mimic, Robot
 from sdfcheck.robot.rotations import Array, inverse, to_rpy

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sdfcheck.convert.difference import Change, ChangeKind, compare, pose_texts
-from sdfcheck.convert.reframing import shifted_model
-from sdfcheck.convert.renaming import same_pose
+from sdfcheck.convert.rewrite.reframing import shifted_model
+from sdfcheck.convert.rewrite.renaming import same_pose
+from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
 from sdfcheck.convert.verify import TOLERANCE
-from sdfcheck.convert.written_out import needs_writing_out, written_out
 from sdfcheck.robot.poses import Poses, written_pose
 from sdfcheck.robot.robot import Robot
 from sdfcheck.robot.rotations import Array, inverse

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.canonical import CanonicalStyle, canonical
+from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.document import Document
 from tests.peers.cmdcheck import library

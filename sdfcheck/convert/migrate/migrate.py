@@ -5,20 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sdfcheck.convert.loss import refusal
-from sdfcheck.convert.migrate.axes import express_axes
-from sdfcheck.convert.migrate.capsules import split_capsules
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
-from sdfcheck.convert.migrate.flattening import flatten
-from sdfcheck.convert.migrate.including import (
-    tell_of_newer_files,
-    write_out_includes,
-    write_out_merges,
-)
-from sdfcheck.convert.migrate.inertias import write_inertias
-from sdfcheck.convert.migrate.leftovers import drop_leftovers
-from sdfcheck.convert.migrate.migration import Migration
-from sdfcheck.convert.migrate.old_root import tidy_root, with_newer_root
-from sdfcheck.convert.migrate.older_words import (
+from sdfcheck.convert.migrate.down.axes import express_axes
+from sdfcheck.convert.migrate.down.capsules import split_capsules
+from sdfcheck.convert.migrate.down.flattening import flatten
+from sdfcheck.convert.migrate.down.inertias import write_inertias
+from sdfcheck.convert.migrate.down.leftovers import drop_leftovers
+from sdfcheck.convert.migrate.down.older_spellings import (
     drop_frames,
     name_plugins,
     put_canonical_links_first,
@@ -29,10 +22,17 @@ from sdfcheck.convert.migrate.older_words import (
     write_limits,
     write_thread_pitch,
 )
-from sdfcheck.convert.migrate.placing import attach_joints_to_links, resolve_poses
+from sdfcheck.convert.migrate.down.poses import attach_joints_to_links, resolve_poses
+from sdfcheck.convert.migrate.down.world_joints import move_world_joints
+from sdfcheck.convert.migrate.includes import (
+    report_newer_files,
+    write_out_includes,
+    write_out_merges,
+)
+from sdfcheck.convert.migrate.migration import Migration
+from sdfcheck.convert.migrate.old_root import tidy_root, with_newer_root
 from sdfcheck.convert.migrate.proof import comparisons
-from sdfcheck.convert.migrate.upward import go_up
-from sdfcheck.convert.migrate.world_joints import move_world_joints
+from sdfcheck.convert.migrate.up.upward import go_up
 from sdfcheck.convert.result import Conversion, conversion
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
@@ -98,7 +98,7 @@ def _go_down(migration: Migration) -> None:
     write_out_merges(migration)
     if migration.goes_below(5):
         write_out_includes(migration)
-    tell_of_newer_files(migration)
+    report_newer_files(migration)
     drop_dead(migration)
     write_defaults(migration)
     _say_in_older_words(migration)

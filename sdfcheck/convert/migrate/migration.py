@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from sdfcheck.convert.include_expansion import ToSdf
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.node import Node
+from sdfcheck.convert.rewrite.include_expansion import ToSdf
 from sdfcheck.convert.verify import Counterpart
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind, loss_at
-from sdfcheck.convert.migrate.flattening import flat_links
+from sdfcheck.convert.migrate.down.flattening import flat_links
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.result import Comparison
 from sdfcheck.convert.verify import Correspondence

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from sdfcheck.convert.sdf_to_urdf.arrange import Arrangement
-from sdfcheck.convert.sdf_to_urdf.layout import Layout
 from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
-from sdfcheck.convert.sdf_to_urdf.naming import Naming
 from sdfcheck.convert.sdf_to_urdf.options import Options
+from sdfcheck.convert.sdf_to_urdf.plan.arrange import Arrangement
+from sdfcheck.convert.sdf_to_urdf.plan.layout import Layout
+from sdfcheck.convert.sdf_to_urdf.plan.naming import Naming
 from sdfcheck.convert.writer import Node
 from sdfcheck.robot.poses import Poses
 from sdfcheck.robot.robot import Robot

@@ -9,25 +9,25 @@ import numpy as np
 
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion
-from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, arrange
-from sdfcheck.convert.sdf_to_urdf.choose import choose, others
+from sdfcheck.convert.rewrite.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.convert.sdf_to_urdf.comments import around_root
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.custom import namespace_of
 from sdfcheck.convert.sdf_to_urdf.extensions import keep_base, keep_place, keep_static
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
 from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
-from sdfcheck.convert.sdf_to_urdf.layout import is_same, lay_out, tidy
 from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.links import add_link
 from sdfcheck.convert.sdf_to_urdf.materials import define_colors
-from sdfcheck.convert.sdf_to_urdf.meaning import coupling, understood
 from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames_below, include_title
-from sdfcheck.convert.sdf_to_urdf.naming import named
 from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
+from sdfcheck.convert.sdf_to_urdf.plan.arrange import WORLD, arrange
+from sdfcheck.convert.sdf_to_urdf.plan.choose import choose, others
+from sdfcheck.convert.sdf_to_urdf.plan.layout import is_same, lay_out, tidy
+from sdfcheck.convert.sdf_to_urdf.plan.meaning import coupling, understood
+from sdfcheck.convert.sdf_to_urdf.plan.naming import named
 from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render, undeclared_prefixes, with_line_ends
-from sdfcheck.convert.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.poses import PoseError, Poses
 from sdfcheck.robot.robot import Robot

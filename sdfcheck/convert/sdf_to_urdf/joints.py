@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.sdf_to_urdf.arrange import Edge
 from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions
 from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
 from sdfcheck.convert.sdf_to_urdf.limits import add_dynamics, add_limit, add_mimic, enter_axis
-from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.options import Unsupported
+from sdfcheck.convert.sdf_to_urdf.plan.arrange import Edge
+from sdfcheck.convert.sdf_to_urdf.plan.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity

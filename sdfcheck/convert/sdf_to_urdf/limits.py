@@ -9,7 +9,7 @@ import math
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
+from sdfcheck.convert.sdf_to_urdf.plan.meaning import TWO_AXES
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.robot import Axis, Joint

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.canonical import CanonicalStyle, CanonicalText, canonical
 from sdfcheck.convert.file_difference import compare_files
-from sdfcheck.convert.tidy_numbers import NumberStyle
+from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, canonical
+from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
 from sdfcheck.source.wrong_usage import WrongUsage
 from tests.unit.robot.files import ARM, CONFIG, opened, write
 

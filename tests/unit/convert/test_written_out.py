@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.written_out import needs_writing_out, written_out
+from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element

@@ -10,7 +10,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.migrate.placing import Places
+from sdfcheck.convert.migrate.places import Places
 from sdfcheck.robot.poses import PoseError
 from sdfcheck.robot.rotations import Array, inverse
 

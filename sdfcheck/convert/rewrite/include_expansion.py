@@ -10,11 +10,11 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 
-from sdfcheck.convert.include_parameters import apply_parameters
 from sdfcheck.convert.loss import Loss, NotConvertible
-from sdfcheck.convert.relocation import relocated
 from sdfcheck.convert.result import Conversion
-from sdfcheck.convert.tidy_tree import Branch, Remark, branch_of
+from sdfcheck.convert.rewrite.include_parameters import apply_parameters
+from sdfcheck.convert.rewrite.relocation import relocated
+from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version

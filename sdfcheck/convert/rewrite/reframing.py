@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.convert.renaming import Names, same_geometry, same_pose, seat
+from sdfcheck.convert.rewrite.renaming import Names, same_geometry, same_pose, seat
 from sdfcheck.robot.robot import Body, Geometry, Joint, Link, Robot
 from sdfcheck.robot.rotations import Array, inverse
 

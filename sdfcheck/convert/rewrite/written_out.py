@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from lxml import etree
 
-from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.migrate.migrate import to_sdf
-from sdfcheck.convert.tidy_tree import Branch, branch_of, render
+from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
+from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
 from sdfcheck.robot.includes import included, includes_of
 from sdfcheck.robot.parameters import PARAMETERS
 from sdfcheck.source.document import Document

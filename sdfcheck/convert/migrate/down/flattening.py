@@ -6,9 +6,9 @@ import numpy as np
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
-from sdfcheck.convert.migrate.mentions import rename_in_plugins
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
+from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
 from sdfcheck.convert.verify import Counterpart
 from sdfcheck.robot.rotations import Array, from_rpy, transform
 

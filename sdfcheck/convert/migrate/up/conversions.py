@@ -15,7 +15,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 
-_FILE = Path(__file__).parents[1] / "data" / "migration.txt"
+_FILE = Path(__file__).parents[2] / "data" / "migration.txt"
 _TRUE = {"true", "1"}
 
 

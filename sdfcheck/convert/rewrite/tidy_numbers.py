@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from sdfcheck.convert.tidy_tree import Branch
+from sdfcheck.convert.rewrite.tidy_tree import Branch
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats

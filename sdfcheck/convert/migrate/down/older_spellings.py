@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.migrate.upward import STATES
+from sdfcheck.convert.migrate.up.upward import STATES
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.version import Version
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.migrate.mentions import rename_in_plugins
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
+from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
 from sdfcheck.convert.verify import Counterpart
 
 _NAMED = ("link", "joint", "frame", "model")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.tidy_tree import text_of
+from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
+from sdfcheck.convert.rewrite.tidy_tree import text_of
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes import included
 from sdfcheck.source.document import Document
@@ -84,7 +84,7 @@ def _leave(migration: Migration, include: Node, why: str) -> None:
     migration.kept.update(include.children())
 
 
-def tell_of_newer_files(migration: Migration) -> None:
+def report_newer_files(migration: Migration) -> None:
     """On the way down an included file may be too new for the target; it is not touched."""
     document = migration.draft.read()
     for include in migration.root.of("include"):

@@ -6,7 +6,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.migrate.placing import Places
+from sdfcheck.convert.migrate.places import Places
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.poses import PoseError
 from sdfcheck.robot.rotations import Array

@@ -8,12 +8,12 @@ import numpy as np
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
-from sdfcheck.convert.migrate.conversions import convert_to
 from sdfcheck.convert.migrate.defaults import write_defaults
 from sdfcheck.convert.migrate.migration import Migration, title
-from sdfcheck.convert.migrate.new_names import rename_clashing_joints, rename_reserved
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.migrate.unflatten import unflatten
+from sdfcheck.convert.migrate.up.conversions import convert_to
+from sdfcheck.convert.migrate.up.new_names import rename_clashing_joints, rename_reserved
+from sdfcheck.convert.migrate.up.unflatten import unflatten
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.poses import PoseError, written_pose

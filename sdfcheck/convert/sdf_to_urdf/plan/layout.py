@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sdfcheck.convert.sdf_to_urdf.arrange import WORLD, Arrangement
-from sdfcheck.convert.sdf_to_urdf.naming import Naming
+from sdfcheck.convert.sdf_to_urdf.plan.arrange import WORLD, Arrangement
+from sdfcheck.convert.sdf_to_urdf.plan.naming import Naming
 from sdfcheck.robot.robot import Robot
 from sdfcheck.robot.rotations import Array, angle_between, inverse
 

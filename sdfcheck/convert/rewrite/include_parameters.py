@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.convert.tidy_tree import Branch, Remark
+from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark
 from sdfcheck.robot.parameters import PARAMETERS
 
 _OWN = frozenset({"element_id", "action"})

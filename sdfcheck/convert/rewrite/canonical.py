@@ -8,10 +8,10 @@ import numpy as np
 
 from sdfcheck.convert.broken_text import break_of
 from sdfcheck.convert.file_difference import compare_files
-from sdfcheck.convert.include_expansion import IncludeExpansion
 from sdfcheck.convert.migrate.migrate import to_sdf
-from sdfcheck.convert.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
-from sdfcheck.convert.tidy_tree import Branch, branch_of, render
+from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
+from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
+from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version

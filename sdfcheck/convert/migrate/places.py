@@ -1,0 +1,107 @@
+"""Where the parts of a draft are, in every frame that a version may ask for."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.node import Node
+from sdfcheck.robot.carriers import carrier, look_up, own_model
+from sdfcheck.robot.poses import PoseError, Poses, placement_of, reference_of, written_pose
+from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.scopes import Frame, Scope, Scopes, scopes
+from sdfcheck.source.element import Element
+
+_HOLDERS = frozenset({"link", "joint"})
+
+
+class Places:
+    """The frames of a draft as it was read last, and the poses of its elements."""
+
+    def __init__(self, migration: Migration) -> None:
+        self.migration = migration
+        self.scopes: Scopes = scopes(migration.draft.read())
+        self.poses = Poses()
+        self.frames: dict[Element, Frame] = {
+            frame.element: frame for scope in self.scopes.all() for frame in scope.frames.values()
+        }
+
+    def frame(self, node: Node) -> Frame | None:
+        """The frame that a node makes."""
+        return self.frames.get(self.migration.draft.element(node))
+
+    def scope(self, node: Node) -> Scope | None:
+        """The scope that a node stands in."""
+        return self.scopes.of(self.migration.draft.element(node))
+
+    def plain(self, owner: Node) -> Array:
+        """The pose of a node in what the oldest versions mean by it.
+
+        A model, link or light in what holds it, a joint in its child, a part in its link
+        or joint, a camera in its sensor.
+        """
+        frame = self.frame(owner)
+        if frame is not None:
+            return self.of_frame(frame)
+        if owner.name == "inertial" or owner.parent is None:
+            return written_pose(self.migration.draft.element(owner).find("pose"))
+        holder = self.holder(owner)
+        outer = self.in_holder(owner.parent, holder) if owner.parent is not holder else np.eye(4)
+        return inverse(outer) @ self.in_holder(owner, holder)
+
+    def of_frame(self, frame: Frame) -> Array:
+        pose = self.poses.in_scope(frame)
+        if frame.kind == "joint":
+            child = frame.element.find("child")
+            below = frame.scope.find(child.content) if child is not None else None
+            if below is not None:
+                return inverse(self.poses.reached(frame.scope, below)) @ pose
+        model = own_model(frame)
+        return (
+            pose if model is None or model is frame.scope.own else inverse(self.poses.in_scope(model)) @ pose
+        )
+
+    def holder(self, node: Node) -> Node | None:
+        """The link or joint around a part."""
+        at = node.parent
+        while at is not None and at.name not in _HOLDERS:
+            at = at.parent
+        return at
+
+    def in_holder(self, node: Node, holder: Node | None) -> Array:
+        """The pose of a part in its link or joint, or of something in a world or model in that."""
+        pose = self.migration.draft.element(node).find("pose")
+        reference = reference_of(pose)
+        frame = self.frame(holder) if holder is not None else None
+        if not reference:
+            parent = node.parent
+            within = parent is not None and parent is not holder and holder is not None
+            outer = self.in_holder(parent, holder) if within and parent is not None else np.eye(4)
+            return outer @ written_pose(pose)
+        if frame is not None:
+            return self.poses.of_part(self.migration.draft.element(node), frame)
+        scope = self.scope(node)
+        if scope is None:
+            raise PoseError(f"there is no frame {reference!r} around {title(node)}")
+        return self.poses.named(scope, reference) @ written_pose(pose)
+
+    def is_placed(self, node: Node) -> bool:
+        """Is it a model that is placed by one of its frames?"""
+        frame = self.frame(node)
+        return frame is not None and bool(placement_of(frame)[0])
+
+    def carrier(self, frame: Frame) -> tuple[Frame, str] | None:
+        """The link or world that a frame moves with, and its name as seen from the frame's scope."""
+        found = carrier(frame)
+        if found is None:
+            return None
+        names, scope = [found.name], found.scope
+        while scope is not frame.scope:
+            if scope.parent is None:
+                return None
+            names.insert(0, scope.name)
+            scope = scope.parent
+        return found, "::".join(names)
+
+    def named(self, frame: Frame, reference: str) -> Frame | None:
+        return look_up(frame, reference)
