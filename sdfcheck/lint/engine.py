@@ -134,7 +134,7 @@ def lint_source(
     document.library, document.included_by = library, ()
     if document.kind is Kind.XACRO:
         from sdfcheck.lint.expanded import lint_xacro
-        from sdfcheck.xacro.world import is_robot
+        from sdfcheck.xacro.static.definitions import is_robot
 
         expander, sets = xacro or Xacro(None)
         # Who includes the file calls its macros, and brings out what is wrong in them.

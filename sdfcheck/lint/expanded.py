@@ -9,10 +9,10 @@ from sdfcheck.lint.engine import Dispatch, explain, lint_document
 from sdfcheck.lint.fold import fold, settle
 from sdfcheck.robot.inertia import problems_of_links
 from sdfcheck.source.document import Document
-from sdfcheck.xacro.bodies import unexpanded
 from sdfcheck.xacro.expansion import Expander
-from sdfcheck.xacro.macro_survey import Bodies
 from sdfcheck.xacro.prepare import prepare
+from sdfcheck.xacro.static.macro_survey import Bodies
+from sdfcheck.xacro.static.uncalled import unexpanded
 
 
 def lint_xacro(

@@ -13,10 +13,10 @@ from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
+from sdfcheck.xacro.explanation import explain
 from sdfcheck.xacro.origins import Call, ExpandedDocument, Provenance, Sources, shown
 from sdfcheck.xacro.problems import Problem
-from sdfcheck.xacro.trouble import explain
-from sdfcheck.xacro.worker import Limits, Worker
+from sdfcheck.xacro.process.worker import Limits, Worker
 
 PASSED_ON = (
     "AMENT_PREFIX_PATH",

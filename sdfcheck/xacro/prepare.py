@@ -8,9 +8,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.xacro import static
 from sdfcheck.xacro.expansion import Expander
-from sdfcheck.xacro.nearby import is_included
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
@@ -25,7 +23,9 @@ from sdfcheck.xacro.problems import (
     UnevaluatedExpression,
     WrongXacroAttribute,
 )
-from sdfcheck.xacro.world import is_robot
+from sdfcheck.xacro.static import analysis
+from sdfcheck.xacro.static.definitions import is_robot
+from sdfcheck.xacro.static.suggestions import is_included
 
 _STOPS = (
     MissingXacroPrefix,
@@ -56,7 +56,7 @@ def prepare(
     """
     if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
         return Prepared((), ())
-    found: list[Problem] = list(static.problems(document))
+    found: list[Problem] = list(analysis.problems(document))
     documents: list[ExpandedDocument] = []
     is_sound = not any(isinstance(problem, _STOPS) for problem in found)
     if expander is not None and is_sound and is_robot(document):

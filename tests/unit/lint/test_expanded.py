@@ -16,8 +16,8 @@ from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander
-from sdfcheck.xacro.static import problems
-from sdfcheck.xacro.world import is_robot
+from sdfcheck.xacro.static.analysis import problems
+from sdfcheck.xacro.static.definitions import is_robot
 
 HEAD = '<sdf version="1.12" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 LEG = (

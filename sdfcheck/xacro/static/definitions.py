@@ -11,8 +11,8 @@ from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import EXPRESSION, FIND, PREFIX
-from sdfcheck.xacro.nearby import is_included
-from sdfcheck.xacro.reading import Include, Macro, Reading, reading
+from sdfcheck.xacro.static.reading import Include, Macro, Reading, reading
+from sdfcheck.xacro.static.suggestions import is_included
 
 _CONTENT = frozenset({"xacro:call", "xacro:insert_block", "xacro:element"})
 _SIMPLE = re.compile(r"[^\W\d]\w*")
@@ -27,7 +27,7 @@ class Cycle(Record):
     certain: bool
 
 
-class World:
+class Definitions:
     """A document and the files that it includes.
 
     ``is_open``: some of them cannot be told or read, so that what is not found here
@@ -132,8 +132,8 @@ class World:
         return self._told(values.pop(), document) or None if len(values) == 1 else None
 
 
-def world(document: Document) -> World:
-    return document.view(World)
+def visible_definitions(document: Document) -> Definitions:
+    return document.view(Definitions)
 
 
 def is_robot(document: Document) -> bool:
@@ -168,7 +168,7 @@ def knows_all(document: Document) -> bool:
 
 
 def _knows_all(document: Document) -> bool:
-    return is_robot(document) and not world(document).is_open and not is_included(document)
+    return is_robot(document) and not visible_definitions(document).is_open and not is_included(document)
 
 
 def _real(path: Path) -> Path:

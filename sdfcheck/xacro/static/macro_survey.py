@@ -14,7 +14,7 @@ from sdfcheck.formats.urdf.survey import UrdfWalk
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, known_parents, urdf
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-from sdfcheck.xacro.own_elements import lacks_prefix
+from sdfcheck.xacro.static.elements import lacks_prefix
 
 _PREFIX = "xacro:"
 _BLOCK = "xacro:insert_block"

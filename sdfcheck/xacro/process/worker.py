@@ -14,7 +14,7 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     import subprocess
 
-_START = "import sys; sys.path[:0] = sys.argv[1:]; from sdfcheck.xacro.child import main; main()"
+_START = "import sys; sys.path[:0] = sys.argv[1:]; from sdfcheck.xacro.process.child import main; main()"
 _GRACE = 5.0
 """So many seconds after its own deadline the process is given up."""
 
@@ -121,7 +121,7 @@ def _folders() -> list[str]:
     """The folders from which the process imports: this package's, xacro's and PyYAML's."""
     from importlib.util import find_spec
 
-    folders = [str(Path(__file__).parents[2])]
+    folders = [str(Path(__file__).parents[3])]
     for name in ("xacro", "yaml"):
         spec = find_spec(name)
         if spec is not None and spec.origin is not None:

@@ -10,9 +10,6 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX, Parameter
-from sdfcheck.xacro.names import free_names
-from sdfcheck.xacro.nearby import guess, nearest, project_names
-from sdfcheck.xacro.own_elements import element_problems
 from sdfcheck.xacro.problems import (
     Mismatch,
     Problem,
@@ -25,9 +22,12 @@ from sdfcheck.xacro.problems import (
     WrongMacroArguments,
     XacroIncludeCycle,
 )
-from sdfcheck.xacro.reading import Call, Macro, place, reading
-from sdfcheck.xacro.world import World, is_robot, knows_all, world
-from sdfcheck.xacro.written import written_problems
+from sdfcheck.xacro.static.definitions import Definitions, is_robot, knows_all, visible_definitions
+from sdfcheck.xacro.static.elements import element_problems
+from sdfcheck.xacro.static.expressions import expression_problems
+from sdfcheck.xacro.static.names import free_names
+from sdfcheck.xacro.static.reading import Call, Macro, place, reading
+from sdfcheck.xacro.static.suggestions import guess, nearest, project_names
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 _BLOCK_MAKERS = frozenset({"xacro:if", "xacro:unless", "xacro:insert_block", "xacro:include"})
@@ -38,15 +38,15 @@ def problems(document: Document) -> Iterator[Problem]:
     if document.root is None:
         return
     yield from _undeclared(document)
-    around = world(document)
+    visible = visible_definitions(document)
     yield from element_problems(document)
-    yield from written_problems(document, around)
-    yield from _undefined_macros(document, around)
-    yield from _undefined_properties(document, around)
-    yield from _wrong_arguments(document, around)
-    yield from _unused_properties(document, around)
-    yield from _unused_parameters(document, around)
-    for cycle in around.cycles:
+    yield from expression_problems(document, visible)
+    yield from _undefined_macros(document, visible)
+    yield from _undefined_properties(document, visible)
+    yield from _wrong_arguments(document, visible)
+    yield from _unused_properties(document, visible)
+    yield from _unused_parameters(document, visible)
+    for cycle in visible.cycles:
         if cycle.certain:
             element = cycle.include.element
             span = document.spans.attribute_value(element, "filename")
@@ -67,10 +67,10 @@ def _undeclared(document: Document) -> Iterator[Problem]:
         yield UndeclaredXacroPrefix(span, len(uses), document.source.span(end, end))
 
 
-def _undefined_macros(document: Document, around: World) -> Iterator[Problem]:
-    known = {*around.macros, *KEYWORDS}
+def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Problem]:
+    known = {*visible.macros, *KEYWORDS}
     for call in reading(document).calls:
-        if call.name in around.macros or call.name.rpartition(".")[2] in around.macros:
+        if call.name in visible.macros or call.name.rpartition(".")[2] in visible.macros:
             continue
         if knows_all(document):
             near = guess(document, call.name, known, surely=False)
@@ -90,8 +90,8 @@ def _called(call: Call) -> Span:
     return span.source.span(span.start + len(PREFIX), span.end)
 
 
-def _undefined_properties(document: Document, around: World) -> Iterator[Problem]:
-    outside, inside = around.properties, around.properties | around.parameters
+def _undefined_properties(document: Document, visible: Definitions) -> Iterator[Problem]:
+    outside, inside = visible.properties, visible.properties | visible.parameters
     for found in reading(document).expressions:
         known = outside if found.macro is None else inside
         for name in sorted(free_names(found.code) - known - BUILT_IN):
@@ -105,9 +105,9 @@ def _undefined_properties(document: Document, around: World) -> Iterator[Problem
             yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)
 
 
-def _wrong_arguments(document: Document, around: World) -> Iterator[Problem]:
+def _wrong_arguments(document: Document, visible: Definitions) -> Iterator[Problem]:
     for call in reading(document).calls:
-        macros = around.macros.get(call.name, [])
+        macros = visible.macros.get(call.name, [])
         if len(macros) != 1 or call.element.name == "xacro:call":
             continue
         macro = macros[0]
@@ -153,13 +153,13 @@ def _definition(macro: Macro) -> Span:
     return macro.element.document.spans.attribute_value(macro.element, "name")
 
 
-def _unused_properties(document: Document, around: World) -> Iterator[Problem]:
-    if around.is_open:
+def _unused_properties(document: Document, visible: Definitions) -> Iterator[Problem]:
+    if visible.is_open:
         return
     robot = is_robot(document)
     seen = set()
     for found in reading(document).properties:
-        if (found.macro is None and not robot) or found.name in around.words or found.name in seen:
+        if (found.macro is None and not robot) or found.name in visible.words or found.name in seen:
             continue
         attributes = found.element.attributes
         if attributes.get("remove") or attributes.get("scope") or not found.name:
@@ -168,28 +168,28 @@ def _unused_properties(document: Document, around: World) -> Iterator[Problem]:
         yield UnusedProperty(document.spans.attribute_value(found.element, "name"), found.name)
 
 
-def _unused_parameters(document: Document, around: World) -> Iterator[Problem]:
+def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Problem]:
     for macro in reading(document).macros:
         for parameter in macro.parameters:
-            if not _is_read(parameter.name.lstrip("*"), macro, around, set()):
+            if not _is_read(parameter.name.lstrip("*"), macro, visible, set()):
                 yield UnusedMacroParameter(_parameter_place(macro, parameter), parameter.name, macro.name)
 
 
-def _is_read(name: str, macro: Macro, around: World, seen: set[str]) -> bool:
+def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> bool:
     """Whether a macro's body reads a name, or a macro that it calls reads the caller's."""
     if name in macro.words:
         return True
     for call in macro.calls:
-        if call == "call" or call not in around.macros:
+        if call == "call" or call not in visible.macros:
             return True
         if call in seen:
             continue
         seen.add(call)
-        for called in around.macros[call]:
+        for called in visible.macros[call]:
             own = {p.name.lstrip("*") for p in called.parameters if not p.forwards}
             if any(p.forwards and p.name == name for p in called.parameters):
                 return True
-            if name not in own and _is_read(name, called, around, seen):
+            if name not in own and _is_read(name, called, visible, seen):
                 return True
     return False
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-from sdfcheck.xacro.reading import reading
-from sdfcheck.xacro.world import World, world
+from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
+from sdfcheck.xacro.static.reading import reading
 
 
 def unexpanded(document: Document, *, is_expanded: bool) -> Iterator[Element]:
@@ -16,17 +16,17 @@ def unexpanded(document: Document, *, is_expanded: bool) -> Iterator[Element]:
         return
     if not is_expanded:
         yield document.root
-    called = _called(world(document)) if is_expanded else frozenset()
+    called = _called(visible_definitions(document)) if is_expanded else frozenset()
     for macro in reading(document).macros:
         if macro.name not in called:
             yield macro.element
 
 
-def _called(around: World) -> frozenset[str]:
+def _called(visible: Definitions) -> frozenset[str]:
     """The names of the macros that are called from outside of macros, or from one that is called."""
     waiting = [
         call.name
-        for read in around.readings
+        for read in visible.readings
         for call in read.calls
         if all(above.name != "xacro:macro" for above in _above(call.element))
     ]
@@ -35,7 +35,7 @@ def _called(around: World) -> frozenset[str]:
         name = waiting.pop().rpartition(".")[2]
         if name not in called:
             called.add(name)
-            waiting += [inner for macro in around.macros.get(name, ()) for inner in macro.calls]
+            waiting += [inner for macro in visible.macros.get(name, ()) for inner in macro.calls]
     return frozenset(called)
 
 

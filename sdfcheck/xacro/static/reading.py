@@ -18,7 +18,7 @@ from sdfcheck.xacro.language import (
     parameters,
     substitutions,
 )
-from sdfcheck.xacro.own_elements import keyword, own_attributes
+from sdfcheck.xacro.static.elements import keyword, own_attributes
 
 _WORD = re.compile(r"[^\W\d]\w*")
 _OWN_LANGUAGE = frozenset({"name", "filename"})

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.xacro.nearby import slip_of
+from sdfcheck.xacro.static.suggestions import slip_of
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 

@@ -10,8 +10,8 @@ from xml.parsers.expat import ExpatError, errors
 
 from xacro.substitution_args import ArgException
 
-from sdfcheck.xacro.sandbox import Refused, TooMuch
-from sdfcheck.xacro.trace import KEY, Step, Tracer, Written
+from sdfcheck.xacro.process.sandbox import Refused, TooMuch
+from sdfcheck.xacro.process.trace import KEY, Step, Tracer, Written
 
 _TEXT_NODE = 3
 _STACK = re.compile(r"\n?when evaluating expression .*", re.DOTALL)

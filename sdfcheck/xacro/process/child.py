@@ -21,8 +21,8 @@ import yaml  # noqa: F401 - xacro loads it late, and then nothing may be loaded 
 from xacro import substitution_args
 
 from sdfcheck.files.packages import Packages
-from sdfcheck.xacro import failure, sandbox
-from sdfcheck.xacro.trace import KEY, Crumbs, Step, Tracer
+from sdfcheck.xacro.process import failure, sandbox
+from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
 
 RECURSION_LIMIT = 1500
 """Above Python's own, since following xacro takes frames too."""

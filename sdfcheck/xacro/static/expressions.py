@@ -10,9 +10,6 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import COMMANDS, EXPRESSION, PREFIX, expressions, is_literal
-from sdfcheck.xacro.names import free_names
-from sdfcheck.xacro.nearby import guess, nearest, project_names
-from sdfcheck.xacro.own_elements import is_conditional, keyword, own_attributes
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
@@ -20,8 +17,11 @@ from sdfcheck.xacro.problems import (
     UndefinedBlock,
     UnevaluatedExpression,
 )
-from sdfcheck.xacro.reading import Include, place, reading, texts
-from sdfcheck.xacro.world import World, knows_all
+from sdfcheck.xacro.static.definitions import Definitions, knows_all
+from sdfcheck.xacro.static.elements import is_conditional, keyword, own_attributes
+from sdfcheck.xacro.static.names import free_names
+from sdfcheck.xacro.static.reading import Include, place, reading, texts
+from sdfcheck.xacro.static.suggestions import guess, nearest, project_names
 
 _BRACES = re.compile(r"\{([^{}$\"':,]+)\}")
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
@@ -30,14 +30,14 @@ _TRUTHS = frozenset({"true", "True", "false", "False"})
 Found = ExpansionFailure | UndefinedArgument | UndefinedBlock | UnevaluatedExpression
 
 
-def written_problems(document: Document, around: World) -> Iterator[Found]:
+def expression_problems(document: Document, visible: Definitions) -> Iterator[Found]:
     """The problems of the expressions, substitutions, conditions and inclusions of a document."""
     yield from _expressions(document)
-    yield from _unevaluated(document, around)
-    yield from _commands(document, around)
+    yield from _unevaluated(document, visible)
+    yield from _commands(document, visible)
     yield from _conditions(document)
-    yield from _blocks(document, around)
-    for include in around.missing:
+    yield from _blocks(document, visible)
+    for include in visible.missing:
         yield _missing_file(include)
 
 
@@ -71,10 +71,10 @@ def _divides_by_zero(node: ast.AST) -> bool:
     return isinstance(node.right, ast.Constant) and node.right.value == 0
 
 
-def _unevaluated(document: Document, around: World) -> Iterator[UnevaluatedExpression]:
+def _unevaluated(document: Document, visible: Definitions) -> Iterator[UnevaluatedExpression]:
     """Braces around a name that is known here without their dollar, and expressions without end."""
     for element, macro in reading(document).elements:
-        known = around.properties | (around.parameters if macro is not None else set())
+        known = visible.properties | (visible.parameters if macro is not None else set())
         for attribute, text in texts(element, "{("):
             plain = EXPRESSION.sub(lambda match: " " * len(match[0]), text)
             for match in _BRACES.finditer(plain):
@@ -101,8 +101,8 @@ def _is_free(element: Element) -> bool:
     return element.name in {"param", "plugin", "xacro:property"}
 
 
-def _commands(document: Document, around: World) -> Iterator[ExpansionFailure | UndefinedArgument]:
-    declared = {name for read in around.readings for name in read.arguments}
+def _commands(document: Document, visible: Definitions) -> Iterator[ExpansionFailure | UndefinedArgument]:
+    declared = {name for read in visible.readings for name in read.arguments}
     for found in reading(document).commands:
         word = found.text.partition(" ")[0].strip()
         if word not in COMMANDS and "$" not in word:
@@ -137,8 +137,8 @@ def _is_whole(text: str) -> bool:
     return True
 
 
-def _blocks(document: Document, around: World) -> Iterator[UndefinedBlock]:
-    known = {name.lstrip("*") for name in around.parameters} | around.properties
+def _blocks(document: Document, visible: Definitions) -> Iterator[UndefinedBlock]:
+    known = {name.lstrip("*") for name in visible.parameters} | visible.properties
     for element, _ in reading(document).elements:
         if element.name != f"{PREFIX}insert_block":
             continue

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, PREFIX, REQUIRED
-from sdfcheck.xacro.nearby import nearest
 from sdfcheck.xacro.problems import MissingXacroPrefix, WrongXacroAttribute
+from sdfcheck.xacro.static.suggestions import nearest
 
 _FREE = frozenset({"gazebo", "plugin", "ros2_control", "transmission", "mujoco"})
 """What is inside of these is somebody else's, and may be called as xacro's elements are."""
