@@ -45,8 +45,37 @@ if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
+    from sdfcheck.robot.custom import Custom
+    from sdfcheck.robot.errors import DescriptionError
+    from sdfcheck.robot.frame import Frame
     from sdfcheck.robot.load import Unreadable, load, parse
-    from sdfcheck.robot.objects import Joint, Link, Model, NotFound, Root, World
+    from sdfcheck.robot.lookup import NotFound
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.motion.poses import PoseError
+    from sdfcheck.robot.motion.tree import Tree
+    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
+    from sdfcheck.robot.parts.axis import Axis, Dynamics, Limit, Mimic
+    from sdfcheck.robot.parts.gazebo import GazeboBlock
+    from sdfcheck.robot.parts.include import Include
+    from sdfcheck.robot.parts.inertial import Inertial
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.light import Light
+    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.parts.material import Material
+    from sdfcheck.robot.parts.physics import Actor, Gripper, Physics, State
+    from sdfcheck.robot.parts.placement import Placement
+    from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.robot.parts.sensor import Sensor
+    from sdfcheck.robot.parts.setting import Setting
+    from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
+    from sdfcheck.robot.root import Root
+    from sdfcheck.robot.scope import Scope
+    from sdfcheck.robot.values import Number, Vector
+    from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Position, Source, Span
@@ -69,7 +98,36 @@ _HOMES = {
     "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.robot.load": "Unreadable load parse",
-    "sdfcheck.robot.objects": "Joint Link Model NotFound Root World",
+    "sdfcheck.robot.custom": "Custom",
+    "sdfcheck.robot.errors": "DescriptionError",
+    "sdfcheck.robot.frame": "Frame",
+    "sdfcheck.robot.lookup": "NotFound",
+    "sdfcheck.robot.model": "Model",
+    "sdfcheck.robot.motion.mass": "MassProperties",
+    "sdfcheck.robot.motion.pose": "Pose",
+    "sdfcheck.robot.motion.poses": "PoseError",
+    "sdfcheck.robot.motion.tree": "Tree",
+    "sdfcheck.robot.node": "Node",
+    "sdfcheck.robot.part": "Part",
+    "sdfcheck.robot.parts.actuation": "Ros2Control Transmission",
+    "sdfcheck.robot.parts.axis": "Axis Dynamics Limit Mimic",
+    "sdfcheck.robot.parts.gazebo": "GazeboBlock",
+    "sdfcheck.robot.parts.include": "Include",
+    "sdfcheck.robot.parts.inertial": "Inertial",
+    "sdfcheck.robot.parts.joint": "Joint",
+    "sdfcheck.robot.parts.light": "Light",
+    "sdfcheck.robot.parts.link": "Link",
+    "sdfcheck.robot.parts.material": "Material",
+    "sdfcheck.robot.parts.physics": "Actor Gripper Physics State",
+    "sdfcheck.robot.parts.placement": "Placement",
+    "sdfcheck.robot.parts.plugin": "Plugin",
+    "sdfcheck.robot.parts.sensor": "Sensor",
+    "sdfcheck.robot.parts.setting": "Setting",
+    "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
+    "sdfcheck.robot.root": "Root",
+    "sdfcheck.robot.scope": "Scope",
+    "sdfcheck.robot.values": "Number Vector",
+    "sdfcheck.robot.world": "World",
     "sdfcheck.source.document": "Document",
     "sdfcheck.source.element": "Element Value",
     "sdfcheck.source.text": "Position Source Span",
@@ -89,37 +147,73 @@ __all__ = [
     "IN_WORLD",
     "REFUSES",
     "SDF",
+    "Actor",
     "Applicability",
+    "Axis",
     "Bad",
+    "Collision",
     "Consumer",
     "Conversion",
+    "Custom",
+    "DescriptionError",
     "Diagnostic",
     "Document",
+    "Dynamics",
     "Edit",
     "Element",
     "Fix",
+    "Frame",
+    "GazeboBlock",
+    "Geometry",
     "Good",
+    "Gripper",
+    "Include",
+    "Inertial",
     "Joint",
     "Label",
+    "Light",
+    "Limit",
     "Link",
     "Loss",
+    "MassProperties",
+    "Material",
+    "Mimic",
     "Model",
+    "Node",
     "NotConvertible",
     "NotFound",
+    "Number",
     "Origin",
+    "Part",
+    "Physics",
+    "Placement",
+    "Plugin",
+    "Pose",
+    "PoseError",
     "Position",
     "Reaction",
     "Root",
+    "Ros2Control",
     "Rule",
     "Run",
+    "Scope",
+    "Sensor",
+    "Setting",
     "Severity",
+    "Shape",
     "Source",
     "Span",
+    "State",
+    "Surface",
     "Target",
+    "Transmission",
+    "Tree",
     "Unreadable",
     "Value",
+    "Vector",
     "VendorRule",
     "Verdict",
+    "Visual",
     "World",
     "WrongUsage",
     "__version__",

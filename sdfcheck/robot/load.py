@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.robot.multiplied import TooManyModels, refuse_too_many
-from sdfcheck.robot.objects import Root
+from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 
@@ -75,4 +75,4 @@ def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: 
         refuse_too_many(document)
     except TooManyModels as error:
         raise Unreadable(str(error)) from None
-    return Root(document, document.root)
+    return root_of(document)

@@ -56,7 +56,8 @@ def test_parts_by_name() -> None:
     assert [link.name for link in model.links] == ["post", "wing"]
     assert model.link("wing").element is model.links[1].element
     hinge = model.joint("hinge")
-    assert (hinge.type, hinge.parent, hinge.child) == ("revolute", "post", "wing")
+    assert (hinge.type, hinge.parent_name, hinge.child_name) == ("revolute", "post", "wing")
+    assert (hinge.parent, hinge.child) == model.links
     assert model.joint(-1).name == "hinge"
     assert model.has("farm:drive")
     assert not model.has("farm:brake")
@@ -80,7 +81,7 @@ def test_a_urdf_file_is_one_model() -> None:
     assert root.worlds == ()
     assert model.name == root.element.get("name")
     joint = model.joints[0]
-    assert model.link(joint.parent).name == joint.parent != model.link(joint.child).name
+    assert model.link(joint.parent_name) is joint.parent is not joint.child
 
 
 def test_xacro_is_expanded() -> None:

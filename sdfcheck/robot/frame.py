@@ -1,0 +1,70 @@
+"""Frames: named places that are attached to something."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.values import lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.part import Part
+    from sdfcheck.source.element import Element, Value
+
+
+class Frame(Node):
+    """A ``frame``, or Drake's ``drake:frame`` in URDF."""
+
+    __slots__ = ()
+    kind = "frame"
+
+    @property
+    def attached_to_value(self) -> Value | None:
+        """The reference to what it is attached to, with its place; None if nothing is written."""
+        value = self.attribute("link" if self.is_urdf else "attached_to")
+        return value if value is not None and value.text.strip() else None
+
+    @property
+    def attached_to(self) -> Node | None:
+        """What it is attached to: by default the model or world that it is in; None if the name is unknown."""
+        return self.attachment
+
+    @property
+    def attachment(self) -> Node | None:
+        value = self.attached_to_value
+        return self.look_up(value.text.strip()) if value is not None else (self.merged or self.scope)
+
+    @property
+    def base_name(self) -> str:
+        value = self.attached_to_value
+        return self.written_base or (value.text.strip() if value is not None else "")
+
+
+class MergedFrame(Frame):
+    """The frame that stands for a model which an include merged into another."""
+
+    __slots__ = ("model",)
+
+    def __init__(self, holder: Part, element: Element, model: Model) -> None:
+        super().__init__(holder, element, f"_merged__{model.name}__model__")
+        self.model = model
+
+    @property
+    def attached_to_value(self) -> Value | None:
+        return None
+
+    @lazy
+    def attachment(self) -> Node | None:
+        named = self.model.canonical_link_name
+        if named:
+            return self.scope.resolve(named)
+        return next((link for link in self.scope.links if link.merged is self), None)
+
+    @property
+    def pose_element(self) -> Element | None:
+        return self.model.pose_element
+
+    @property
+    def base_name(self) -> str:
+        return self.written_base

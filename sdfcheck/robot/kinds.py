@@ -1,0 +1,93 @@
+"""Which class an element becomes, by its name and by what it is in."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.part import Part
+    from sdfcheck.source.element import Element
+
+_HOMES = {
+    "actor": "parts.physics:Actor",
+    "axis": "parts.axis:Axis",
+    "axis2": "parts.axis:Axis",
+    "collision": "parts.shape:Collision",
+    "drake:frame": "frame:Frame",
+    "drake:joint": "parts.joint:Joint",
+    "dynamics": "parts.axis:Dynamics",
+    "frame": "frame:Frame",
+    "gazebo": "parts.gazebo:GazeboBlock",
+    "geometry": "parts.shape:Geometry",
+    "gripper": "parts.physics:Gripper",
+    "include": "parts.include:Include",
+    "inertial": "parts.inertial:Inertial",
+    "joint": "parts.joint:Joint",
+    "light": "parts.light:Light",
+    "limit": "parts.axis:Limit",
+    "link": "parts.link:Link",
+    "material": "parts.material:Material",
+    "mimic": "parts.axis:Mimic",
+    "model": "model:Model",
+    "origin": "parts.placement:Placement",
+    "physics": "parts.physics:Physics",
+    "plugin": "parts.plugin:Plugin",
+    "pose": "parts.placement:Placement",
+    "robot": "model:Model",
+    "ros2_control": "parts.actuation:Ros2Control",
+    "sensor": "parts.sensor:Sensor",
+    "state": "parts.physics:State",
+    "surface": "parts.shape:Surface",
+    "transmission": "parts.actuation:Transmission",
+    "visual": "parts.shape:Visual",
+    "world": "world:World",
+}
+"""Element → where the class of its part is; all others make a :class:`Setting`, prefixed ones a :class:`Custom`."""
+
+_ELSEWHERE = {
+    "link": frozenset(("model", "robot", "gazebo")),
+    "model": frozenset(("sdf", "world", "model", "gazebo")),
+    "joint": frozenset(("model", "world", "robot", "gazebo")),
+    "frame": frozenset(("model", "world")),
+    "limit": frozenset(("axis", "axis2", "joint", "drake:joint")),
+    "material": frozenset(("visual", "robot", "collision")),
+    "mimic": frozenset(("axis", "axis2", "joint")),
+    "dynamics": frozenset(("axis", "axis2", "joint", "drake:joint")),
+    "physics": frozenset(("world",)),
+    "plugin": frozenset(("world", "model", "sensor", "visual", "gui", "actor", "light", "gazebo")),
+}
+"""Names that mean something else elsewhere → the elements in which they mean this."""
+
+CLASSES = {
+    name: home
+    for home in {*_HOMES.values(), "custom:Custom", "part:Part", "setting:Setting"}
+    for name in (home.partition(":")[2],)
+}
+"""Class → where it is."""
+
+ELEMENTS: dict[str, tuple[str, ...]] = {}
+"""Class → the elements that become parts of it."""
+for _element, _home in _HOMES.items():
+    _class = _home.partition(":")[2]
+    ELEMENTS[_class] = (*ELEMENTS.get(_class, ()), _element)
+
+
+def part_class(holder: Part, element: Element) -> type[Part]:
+    """The class of the part that an element in a holder makes."""
+    name = element.name
+    home = _HOMES.get(name)
+    if home is not None:
+        wanted = _ELSEWHERE.get(name)
+        if wanted is None or holder.element.name in wanted:
+            return class_named(home.partition(":")[2])
+    return class_named("Custom" if ":" in name else "Setting")
+
+
+@cache
+def class_named(name: str) -> type[Part]:
+    """A class of the model by its name."""
+    module, _, attribute = CLASSES[name].partition(":")
+    found: type[Part] = getattr(import_module(f"sdfcheck.robot.{module}"), attribute)
+    return found

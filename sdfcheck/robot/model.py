@@ -1,0 +1,226 @@
+"""Models: robots and everything else that has links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.robot.scope import Scope
+from sdfcheck.robot.values import is_true, lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.includes import Included
+    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.tree import Tree
+    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
+    from sdfcheck.robot.parts.gazebo import GazeboBlock
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.parts.material import Material
+    from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.source.element import Element, Value
+
+_MOST_INCLUDED = 10_000
+"""So many included models are looked into: includes of includes can multiply without end."""
+_DEEPEST = 50
+
+
+class Model(Scope):
+    """A model of SDFormat, or the robot of a URDF file.
+
+    One that an include brought has its ``include``; its ``element`` is then that of the
+    included file, or the ``include`` itself where the file cannot be read.
+    """
+
+    __slots__ = ("include", "is_readable")
+    kind = "model"
+
+    def __init__(self, holder: Part, element: Element | None, name: str | None = None) -> None:
+        super().__init__(holder, element, name)
+        self.include: Element | None = None
+        """The ``include`` that brought it, if one did."""
+        self.is_readable = True
+        """Could its content be read?"""
+        self.is_urdf = self.element.name == "robot"
+
+    @property
+    def place(self) -> Element:
+        return self.element if self.include is None else self.include
+
+    @property
+    def is_complete(self) -> bool:
+        return self.is_readable and super().is_complete
+
+    def _fill(self, nodes: dict[str, Node]) -> None:
+        if self.is_readable:
+            super()._fill(nodes)
+
+    # What it holds
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        """The plugins of the model; in URDF those of its ``<gazebo>`` blocks without reference."""
+        if self.is_urdf:
+            blocks = (block for block in self.gazebo_blocks if not block.reference)
+            return tuple(plugin for block in blocks for plugin in block.plugins)
+        return tuple(self._parts("plugin"))
+
+    @property
+    def materials(self) -> tuple[Material, ...]:
+        """The materials that a URDF robot defines for all its links."""
+        return tuple(self._parts("material")) if self.is_urdf else ()
+
+    @property
+    def transmissions(self) -> tuple[Transmission, ...]:
+        """The transmissions of a URDF robot."""
+        return tuple(self._parts("transmission")) if self.is_urdf else ()
+
+    @property
+    def ros2_control(self) -> tuple[Ros2Control, ...]:
+        """The ``ros2_control`` blocks of a URDF robot."""
+        return tuple(self._parts("ros2_control")) if self.is_urdf else ()
+
+    @property
+    def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:
+        """The ``<gazebo>`` blocks of a URDF robot."""
+        return tuple(self._parts("gazebo")) if self.is_urdf else ()
+
+    @lazy
+    def blocks_by_reference(self) -> dict[str, list[GazeboBlock]]:
+        """The ``<gazebo>`` blocks by the link or joint that they are about; those about the robot under ``""``."""
+        found: dict[str, list[GazeboBlock]] = {}
+        for block in self.gazebo_blocks:
+            found.setdefault(block.reference, []).append(block)
+        return found
+
+    # What it is
+
+    @property
+    def is_static(self) -> bool:
+        """Does nothing in it move, because it or a model around it is static?"""
+        outer = self.holder
+        return self.stands_still or (isinstance(outer, Model) and outer.is_static)
+
+    @property
+    def static_value(self) -> Value | None:
+        """Where it says whether it is static."""
+        given = self.include.find("static") if self.include is not None else None
+        if given is None:
+            given = self.find("static")
+        return None if given is None else given.own_value
+
+    @lazy
+    def stands_still(self) -> bool:
+        if self.is_urdf:
+            blocks = self.blocks_by_reference.get("", ())
+            return any(is_true(static.content) for block in blocks for static in block.children("static"))
+        value = self.static_value
+        return value is not None and is_true(value.text)
+
+    @property
+    def canonical_link_value(self) -> Value | None:
+        """The reference to its canonical link, with its place; None if nothing is written."""
+        value = self.attribute("canonical_link")
+        return value if value is not None and value.text.strip() else None
+
+    @property
+    def canonical_link_name(self) -> str:
+        """The name that ``canonical_link`` writes; empty if there is none."""
+        value = self.canonical_link_value
+        return "" if value is None else value.text.strip()
+
+    @lazy
+    def canonical_link(self) -> Link | None:
+        """The link that the model moves with: the one that it names, or its first, nested models included."""
+        node = self.attachment
+        seen: set[Node] = set()
+        while isinstance(node, Model) and node not in seen:
+            seen.add(node)
+            node = node.attachment
+        return cast("Link", node) if node is not None and node.kind == "link" else None
+
+    @property
+    def attachment(self) -> Node | None:
+        if not self.is_complete:
+            return None
+        if self.canonical_link_name:
+            return self.resolve(self.canonical_link_name)
+        first = next((node for node in self.nodes.values() if node.kind == "link"), None)
+        if first is not None:
+            return first
+        return next((node for node in self.nodes.values() if node.kind == "model"), None)
+
+    @property
+    def pose_element(self) -> Element | None:
+        own = self.include.find("pose") if self.include is not None else None
+        return self.find("pose") if own is None and self.is_readable else own
+
+    @property
+    def placement_frame(self) -> str:
+        """The name of the frame of the model that its pose places; empty: its own frame."""
+        given = self.include.find("placement_frame") if self.include is not None else None
+        if given is not None and given.content:
+            return given.content
+        return (self._text("placement_frame") or "").strip()
+
+    # How it hangs together
+
+    @lazy
+    def tree(self) -> Tree:
+        """Its links and joints as a tree: roots, children, parents, loops."""
+        from sdfcheck.robot.motion.tree import Tree
+
+        return Tree(self)
+
+    @property
+    def mass_properties(self) -> MassProperties | None:
+        """Mass, center of mass and inertia of all its links, in its frame; None if no link has any."""
+        from sdfcheck.robot.motion.mass import of_model
+
+        return of_model(self)
+
+    # Parts by name
+
+    def link(self, key: str | int) -> Link:
+        """A link by name, also of an inner model (``arm::hand``), or by index; raises NotFound."""
+        from sdfcheck.robot.lookup import pick
+
+        return pick(self, "link", self.links, key)
+
+    def all_links(self) -> Iterator[Link]:
+        """The links of the model and of all models in it."""
+        return (cast("Link", node) for _, node in self.all_nodes() if node.kind == "link")
+
+    def all_joints(self) -> Iterator[Joint]:
+        """The joints of the model and of all models in it."""
+        return (cast("Joint", node) for _, node in self.all_nodes() if node.kind == "joint")
+
+
+def included_model(source: Scope, found: Included) -> Model | None:
+    """The model that an include brings; without content where the file cannot be read or leads in a ring.
+
+    None where not even its name is known.
+    """
+    chain, inside = source.chain, found.document
+    root = source.root
+    is_readable = (
+        found.model is not None and inside is not None and inside not in chain and len(chain) <= _DEEPEST
+    )
+    if is_readable:
+        root.included += 1
+        is_readable = root.included <= _MOST_INCLUDED
+    if found.name is None and not is_readable:
+        return None
+    model = Model(source, found.model if is_readable else found.include, found.name or "")
+    model.registry = {}
+    model.include, model.is_readable = found.include, is_readable
+    if is_readable and inside is not None:
+        model.chain = (*chain, inside)
+        model.via = found.include
+        if model.alterations is None and found.include.has("experimental:params"):
+            from sdfcheck.robot.parameters import parameters
+
+            model.alterations = parameters(found).alterations
+    return model

@@ -1,0 +1,206 @@
+"""Where nodes are: every pose resolved, whatever it is written relative to.
+
+Source: the specification's pose frame semantics (1.7, 1.8) and libsdformat 17, which
+applies them to documents of every version.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sdfcheck.formats.sdf.values import floats
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.frame import MergedFrame
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.parts.placement import reference_of
+from sdfcheck.robot.rotations import Array, from_quaternion, from_rpy, inverse, transform
+from sdfcheck.robot.scope import Scope
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.source.element import Element
+
+
+class PoseError(DescriptionError):
+    """A pose that cannot be worked out: an unknown frame, a ring, a value that is not a pose."""
+
+
+def written_pose(pose: Element | None) -> Array:
+    """The 4×4 transform that a ``pose`` element writes; no element and an empty one are zero.
+
+    Raises PoseError if its numbers cannot be read.
+    """
+    if pose is None or not pose.content:
+        return np.eye(4)
+    numbers = floats(pose.content)
+    attributes = pose.attributes
+    is_quaternion = attributes.get("rotation_format", "").strip() == "quat_xyzw"
+    if numbers is None or len(numbers) != (7 if is_quaternion else 6) or not all(map(math.isfinite, numbers)):
+        raise PoseError(f"{pose.content!r} is not a pose", pose)
+    if is_quaternion:
+        rotation = from_quaternion(*numbers[3:])
+    else:
+        angles = numbers[3:]
+        if attributes.get("degrees", "").strip().lower() in {"true", "1"}:
+            angles = tuple(math.radians(angle) for angle in angles)
+        rotation = from_rpy(*angles)
+    return transform(rotation, numbers[:3])
+
+
+def origin_of(element: Element) -> Array:
+    """The 4×4 transform of an element's ``origin`` in URDF; none is no displacement.
+
+    Raises DescriptionError where a number is not one.
+    """
+    origin = element.find("origin")
+    if origin is None:
+        return np.eye(4)
+    position = numbers_of(origin, "xyz", (0.0, 0.0, 0.0))
+    if "quat_xyzw" in origin.attributes:
+        x, y, z, w = numbers_of(origin, "quat_xyzw", (0.0, 0.0, 0.0, 1.0))
+        return transform(from_quaternion(x, y, z, w), position)
+    roll, pitch, yaw = numbers_of(origin, "rpy", (0.0, 0.0, 0.0))
+    return transform(from_rpy(roll, pitch, yaw), position)
+
+
+def numbers_of(element: Element, name: str, default: tuple[float, ...]) -> tuple[float, ...]:
+    """The finite numbers of an attribute of URDF, as many as the default has; raises DescriptionError."""
+    text = element.attributes.get(name)
+    if text is None:
+        return default
+    try:
+        numbers = tuple(float(part) for part in text.split())
+    except ValueError:
+        numbers = ()
+    if len(numbers) != len(default) or not all(map(math.isfinite, numbers)):
+        raise DescriptionError(f"{name} {text!r} is not {len(default)} finite numbers", element)
+    return numbers
+
+
+class Poses:
+    """The poses of the nodes of one description, worked out when asked for and kept."""
+
+    def __init__(self) -> None:
+        self._known: dict[Node, Array | DescriptionError] = {}
+        self._open: set[Node] = set()
+
+    def in_scope(self, node: Node) -> Array:
+        """The 4×4 pose of a node in the frame of the model or world that it is in.
+
+        Raises PoseError where it leads nowhere.
+        """
+        # Chains may be long: they are resolved from their far end, so that nothing recurs deeply.
+        chain: dict[Node, None] = {}
+        at: Node | None = node
+        while at is not None and at not in self._known and at not in chain:
+            chain[at] = None
+            at = self._leads_to(at)
+        for each in reversed(chain):
+            self._settle(each)
+        pose = self._known[node]
+        if isinstance(pose, DescriptionError):
+            raise pose
+        return pose
+
+    def named(self, scope: Scope, reference: str) -> Array:
+        """The pose, in a scope's own frame, of what a reference names there."""
+        return self._of(scope, scope.resolve(reference), reference)
+
+    def reached(self, scope: Scope, node: Node) -> Array:
+        """The pose, in a scope's own frame, of the scope itself, a node in it, or one in a nested model of it."""
+        if node is scope:
+            return np.eye(4)
+        pose = self.in_scope(node)
+        at = node.scope
+        while at is not scope:
+            if not isinstance(at.holder, Scope):
+                raise PoseError(f"{node.name} is not below {scope.name}", node.element)
+            pose = self.in_scope(at) @ pose
+            at = at.scope
+        return pose
+
+    def of_part(self, part: Element, holder: Node) -> Array:
+        """The pose of a visual, collision, sensor, light or inertial in the frame of its link or joint."""
+        if holder.is_urdf and part.tag != "sensor":
+            return origin_of(part)
+        pose = part.find("pose")
+        reference = reference_of(pose)
+        if not reference:
+            return written_pose(pose)
+        base = self._of(holder.scope, holder.look_up(reference), reference)
+        return inverse(self.in_scope(holder)) @ base @ written_pose(pose)
+
+    def _settle(self, node: Node) -> None:
+        if node in self._known:
+            return
+        if node in self._open:
+            raise PoseError(f"the pose of {node.name} depends on itself", node.element)
+        self._open.add(node)
+        try:
+            self._known[node] = self._resolve(node)
+        except DescriptionError as error:
+            self._known[node] = error
+        finally:
+            self._open.discard(node)
+
+    def _leads_to(self, node: Node) -> Node | None:
+        """What the pose of a node is relative to; None if that is its scope, or unknown."""
+        base = urdf_base(node)[0] if is_in_urdf(node) else node.base
+        return None if base is node.scope or not isinstance(base, Node) else base
+
+    def _of(self, scope: Scope, node: Node | None, reference: str) -> Array:
+        if node is None:
+            raise PoseError(f"there is no frame {reference!r} in {scope.name}", scope.element)
+        return self.reached(scope, node)
+
+    def _resolve(self, node: Node) -> Array:
+        if is_in_urdf(node):
+            return self._resolve_urdf(node)
+        base = np.eye(4)
+        if isinstance(node.holder, Scope):
+            base = self._of(node.scope, node.base, node.base_name)
+        result = base @ written_pose(node.pose_element)
+        inside = node.model if isinstance(node, MergedFrame) else node
+        if isinstance(inside, Model) and inside.placement_frame:
+            result = result @ inverse(self.named(inside, inside.placement_frame))
+        return result
+
+    def _resolve_urdf(self, node: Node) -> Array:
+        """Of a link: where its first joint puts it, all joints at zero; a joint is where its child is."""
+        base, joint = urdf_base(node)
+        if base is None and node.kind == "joint":
+            raise PoseError(f"joint {node.name} has no child", node.element)
+        above = np.eye(4) if base is None or base is node.scope else self.in_scope(base)
+        return above if joint is None else above @ origin_of(joint.element)
+
+
+def is_in_urdf(node: Node) -> bool:
+    """Is it a link or joint of a URDF robot?"""
+    return node.is_urdf and node.kind in {"link", "joint"}
+
+
+def urdf_base(node: Node) -> tuple[Node | None, Joint | None]:
+    """What a URDF link or joint is placed at, and the joint whose origin leads from there to it."""
+    from sdfcheck.robot.parts.joint import Joint
+
+    if isinstance(node, Joint):
+        return node.child, None
+    for joint in node.parent_joints:  # type: ignore[attr-defined]
+        return joint.parent, joint
+    return node.merged or node.scope, None
+
+
+def of_part(part: Part, holder: Node, relative_to: str | None) -> Array:
+    """The pose of a part in the frame of its holder, or relative to what a reference in it names."""
+    poses = holder.root.poses
+    pose = poses.of_part(part.element, holder) if part.is_given else np.eye(4)
+    if relative_to is None:
+        return pose
+    scope = holder.scope
+    base = np.eye(4) if relative_to == scope.own_name else poses.named(scope, relative_to)
+    return inverse(base) @ poses.reached(scope, holder) @ pose

@@ -1,0 +1,107 @@
+"""How the links of one model hang together by its joints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.link import Link
+
+
+class Tree:
+    """The links of a model and the joints between two different ones of them.
+
+    Links and joints are those of the model itself, in the order of the file; of several
+    links of one name the first counts.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.links: dict[str, Link] = {}
+        """Name → link."""
+        for link in model.links:
+            if link.name:
+                self.links.setdefault(link.name, link)
+        self.joints: tuple[Joint, ...] = model.joints
+        """All joints, those that tie nothing as well."""
+        self.children: dict[Link, list[Joint]] = {}
+        """Link → the joints that lead on from it."""
+        self.parents: dict[Link, list[Joint]] = {}
+        """Link → the joints that lead to it: more than one is a mistake, or closes a loop."""
+        for joint in self.joints:
+            if (ends := self.ends(joint)) is not None:
+                self.children.setdefault(ends[0], []).append(joint)
+                self.parents.setdefault(ends[1], []).append(joint)
+
+    def ends(self, joint: Joint) -> tuple[Link, Link] | None:
+        """The links at the ends of a joint, if they are two."""
+        parent, child = joint.parent_link, joint.child_link
+        return None if parent is None or child is None or parent is child else (parent, child)
+
+    @property
+    def roots(self) -> list[Link]:
+        """The links to which no joint leads, in the order of the file."""
+        return [link for link in self.links.values() if link not in self.parents]
+
+    def below(self, link: Link) -> Iterator[Link]:
+        """The link and all links below it, each once, even where joints lead round in a circle."""
+        seen = {link}
+        waiting = [link]
+        while waiting:
+            at = waiting.pop()
+            yield at
+            for joint in reversed(self.children.get(at, [])):
+                child = joint.child_link
+                if child is not None and child not in seen:
+                    seen.add(child)
+                    waiting.append(child)
+
+    def groups(self) -> list[list[Link]]:
+        """The links, grouped by what joints tie together: the largest group first, then by place."""
+        tied: dict[Link, list[Link]] = {}
+        for joints in self.children.values():
+            for joint in joints:
+                if (ends := self.ends(joint)) is not None:
+                    tied.setdefault(ends[0], []).append(ends[1])
+                    tied.setdefault(ends[1], []).append(ends[0])
+        groups: list[list[Link]] = []
+        seen: set[Link] = set()
+        for link in self.links.values():
+            if link in seen:
+                continue
+            seen.add(link)
+            group = [link]
+            for member in group:
+                fresh = [other for other in dict.fromkeys(tied.get(member, ())) if other not in seen]
+                seen.update(fresh)
+                group += fresh
+            groups.append(group)
+        return sorted(groups, key=len, reverse=True)
+
+    def loops(self) -> list[list[Joint]]:
+        """Joints that lead round in a circle, going up from each link by the first joint that leads to it.
+
+        Each begins with its first joint in the order of the file.
+        """
+        found: list[list[Joint]] = []
+        done: set[Link] = set()
+        for start in self.parents:
+            path: list[Joint] = []
+            on_path: dict[Link, int] = {}
+            link: Link | None = start
+            while link is not None and link not in done and link not in on_path and link in self.parents:
+                on_path[link] = len(path)
+                path.append(self.parents[link][0])
+                link = path[-1].parent_link
+            if link is not None and link in on_path:
+                found.append(self._from_first(path[on_path[link] :][::-1]))
+            done.update(on_path)
+        return found
+
+    def _from_first(self, ring: list[Joint]) -> list[Joint]:
+        order = {joint: number for number, joint in enumerate(self.joints)}
+        first = min(range(len(ring)), key=lambda number: order[ring[number]])
+        return ring[first:] + ring[:first]

@@ -1,0 +1,193 @@
+"""Parts: everything that a description is made of.
+
+A part is an element with a meaning: a link, a joint, a sensor. Parts are made when they
+are asked for, each once, and never change the document. Where the format takes a part
+for granted that is not written, the part exists with its defaults and ``is_given`` is
+False.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
+
+from sdfcheck.robot.values import Number, Vector
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.custom import Custom
+    from sdfcheck.robot.root import Root
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.text import Span
+
+T = TypeVar("T", str, int, float, bool)
+P = TypeVar("P", bound="Part")
+
+Registry = dict["Element", "Part"]
+"""The parts that elements have become, of one reading of a file: two includes of it make two readings."""
+
+
+class Part:
+    """One part of a description.
+
+    ``holder`` is the part that it is in (None for the root); ``is_urdf`` says which
+    format it is written in: what ``<gazebo>`` holds in a URDF file is SDFormat.
+    """
+
+    kind: ClassVar[str] = ""
+    """The name of its element in SDFormat."""
+
+    holder: Part | None
+    root: Root
+    registry: Registry
+    is_urdf: bool
+    is_given: bool
+    """Is it written in the text? What is not has its defaults."""
+
+    __slots__ = ("__dict__", "__weakref__", "element", "holder", "is_given", "is_urdf", "registry", "root")
+
+    def __init__(self, holder: Part, element: Element | None) -> None:
+        self.holder = holder
+        self.root = holder.root
+        self.registry = holder.registry
+        self.is_urdf = holder.is_urdf
+        self.is_given = element is not None
+        self.element: Element = holder.element if element is None else element
+
+    def __repr__(self) -> str:
+        name = self.name
+        return f"{type(self).__name__}({name!r})" if name else f"{type(self).__name__}()"
+
+    # What it is
+
+    @property
+    def name(self) -> str:
+        """Its name, without blanks around it; empty where it has none."""
+        return (self._text("name") or "").strip()
+
+    @property
+    def name_value(self) -> Value | None:
+        """Its name with the place of the text."""
+        return self.element.attribute("name") if self.is_given else None
+
+    @property
+    def title(self) -> str:
+        """What to call it in a sentence: ``joint `elbow```."""
+        return self.element.title
+
+    @property
+    def document(self) -> Document:
+        """The file that it is written in; for what an include brings, the included file."""
+        return self.element.document
+
+    @property
+    def span(self) -> Span:
+        """The place of its name in the start tag."""
+        return self.element.span
+
+    def within(self, cls: type[P]) -> P | None:
+        """The innermost part of a class that it is in: ``visual.within(Link)``."""
+        at = self.holder
+        while at is not None and not isinstance(at, cls):
+            at = at.holder
+        return at
+
+    # What is written
+
+    def value(self, name: str) -> Value | None:
+        """The text of an attribute, else of a child element, with its place; None if there is neither."""
+        return self.element.value(name) if self.is_given else None
+
+    def attribute(self, name: str) -> Value | None:
+        """The attribute of that name, prefix included: ``attribute("flatland:type")``."""
+        return self.element.attribute(name) if self.is_given else None
+
+    def has(self, name: str) -> bool:
+        """Is there a child element of that name, prefix included?"""
+        return self.is_given and self.element.has(name)
+
+    def find(self, name: str) -> Element | None:
+        """The first child element of that name, prefix included."""
+        return self.element.find(name) if self.is_given else None
+
+    def children(self, name: str | None = None) -> Iterator[Element]:
+        """The child elements, or those of one name."""
+        return self.element.children(name) if self.is_given else iter(())
+
+    @overload
+    def get(self, name: str) -> str | None: ...
+    @overload
+    def get(self, name: str, type: type[T]) -> T | None: ...
+    @overload
+    def get(self, name: str, type: type[Vector]) -> Vector | None: ...
+    def get(self, name: str, type: Any = str) -> Any:
+        """The value of an attribute, else of a child element: str, int, float, bool or :class:`Vector`.
+
+        ``name`` is as written, prefix included; ``camera/image/width`` leads to what is deeper.
+        None if it is not there; ValueError, with the place, if it is not of the type.
+        """
+        *path, last = name.split("/")
+        at: Element | None = self.element if self.is_given else None
+        for step in path:
+            at = None if at is None else at.find(step)
+        if at is None:
+            return None
+        if type is not Vector:
+            return at.get(last, type)
+        value = at.value(last)
+        if value is None:
+            return None
+        numbers = Vector.of(value, at, ())
+        if value.text.strip() and not numbers:
+            value.to(float)
+        return numbers
+
+    @property
+    def custom(self) -> dict[str, Custom]:
+        """Prefixed attributes and elements by their names, the first of each."""
+        from sdfcheck.robot.custom import customs
+
+        return customs(self)
+
+    # For the parts themselves
+
+    def part(self, element: Element) -> Part:
+        """The part that a child element makes, each time the same."""
+        found = self.registry.get(element)
+        if found is None:
+            from sdfcheck.robot.kinds import part_class
+
+            found = self.registry[element] = part_class(self, element)(self, element)
+        return found
+
+    def _parts(self, name: str) -> Iterator[Any]:
+        """The parts that the child elements of a name make."""
+        return (self.part(child) for child in self.children(name))
+
+    def _only(self, name: str, cls: type[P]) -> P:
+        """The part of the first child element of a name; one with defaults if there is none."""
+        child = self.find(name)
+        if child is not None:
+            found = self.part(child)
+            if isinstance(found, cls):
+                return found
+        return cls(self, child)
+
+    def _text(self, name: str) -> str | None:
+        """The text of an attribute."""
+        return self.element.attributes.get(name) if self.is_given else None
+
+    def _number(self, name: str, default: float) -> Number:
+        """A number: in SDFormat a child element, in URDF an attribute."""
+        return Number.of(self._setting(name), self.element, default)
+
+    def _vector(self, name: str, default: tuple[float, ...]) -> Vector:
+        return Vector.of(self._setting(name), self.element, default)
+
+    def _setting(self, name: str) -> Value | None:
+        if not self.is_given:
+            return None
+        if self.is_urdf:
+            return self.element.attribute(name)
+        child = self.element.find(name)
+        return None if child is None else child.own_value

@@ -1,0 +1,68 @@
+"""What drives the joints of a URDF robot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.robot.part import Part
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.source.element import Element, Value
+
+
+class _JointNames(Part):
+    """Something that names joints."""
+
+    __slots__ = ()
+
+    @property
+    def model(self) -> Model:
+        """The robot."""
+        return cast("Model", self.holder)
+
+    @property
+    def joint_elements(self) -> tuple[Element, ...]:
+        """Its ``joint`` elements."""
+        return tuple(self.children("joint"))
+
+    @property
+    def joint_names(self) -> tuple[Value, ...]:
+        """The names of joints that it writes, with their places."""
+        values = (joint.attribute("name") for joint in self.joint_elements)
+        return tuple(value for value in values if value is not None and value.text)
+
+
+class Transmission(_JointNames):
+    """A transmission between joints and actuators."""
+
+    __slots__ = ()
+    kind = "transmission"
+
+    @property
+    def type_value(self) -> Value | None:
+        """Its type with its place: a child element, or an attribute."""
+        child = self.find("type")
+        return child.own_value if child is not None else self.attribute("type")
+
+    @property
+    def actuators(self) -> tuple[Element, ...]:
+        """Its ``actuator`` elements."""
+        return tuple(self.children("actuator"))
+
+
+class Ros2Control(_JointNames):
+    """A ``ros2_control`` block."""
+
+    __slots__ = ()
+    kind = "ros2_control"
+
+    @property
+    def type(self) -> str:
+        """``system``, ``actuator`` or ``sensor``."""
+        return self._text("type") or ""
+
+    @property
+    def hardware(self) -> Element | None:
+        """The element ``hardware``."""
+        return self.find("hardware")

@@ -1,0 +1,217 @@
+"""Axes of joints: directions, limits, dynamics, and joints that follow others."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.values import Number, Vector, lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.source.element import Value
+
+ENDLESS = 1e15
+"""Limits from here on mean none: before 1.10 the format writes 1e16 for infinity."""
+
+
+class _AxisPart(Part):
+    """Something that belongs to an axis: in URDF it is written in the joint."""
+
+    __slots__ = ()
+
+    @property
+    def joint(self) -> Joint:
+        """The joint."""
+        from sdfcheck.robot.parts.joint import Joint
+
+        found = self.within(Joint)
+        assert found is not None, "axes are made in joints only"
+        return found
+
+    @property
+    def axis(self) -> Axis:
+        """The axis that it belongs to."""
+        return self.holder if isinstance(self.holder, Axis) else self.joint.axis
+
+
+class Axis(Part):
+    """A direction that a joint turns about or moves along."""
+
+    __slots__ = ()
+    kind = "axis"
+
+    @property
+    def joint(self) -> Joint:
+        """The joint that it belongs to."""
+        return cast("Joint", self.holder)
+
+    @property
+    def name(self) -> str:
+        """``axis`` or ``axis2``."""
+        return self.element.name if self.is_given else "axis"
+
+    @property
+    def xyz(self) -> Vector:
+        """The direction as written, of any length."""
+        return self._vector("xyz", (1.0, 0.0, 0.0) if self.is_urdf else (0.0, 0.0, 1.0))
+
+    @property
+    def expressed_in(self) -> str:
+        """The name of the frame in which the direction is written; empty: that of the joint."""
+        xyz = self.find("xyz") if not self.is_urdf else None
+        return xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
+
+    @property
+    def _owner(self) -> Part:
+        return self.joint if self.is_urdf else self
+
+    @lazy
+    def limit(self) -> Limit:
+        """How far, how fast and how strongly the joint moves."""
+        return self._owner._only("limit", Limit)
+
+    @lazy
+    def dynamics(self) -> Dynamics:
+        """Damping, friction and spring."""
+        return self._owner._only("dynamics", Dynamics)
+
+    @lazy
+    def mimic(self) -> Mimic | None:
+        """Which joint the axis follows; None if it follows none."""
+        found = self._owner._only("mimic", Mimic)
+        return found if found.is_given else None
+
+
+class Limit(_AxisPart):
+    """The limits of an axis, in rad or m, N or N·m, rad/s or m/s."""
+
+    __slots__ = ()
+    kind = "limit"
+
+    @property
+    def lower(self) -> Number:
+        """The lowest position; without limit -inf, in URDF 0 where only the rest is written."""
+        return self._number("lower", 0.0 if self.is_urdf and self.is_given else -math.inf)
+
+    @property
+    def upper(self) -> Number:
+        """The highest position; without limit inf, in URDF 0 where only the rest is written."""
+        return self._number("upper", 0.0 if self.is_urdf and self.is_given else math.inf)
+
+    @property
+    def effort(self) -> Number:
+        """The greatest force or torque; in SDFormat a negative one is no limit."""
+        return self._number("effort", math.inf)
+
+    @property
+    def velocity(self) -> Number:
+        """The greatest speed; in SDFormat a negative one is no limit."""
+        return self._number("velocity", math.inf)
+
+    @property
+    def stiffness(self) -> Number:
+        """The stiffness of the stops, in SDFormat."""
+        return self._number("stiffness", 1e8)
+
+    @property
+    def dissipation(self) -> Number:
+        """The dissipation of the stops, in SDFormat."""
+        return self._number("dissipation", 1.0)
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """The lowest and the highest position as simulators take them: infinite where there is no limit."""
+        if self.is_urdf and self.joint.type not in {"revolute", "prismatic"}:
+            return -math.inf, math.inf
+        return _endless(self.lower), _endless(self.upper)
+
+    @property
+    def greatest_effort(self) -> float:
+        """The effort as simulators take it: infinite where there is no limit."""
+        return _unlimited(self.effort)
+
+    @property
+    def greatest_velocity(self) -> float:
+        """The velocity as simulators take it: infinite where there is no limit."""
+        return _unlimited(self.velocity)
+
+
+class Dynamics(_AxisPart):
+    """What resists motion along an axis."""
+
+    __slots__ = ()
+    kind = "dynamics"
+
+    @property
+    def damping(self) -> Number:
+        """N·m·s/rad or N·s/m."""
+        return self._number("damping", 0.0)
+
+    @property
+    def friction(self) -> Number:
+        """N·m or N."""
+        return self._number("friction", 0.0)
+
+    @property
+    def spring_reference(self) -> Number:
+        """The position at which the spring is at rest, in SDFormat."""
+        return self._number("spring_reference", 0.0)
+
+    @property
+    def spring_stiffness(self) -> Number:
+        """N·m/rad or N/m, in SDFormat."""
+        return self._number("spring_stiffness", 0.0)
+
+
+class Mimic(_AxisPart):
+    """An axis that follows another: position = multiplier · (position of the leader - reference) + offset."""
+
+    __slots__ = ()
+    kind = "mimic"
+
+    @property
+    def leader_value(self) -> Value | None:
+        """The name of the joint that it follows, with its place; None where there is no name."""
+        value = self.attribute("joint")
+        return value if value is not None and value.text.strip() else None
+
+    @property
+    def leader_name(self) -> str:
+        """The name of the joint that it follows."""
+        return self.leader_value.text.strip() if self.leader_value is not None else ""
+
+    @property
+    def leader(self) -> Joint | None:
+        """The joint that it follows; None if the name is not that of a joint."""
+        from sdfcheck.robot.parts.joint import Joint
+
+        found = self.joint.scope.resolve(self.leader_name) if self.leader_name else None
+        return found if isinstance(found, Joint) else None
+
+    @property
+    def leader_axis(self) -> str:
+        """The axis of the leader that it follows: ``axis`` or ``axis2``."""
+        return (self._text("axis") or "").strip() or "axis"
+
+    @property
+    def multiplier(self) -> Number:
+        return self._number("multiplier", 1.0)
+
+    @property
+    def offset(self) -> Number:
+        return self._number("offset", 0.0)
+
+    @property
+    def reference(self) -> Number:
+        """In SDFormat: the position of the leader at which this one is at the offset."""
+        return self._number("reference", 0.0)
+
+
+def _endless(value: float) -> float:
+    return math.copysign(math.inf, value) if abs(value) >= ENDLESS else float(value)
+
+
+def _unlimited(value: float) -> float:
+    return math.inf if value < 0 or value >= ENDLESS else float(value)

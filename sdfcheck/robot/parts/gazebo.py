@@ -1,0 +1,99 @@
+"""``<gazebo>`` blocks: what a URDF file says to Gazebo, in SDFormat."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, cast
+
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.values import lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.light import Light
+    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.robot.parts.sensor import Sensor
+    from sdfcheck.source.element import Element, Value
+
+_TRUE = frozenset(("1", "true", "yes"))
+
+
+class GazeboBlock(Part):
+    """A ``<gazebo>`` block about a link, a joint, or (without ``reference``) the robot.
+
+    Sensors, lights, plugins, joints and models in it are parts as in SDFormat.
+    """
+
+    __slots__ = ()
+    kind = "gazebo"
+
+    def __init__(self, holder: Part, element: Element | None) -> None:
+        super().__init__(holder, element)
+        self.is_urdf = False
+
+    @property
+    def model(self) -> Model:
+        """The robot."""
+        return cast("Model", self.holder)
+
+    @property
+    def reference(self) -> str:
+        """The name of the link or joint that it is about; empty for the robot."""
+        return self._text("reference") or ""
+
+    @property
+    def reference_value(self) -> Value | None:
+        """The reference with its place."""
+        return self.attribute("reference")
+
+    @lazy
+    def subject(self) -> Link | Joint | Model | None:
+        """What it is about; None if the reference names nothing."""
+        return (
+            cast("Link | Joint | None", self.model.resolve(self.reference)) if self.reference else self.model
+        )
+
+    @property
+    def sensors(self) -> tuple[Sensor, ...]:
+        return self._all("sensor")
+
+    @property
+    def lights(self) -> tuple[Light, ...]:
+        return self._all("light")
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        return self._all("plugin")
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints of SDFormat that it adds."""
+        return self._all("joint")
+
+    @property
+    def models(self) -> tuple[Model, ...]:
+        """The models that it adds."""
+        return self._all("model")
+
+    def settings(self, name: str) -> Iterator[Value]:
+        """The values of the settings of a name (``mu1``, ``material`` …): attribute ``value`` or text."""
+        for child in self.children(name):
+            yield child.attribute("value") or child.own_value
+
+    def is_on(self, name: str) -> bool:
+        """Is a setting of this name true?"""
+        return any(value.text.strip().lower() in _TRUE for value in self.settings(name))
+
+    def elements(self) -> Iterator[Element]:
+        """All elements in it but those of plugins."""
+        waiting = [self.element]
+        while waiting:
+            for child in waiting.pop().children():
+                yield child
+                if child.name != "plugin":
+                    waiting.append(child)
+
+    def _all(self, name: str) -> tuple[Any, ...]:
+        return tuple(self._parts(name))

@@ -1,0 +1,121 @@
+"""Mass and inertia of links."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.solids import Moments
+from sdfcheck.robot.values import Number, is_true, lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.source.element import Element, Value
+
+MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_DEFAULT_MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
+
+
+class Inertial(Part):
+    """The mass properties of a link as they are written.
+
+    In SDFormat what is missing is 1 kg and unit moments, in URDF nothing.
+    """
+
+    __slots__ = ()
+    kind = "inertial"
+
+    @property
+    def link(self) -> Link:
+        """The link."""
+        return cast("Link", self.holder)
+
+    @property
+    def mass(self) -> Number:
+        """kg."""
+        if not self.is_urdf:
+            return self._number("mass", 1.0)
+        mass = self.find("mass")
+        value = mass.attribute("value") if mass is not None else None
+        return Number.of(value, mass if mass is not None else self.element, 0.0)
+
+    @property
+    def inertia(self) -> Element | None:
+        """The element ``inertia``."""
+        return self.find("inertia")
+
+    @lazy
+    def moments(self) -> dict[str, Number]:
+        """ixx, iyy, izz, ixy, ixz, iyz (kg·m²) about the center of mass."""
+        inertia = self.inertia
+        found: dict[str, Number] = {}
+        for name, default in zip(MOMENTS, _DEFAULT_MOMENTS, strict=True):
+            value: Value | None = None
+            if inertia is not None and self.is_urdf:
+                value = inertia.attribute(name)
+            elif inertia is not None and (child := inertia.find(name)) is not None:
+                value = child.own_value
+            place = self.element if inertia is None else inertia
+            found[name] = Number.of(value, place, 0.0 if self.is_urdf else default)
+        return found
+
+    @property
+    def tensor(self) -> Moments:
+        """The moments as simulators read them."""
+        return Moments(*map(float, self.moments.values()))
+
+    @property
+    def is_automatic(self) -> bool:
+        """Does the simulator compute it from the collisions (``auto="true"``)?"""
+        return not self.is_urdf and is_true(self._text("auto") or "")
+
+    @property
+    def density(self) -> Number:
+        """kg/m³, for an automatic inertia."""
+        return self._number("density", 1000.0)
+
+    @lazy
+    def center(self) -> tuple[float, float, float] | None:
+        """The center of mass in the link's frame (m); None where that is not plain to read."""
+        return position(self)
+
+    @lazy
+    def is_unremarkable(self) -> bool:
+        """Are mass and moments surely those of a body, near to those of a solid of the link's shapes?
+
+        Worked out quickly; False proves nothing.
+        """
+        from sdfcheck.robot.sound_inertia import is_sound
+
+        return is_sound(self.link.element)
+
+    @property
+    def is_possible(self) -> bool:
+        """Can a body have this mass and these moments?"""
+        tensor = self.tensor
+        if not (self.mass > 0 and all(map(math.isfinite, (self.mass, *tensor)))):
+            return False
+        low, middle, high = tensor.principal()
+        return low > 0 and low + middle >= high
+
+
+def position(part: Part) -> tuple[float, float, float] | None:
+    """The position that a part's ``pose`` or ``origin`` writes; None if it cannot be told from it alone."""
+    if part.is_urdf:
+        origin = part.find("origin")
+        return _three(origin.attributes.get("xyz", "0 0 0") if origin is not None else "0 0 0")
+    pose = part.find("pose")
+    if pose is None or not pose.content:
+        return 0.0, 0.0, 0.0
+    if pose.attributes.get("relative_to", "").strip():
+        return None
+    return _three(pose.content)
+
+
+def _three(text: str) -> tuple[float, float, float] | None:
+    try:
+        x, y, z = (float(word) for word in text.split()[:3])
+    except ValueError:
+        return None
+    return x, y, z

@@ -1,0 +1,106 @@
+"""Links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.parts.inertial import Inertial
+from sdfcheck.robot.values import lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.parts.gazebo import GazeboBlock
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.light import Light
+    from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.robot.parts.sensor import Sensor
+    from sdfcheck.robot.parts.shape import Collision, Shape, Visual
+
+
+class Link(Node):
+    """A rigid body."""
+
+    __slots__ = ()
+    kind = "link"
+
+    @property
+    def model(self) -> Model:
+        """The model that it is part of."""
+        return cast("Model", self.holder)
+
+    @property
+    def is_static(self) -> bool:
+        """Is it part of something that does not move?"""
+        return bool(getattr(self.holder, "is_static", False))
+
+    @lazy
+    def inertial(self) -> Inertial:
+        """Its mass and inertia; with ``is_given`` False where nothing is written."""
+        return self._only("inertial", Inertial)
+
+    @property
+    def visuals(self) -> tuple[Visual, ...]:
+        """What is seen of it."""
+        return tuple(self._parts("visual"))
+
+    @property
+    def collisions(self) -> tuple[Collision, ...]:
+        """What touches other things."""
+        return tuple(self._parts("collision"))
+
+    @property
+    def shapes(self) -> tuple[Shape, ...]:
+        """Its visuals and collisions."""
+        return (*self.visuals, *self.collisions)
+
+    @property
+    def sensors(self) -> tuple[Sensor, ...]:
+        """Its sensors; in URDF those of the ``<gazebo>`` blocks about it."""
+        blocks = (sensor for block in self.gazebo_blocks for sensor in block.sensors)
+        return (*(() if self.is_urdf else self._parts("sensor")), *blocks)
+
+    @property
+    def lights(self) -> tuple[Light, ...]:
+        """Its lights; in URDF those of the ``<gazebo>`` blocks about it."""
+        blocks = (light for block in self.gazebo_blocks for light in block.lights)
+        return (*(() if self.is_urdf else self._parts("light")), *blocks)
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        """The plugins of the ``<gazebo>`` blocks about it."""
+        return tuple(plugin for block in self.gazebo_blocks for plugin in block.plugins)
+
+    @property
+    def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:
+        """The ``<gazebo>`` blocks about it, in URDF."""
+        return tuple(self.model.blocks_by_reference.get(self.name, ())) if self.is_urdf else ()
+
+    # How it hangs together with others
+
+    @property
+    def parent_joints(self) -> tuple[Joint, ...]:
+        """The joints whose child it is; more than one is a mistake, or closes a loop."""
+        return tuple(self.model.tree.parents.get(self, ()))
+
+    @property
+    def child_joints(self) -> tuple[Joint, ...]:
+        """The joints whose parent it is."""
+        return tuple(self.model.tree.children.get(self, ()))
+
+    def below(self) -> Iterator[Link]:
+        """The link and all links that hang on it, each once."""
+        return self.model.tree.below(self)
+
+    @property
+    def mass_properties(self) -> MassProperties | None:
+        """Mass (kg), center of mass (m) and inertia (kg·m²) in its frame; None where the format gives none.
+
+        An inertia that the simulator computes (``auto="true"``) is computed. Raises
+        DescriptionError for numbers that cannot be read and shapes that cannot be measured.
+        """
+        from sdfcheck.robot.motion.mass import of_link
+
+        return of_link(self)

@@ -1,0 +1,113 @@
+"""Sensors."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.values import Number, is_true
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.robot.parts.setting import Setting
+    from sdfcheck.source.element import Value
+
+SETTINGS = {
+    "camera": "camera",
+    "depth": "camera",
+    "depth_camera": "camera",
+    "multicamera": "camera",
+    "rgbd": "camera",
+    "rgbd_camera": "camera",
+    "thermal": "camera",
+    "thermal_camera": "camera",
+    "segmentation": "camera",
+    "segmentation_camera": "camera",
+    "boundingbox": "camera",
+    "boundingbox_camera": "camera",
+    "wideanglecamera": "camera",
+    "ray": "ray",
+    "gpu_ray": "ray",
+    "lidar": "lidar",
+    "gpu_lidar": "lidar",
+    "gps": "gps",
+    "navsat": "navsat",
+}
+"""Type → the element that holds its settings, where they are not called alike."""
+
+
+class Sensor(Part):
+    """A sensor of a link or joint; in URDF files it is in a ``<gazebo>`` block."""
+
+    __slots__ = ()
+    kind = "sensor"
+
+    @property
+    def type(self) -> str:
+        """The type as written, without blanks around it."""
+        return (self._text("type") or "").strip()
+
+    @property
+    def type_value(self) -> Value | None:
+        """The type with its place."""
+        return self.attribute("type")
+
+    @property
+    def link(self) -> Link | None:
+        """The link that it is on; None if it is on a joint, or on nothing known."""
+        from sdfcheck.robot.parts.link import Link
+
+        owner = self.owner
+        return owner if isinstance(owner, Link) else None
+
+    @property
+    def owner(self) -> Link | Joint | None:
+        """The link or joint that it is on; None for one in a ``<gazebo>`` block that names neither."""
+        from sdfcheck.robot.parts.gazebo import GazeboBlock
+        from sdfcheck.robot.parts.joint import Joint
+        from sdfcheck.robot.parts.link import Link
+
+        found = self.holder.subject if isinstance(self.holder, GazeboBlock) else self.holder
+        return found if isinstance(found, Link | Joint) else None
+
+    @property
+    def update_rate(self) -> Number:
+        """Hz; 0: as often as the simulation steps."""
+        return self._number("update_rate", 0.0)
+
+    @property
+    def topic(self) -> str:
+        """The topic that it publishes on; empty where the simulator chooses one."""
+        topic = self.find("topic")
+        text = topic.content if topic is not None else ""
+        return "" if text == "__default__" else text
+
+    @property
+    def always_on(self) -> bool:
+        """Does it run whether or not somebody listens?"""
+        element = self.find("always_on")
+        return element is not None and is_true(element.content)
+
+    @property
+    def settings(self) -> Setting | None:
+        """What is particular to its type: the part of ``camera``, ``lidar``, ``imu`` …; None if there is none."""
+        from sdfcheck.robot.parts.setting import Setting
+
+        names = (SETTINGS.get(self.type, self.type), "lidar", "ray", "camera", "gps", "navsat")
+        element = next((found for name in names if name and (found := self.find(name)) is not None), None)
+        part = None if element is None else self.part(element)
+        return part if isinstance(part, Setting) else None
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        """Its plugins."""
+        return tuple(self._parts("plugin"))
+
+    def pose(self, relative_to: str | None = None) -> Pose:
+        """Its pose in the frame of its link or joint, or relative to what a reference names; raises PoseError."""
+        from sdfcheck.robot.motion.pose import of_part
+
+        return of_part(self, self.owner, relative_to)

@@ -1,0 +1,219 @@
+"""Shapes: what is seen of a link, and what it touches others with."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.robot import solids
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.parts.inertial import position
+from sdfcheck.robot.parts.material import Material
+from sdfcheck.robot.values import Number, Vector, lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.robot.solids import Solid
+    from sdfcheck.source.element import Element, Value
+
+_DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {
+    "box": {"size": (1.0, 1.0, 1.0)},
+    "capsule": {"radius": (0.5,), "length": (1.0,)},
+    "cone": {"radius": (0.5,), "length": (1.0,)},
+    "cylinder": {"radius": (0.5,), "length": (1.0,)},
+    "ellipsoid": {"radii": (1.0, 1.0, 1.0)},
+    "mesh": {"scale": (1.0, 1.0, 1.0)},
+    "plane": {"normal": (0.0, 0.0, 1.0), "size": (1.0, 1.0)},
+    "sphere": {"radius": (1.0,)},
+}
+"""Shape → its measures, and what simulators take where one is left out (libsdformat 17)."""
+
+
+class Geometry(Part):
+    """The shape of a visual or collision; lengths in m."""
+
+    __slots__ = ()
+    kind = "geometry"
+
+    @lazy
+    def shape_element(self) -> Element | None:
+        """The element of the shape; None if there is none."""
+        return next(self.children(), None)
+
+    @property
+    def shape(self) -> str:
+        """``box``, ``sphere``, ``mesh`` …; empty if there is none."""
+        return self.shape_element.name if self.shape_element is not None else ""
+
+    @property
+    def size(self) -> Vector:
+        """Of a box: lengths along x, y, z; of a plane: along x and y."""
+        return self._measures("size")
+
+    @property
+    def radius(self) -> Number:
+        """Of a sphere, cylinder, capsule or cone."""
+        return self._measure("radius")
+
+    @property
+    def length(self) -> Number:
+        """Of a cylinder, capsule or cone, along z; of a capsule without its caps."""
+        return self._measure("length")
+
+    @property
+    def radii(self) -> Vector:
+        """Of an ellipsoid."""
+        return self._measures("radii")
+
+    @property
+    def normal(self) -> Vector:
+        """Of a plane."""
+        return self._measures("normal")
+
+    @property
+    def scale(self) -> Vector:
+        """Of a mesh."""
+        return self._measures("scale")
+
+    @property
+    def uri_value(self) -> Value | None:
+        """The file of a mesh, heightmap or image, with its place."""
+        shape = self.shape_element
+        if shape is None:
+            return None
+        value = shape.attribute("filename") if self.is_urdf else None
+        if value is None and not self.is_urdf:
+            child = shape.find("uri")
+            value = child.own_value if child is not None else None
+        return value
+
+    @property
+    def uri(self) -> str:
+        """The file of a mesh, heightmap or image; empty if there is none."""
+        return self.uri_value.text.strip() if self.uri_value is not None else ""
+
+    @property
+    def measures(self) -> tuple[float, ...]:
+        """All numbers of the shape in one row: the radius and the length of a cylinder, the scale of a mesh."""
+        names = _DEFAULT_SIZES.get(self.shape, {})
+        return tuple(number for name in names for number in self._measures(name))
+
+    @lazy
+    def solid(self) -> Solid | None:
+        """Volume and inertia of a primitive shape; None for meshes, planes and what cannot be read."""
+        makers = {
+            "box": lambda: solids.box(*_count(self.size, 3)),
+            "ellipsoid": lambda: solids.ellipsoid(*_count(self.radii, 3)),
+            "sphere": lambda: solids.sphere(self._written("radius")),
+            "cylinder": lambda: solids.cylinder(self._written("radius"), self._written("length")),
+            "capsule": lambda: solids.capsule(self._written("radius"), self._written("length")),
+            "cone": lambda: solids.cone(self._written("radius"), self._written("length")),
+        }
+        make = makers.get(self.shape)
+        try:
+            solid = make() if make is not None else None
+        except (ValueError, ZeroDivisionError):
+            return None
+        return solid if solid is not None and 0 < solid.volume < float("inf") else None
+
+    def _written(self, name: str) -> float:
+        number = self._measure(name)
+        if not number.is_given:
+            raise ValueError(name)
+        return number.number
+
+    def _measure(self, name: str) -> Number:
+        default = _DEFAULT_SIZES.get(self.shape, {}).get(name, (1.0,))[0]
+        return Number.of(self._shape_value(name), self._shape_place, default)
+
+    def _measures(self, name: str) -> Vector:
+        default = _DEFAULT_SIZES.get(self.shape, {}).get(name, ())
+        return Vector.of(self._shape_value(name), self._shape_place, default)
+
+    @property
+    def _shape_place(self) -> Element:
+        return self.element if self.shape_element is None else self.shape_element
+
+    def _shape_value(self, name: str) -> Value | None:
+        shape = self.shape_element
+        if shape is None:
+            return None
+        if self.is_urdf:
+            return shape.attribute(name)
+        child = shape.find(name)
+        return child.own_value if child is not None else None
+
+
+class Surface(Part):
+    """How a collision slides and bounces."""
+
+    __slots__ = ()
+    kind = "surface"
+
+
+class Shape(Part):
+    """A visual or a collision of a link."""
+
+    __slots__ = ()
+
+    @property
+    def link(self) -> Link:
+        """The link that it belongs to."""
+        return cast("Link", self.holder)
+
+    @lazy
+    def geometry(self) -> Geometry:
+        """Its shape."""
+        return self._only("geometry", Geometry)
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        return () if self.is_urdf else tuple(self._parts("plugin"))
+
+    @property
+    def position(self) -> tuple[float, float, float] | None:
+        """Where its origin is in the link's frame (m); None where its pose alone does not tell."""
+        return position(self)
+
+    def pose(self, relative_to: str | None = None) -> Pose:
+        """Its pose in the link's frame, or relative to what a reference names; raises PoseError."""
+        from sdfcheck.robot.motion.pose import of_part
+
+        return of_part(self, self.link, relative_to)
+
+
+class Visual(Shape):
+    """What is seen of a link."""
+
+    __slots__ = ()
+    kind = "visual"
+
+    @lazy
+    def material(self) -> Material:
+        """Its material; in URDF the one that the robot defines by that name, where only the name is given."""
+        own = self._only("material", Material)
+        return own.defined if self.is_urdf else own
+
+
+class Collision(Shape):
+    """What touches other things."""
+
+    __slots__ = ()
+    kind = "collision"
+
+    @lazy
+    def surface(self) -> Surface:
+        """How it slides and bounces, in SDFormat."""
+        return self._only("surface", Surface)
+
+    @property
+    def density(self) -> Number:
+        """kg/m³, for an automatic inertia."""
+        return self._number("density", 1000.0)
+
+
+def _count(numbers: Vector, count: int) -> Vector:
+    if len(numbers) != count or not numbers.is_given:
+        raise ValueError(numbers.text)
+    return numbers

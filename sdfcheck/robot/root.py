@@ -1,0 +1,227 @@
+"""The root of a description: everything that a file says, as one graph of parts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
+
+from sdfcheck.robot.kinds import ELEMENTS, class_named
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.part import Part, Registry
+from sdfcheck.robot.scope import WORLD_FRAME, Scope
+from sdfcheck.robot.values import lazy
+from sdfcheck.source.sniff import Kind
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.motion.poses import Poses
+    from sdfcheck.robot.parts.light import Light
+    from sdfcheck.robot.parts.physics import Actor
+    from sdfcheck.robot.world import World
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.element import Element
+
+P = TypeVar("P", bound=Part)
+
+
+class Root(Part):
+    """A whole file: its worlds, and the models, lights and actors that are in none. A URDF file is one model."""
+
+    __slots__ = ("_document", "included")
+
+    def __init__(self, document: Document) -> None:
+        element = document.root
+        assert element is not None, "a document without elements says nothing"
+        self._document = document
+        self.holder = None
+        self.root = self
+        self.element = element
+        self.registry: Registry = {}
+        self.is_given = True
+        self.is_urdf = element.name == "robot"
+        self.included = 0
+        """How many included models were looked into."""
+
+    def __repr__(self) -> str:
+        return f"Root({str(self.document.path)!r})"
+
+    @property
+    def version(self) -> str | None:
+        """The version of the format that the file declares."""
+        return self.document.version
+
+    @property
+    def worlds(self) -> tuple[World, ...]:
+        """The worlds."""
+        return cast("tuple[World, ...]", tuple(node for node in self.scopes if node.kind == "world"))
+
+    @property
+    def models(self) -> tuple[Model, ...]:
+        """The models that are in no world."""
+        return cast("tuple[Model, ...]", tuple(node for node in self.scopes if node.kind == "model"))
+
+    @property
+    def lights(self) -> tuple[Light, ...]:
+        """The lights that are in no world."""
+        return tuple(self._parts("light"))
+
+    @property
+    def actors(self) -> tuple[Actor, ...]:
+        """The actors that are in no world."""
+        return tuple(self._parts("actor"))
+
+    @lazy
+    def scopes(self) -> tuple[Scope, ...]:
+        """The worlds and models at the top of the file, in its order."""
+        if self.is_urdf:
+            return (cast("Scope", self.part(self.element)),)
+        tops = (child for child in self.children() if child.tag in {"world", "model"})
+        return tuple(cast("Scope", self.part(child)) for child in tops)
+
+    def all_scopes(self) -> Iterator[Scope]:
+        """Every world and model that the file itself writes, in the order of the file."""
+        waiting = list(reversed(self.scopes))
+        while waiting:
+            scope = waiting.pop()
+            yield scope
+            inner = (self.part_of(child) for child in scope.element.children("model"))
+            waiting += reversed([model for model in inner if isinstance(model, Scope)])
+
+    def scope_of(self, element: Element) -> Scope | None:
+        """The innermost world or model that an element is in."""
+        parent = element.parent
+        part = None if parent is None else self.part_of(parent)
+        while part is not None and not isinstance(part, Scope):
+            part = part.holder
+        return part
+
+    def part_of(self, element: Element) -> Part:
+        """The part that an element of this file makes."""
+        if element is self.element:
+            return self
+        found = self.registry.get(element)
+        if found is None:
+            parent = element.parent
+            assert parent is not None, "the root element is known"
+            holder = self.part_of(parent)
+            if holder is self and self.is_urdf:
+                holder = self.scopes[0]
+            found = holder.part(element)
+        return found
+
+    @overload
+    def each(self, kind: type[P]) -> Iterator[P]: ...
+    @overload
+    def each(self, kind: str) -> Iterator[Any]: ...
+    def each(self, kind: type[Part] | str) -> Iterator[Any]:
+        """The parts of a class that the file itself writes, in the order of the file."""
+        name = kind if isinstance(kind, str) else kind.__name__
+        if name == "Root":
+            yield self
+            return
+        index = self._index
+        elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
+        if name == "Custom":
+            elements = self._customs
+        if not elements:
+            return
+        cls = class_named(name)
+        part_of = self.part_of
+        for element in elements:
+            part = part_of(element)
+            if part is self and self.is_urdf:
+                part = self.scopes[0]
+            if isinstance(part, cls):
+                yield part
+
+    def outermost(self, node: Node) -> Node:
+        """The world around a node, or what stands for it where there is none."""
+        at: Part | None = node
+        while at is not None:
+            if isinstance(at, Scope) and at.kind == "world":
+                return at
+            at = at.holder
+        return self.outside
+
+    @lazy
+    def outside(self) -> Node:
+        """What stands for the world in a file that has none."""
+        return Outside(self, self.element, WORLD_FRAME)
+
+    @lazy
+    def poses(self) -> Poses:
+        """The poses of all nodes, each worked out once."""
+        from sdfcheck.robot.motion.poses import Poses
+
+        return Poses()
+
+    @property
+    def document(self) -> Document:
+        return self._document
+
+    @lazy
+    def _index(self) -> Mapping[str, list[Element]]:
+        """The standard elements by name, those in ``<gazebo>`` blocks as well."""
+        if self.is_urdf:
+            from sdfcheck.formats.urdf.survey import survey as urdf_survey
+
+            index = urdf_survey(self.document).index
+            if not index.get("gazebo"):
+                return index
+            return _with_extensions(index)
+        from sdfcheck.formats.sdf.survey import survey
+
+        return survey(self.document).index
+
+    @property
+    def _customs(self) -> list[Element]:
+        if self.is_urdf:
+            from sdfcheck.formats.urdf.survey import survey as urdf_survey
+
+            return urdf_survey(self.document).customs
+        from sdfcheck.formats.sdf.survey import survey
+
+        return [custom for custom, _, _ in survey(self.document).customs]
+
+    # Parts by name
+
+    def world(self, key: str | int) -> World:
+        """A world by name or index; raises NotFound."""
+        from sdfcheck.robot.lookup import pick
+
+        return pick(self, "world", self.worlds, key)
+
+    def model(self, key: str | int) -> Model:
+        """A model that is in no world, by name or index; raises NotFound."""
+        from sdfcheck.robot.lookup import pick
+
+        return pick(self, "model", self.models, key)
+
+
+class Outside(Node):
+    """The world around a model that is alone in its file."""
+
+    __slots__ = ()
+    kind = "world"
+
+
+def root_of(document: Document) -> Root:
+    """What a document of SDFormat or URDF says, read once."""
+    return document.view(Root)
+
+
+def is_readable(document: Document) -> bool:
+    """Is there anything to be read as a robot?"""
+    return document.root is not None and document.kind in {Kind.SDF, Kind.URDF}
+
+
+def _with_extensions(index: Mapping[str, list[Element]]) -> Mapping[str, list[Element]]:
+    found = {name: list(elements) for name, elements in index.items()}
+    for block in index["gazebo"]:
+        waiting = list(block.children())
+        while waiting:
+            element = waiting.pop(0)
+            found.setdefault(element.name, []).append(element)
+            if element.name != "plugin":
+                waiting[:0] = element.children()
+    return found

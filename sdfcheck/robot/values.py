@@ -1,0 +1,133 @@
+"""Values of a description: plain numbers, vectors and texts that know their place.
+
+A :class:`Number` is a float and a :class:`Vector` a tuple of floats, so that they can be
+computed with at once. What is not written has its default, says so (``is_given``), and
+has the place where it would be written.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+
+from sdfcheck.formats.sdf.numbers import leading_float
+
+if TYPE_CHECKING:
+    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.text import Span
+
+T = TypeVar("T")
+
+
+class lazy(Generic[T]):  # noqa: N801 - used like `property`
+    """A property that is worked out once and then kept by the object."""
+
+    def __init__(self, compute: Callable[[Any], T]) -> None:
+        self.compute = compute
+        self.name = compute.__name__
+        self.__doc__ = compute.__doc__
+
+    @overload
+    def __get__(self, owner: None, cls: type) -> lazy[T]: ...
+    @overload
+    def __get__(self, owner: object, cls: type) -> T: ...
+    def __get__(self, owner: object | None, cls: type) -> T | lazy[T]:
+        if owner is None:
+            return self
+        value = owner.__dict__[self.name] = self.compute(owner)
+        return value
+
+
+class Number(float):
+    """A float as simulators read it, with its place in the text.
+
+    ``value`` is the text with its place, None where the default is taken; ``element`` is
+    the element that holds the value or would hold it.
+    """
+
+    __slots__ = ("element", "value")
+    value: Value | None
+    element: Element
+
+    @classmethod
+    def of(cls, value: Value | None, element: Element, default: float) -> Number:
+        """The number that a text begins with, as libsdformat and urdfdom take it; nan if there is none."""
+        if value is None or not (text := value.text.strip()):
+            number, value = cls(default), None
+        else:
+            try:
+                number = cls(text)
+            except ValueError:
+                found = leading_float(text)
+                number = cls("nan" if found is None else found.value)
+        number.value, number.element = value, element
+        return number
+
+    @property
+    def is_given(self) -> bool:
+        """Is it written in the text?"""
+        return self.value is not None
+
+    @property
+    def text(self) -> str:
+        """The text as written; empty where it is not."""
+        return self.value.text.strip() if self.value is not None else ""
+
+    @property
+    def number(self) -> float:
+        """The number if the text is exactly one, or the default; nan for a text that is not a number."""
+        return float(self) if self.value is None else self.value.number
+
+    @property
+    def span(self) -> Span:
+        """The place of the text, or of the element that lacks it."""
+        return self.element.span if self.value is None else self.value.span
+
+    def __repr__(self) -> str:
+        return float.__repr__(self) + ("" if self.is_given else " (default)")
+
+    def __reduce__(self) -> tuple[type[float], tuple[float]]:
+        return float, (float(self),)
+
+
+class Vector(tuple[float, ...]):
+    """Several numbers of one text, with their place; empty where the text is not made of numbers."""
+
+    value: Value | None
+    element: Element
+
+    @classmethod
+    def of(cls, value: Value | None, element: Element, default: Iterable[float]) -> Vector:
+        """The numbers of a text, separated by blanks."""
+        if value is None or not value.text.strip():
+            numbers, value = cls(default), None
+        else:
+            try:
+                numbers = cls(map(float, value.text.split()))
+            except ValueError:
+                numbers = cls(())
+        numbers.value, numbers.element = value, element
+        return numbers
+
+    @property
+    def is_given(self) -> bool:
+        """Is it written in the text?"""
+        return self.value is not None
+
+    @property
+    def text(self) -> str:
+        """The text as written; empty where it is not."""
+        return self.value.text.strip() if self.value is not None else ""
+
+    @property
+    def span(self) -> Span:
+        """The place of the text, or of the element that lacks it."""
+        return self.element.span if self.value is None else self.value.span
+
+    def __reduce__(self) -> tuple[type[tuple[float, ...]], tuple[tuple[float, ...]]]:
+        return tuple, (tuple(self),)
+
+
+def is_true(text: str) -> bool:
+    """What the formats take for true."""
+    return text.strip().lower() in {"true", "1"}
