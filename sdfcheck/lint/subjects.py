@@ -15,6 +15,8 @@ from sdfcheck.source.sniff import Kind
 def subjects(document: Document, looks_at: Iterable[str], selects: Iterable[str]) -> list[object]:
     """The objects of the named classes, and the elements that the selectors choose."""
     found: list[object] = []
+    if document.root is None:
+        return found
     if document.kind in (Kind.SDF, Kind.URDF):
         for name in looks_at:
             if name != Element.__name__:
@@ -27,7 +29,7 @@ def subjects(document: Document, looks_at: Iterable[str], selects: Iterable[str]
 def _selected(document: Document, selector: str) -> Iterator[Element]:
     """The elements of a selector: ``sdf:axis/limit`` is each ``limit`` in an ``axis``."""
     dialect, _, path = selector.partition(":")
-    if dialect != document.kind.value or document.root is None:
+    if dialect != document.kind.value:
         return
     *parents, name = path.split("/")
     parents.reverse()

@@ -180,5 +180,6 @@ def test_a_rule_for_one_simulator_runs_for_its_target_only() -> None:
         assert {d.code for d in found} == codes
 
 
-def test_other_documents_have_no_objects() -> None:
-    assert lint(LongName, text="<model><name>long</name></model>") == []
+@pytest.mark.parametrize("text", ["<model><name>long</name></model>", "", "<!-- nothing -->"])
+def test_other_documents_have_no_objects(text: str) -> None:
+    assert lint(LongName, AnyLink, text=text) == []
