@@ -25,7 +25,9 @@ PROBE = f"""
 import sys
 from sdfcheck.cli.main import main
 code = main(sys.argv[1:])
-print("loaded", code, *(name for name in {HEAVY} if name in sys.modules))
+rules = {{name for name in sys.modules if name.startswith("sdfcheck_rules.")}}
+rules -= {{"sdfcheck_rules.rule_index", "sdfcheck_rules.conditions"}}
+print("loaded", code, *(name for name in {HEAVY} if name in sys.modules), *rules)
 """
 
 
@@ -39,9 +41,14 @@ def loaded(*arguments: str) -> str:
 @pytest.mark.parametrize(
     "file", ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "diff_drive/model.config"]
 )
-def test_a_clean_file_loads_nothing_heavy(file: str, output_format: str) -> None:
+def test_a_clean_file_loads_nothing_heavy_and_no_rule(file: str, output_format: str) -> None:
     report = loaded("lint", "--isolated", "--output-format", output_format, str(ROBOTS / file))
     assert report == "loaded 0"
+
+
+def test_the_probe_sees_a_rule_that_reports(tmp_path: Path) -> None:
+    (tmp_path / "model.sdf").write_text('<sdf version="1.12"><modle/></sdf>')
+    assert "sdfcheck_rules." in loaded("lint", "--isolated", str(tmp_path / "model.sdf"))
 
 
 def test_the_probe_sees_what_is_loaded() -> None:
