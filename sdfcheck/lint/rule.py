@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
 from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
-from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
 
-Target = Span | Value | Element
-"""What a diagnostic may point at: a span, the text of an attribute or element, or an element's name."""
+
+class Placed(Protocol):
+    """What has a place in the text: an object or value of the robot, a text, an element."""
+
+    @property
+    def span(self) -> Span:
+        """Where it is."""
+
+
+Target = Span | Placed
+"""What a diagnostic may point at: a span, or something that has one."""
 
 
 class Rule:

@@ -18,6 +18,7 @@ from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.select import SILENT, ActiveRules, select
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.text import Span
 
 TEXT = '<sdf version="1.12"><model name="m"><link name="a"/><link name="bb"/><frame name="cc"/></model></sdf>'
 
@@ -26,10 +27,18 @@ class Link(NamedTuple):
     element: Element
     name: str
 
+    @property
+    def span(self) -> Span:
+        return self.element.span
+
 
 class Frame(NamedTuple):
     element: Element
     name: str
+
+    @property
+    def span(self) -> Span:
+        return self.element.span
 
 
 KINDS = {"Link": Link, "Frame": Frame}
@@ -63,7 +72,7 @@ class LongName(Rule):
         return len(named.name) > 1
 
     def check(self, named: Link | Frame) -> Iterator[Diagnostic]:
-        yield self.diagnostic(named.element, f"long name {named.name}")
+        yield self.diagnostic(named, f"long name {named.name}")
 
 
 class AnyLink(Rule):
@@ -121,7 +130,8 @@ def lint(*rules: type[Rule], text: str = TEXT, severity: Severity | None = None)
 
 
 def test_objects_of_several_classes_are_looked_at() -> None:
-    assert [d.message for d in lint(LongName)] == ["long name bb", "long name cc"]
+    found = lint(LongName)
+    assert [(d.message, d.span.text) for d in found] == [("long name bb", "link"), ("long name cc", "frame")]
     assert {d.severity for d in lint(LongName, severity=Severity.ERROR)} == {Severity.ERROR}
 
 
