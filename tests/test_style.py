@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-CODE = ("sdfcheck", "rules", "tests", "benchmarks")
+CODE = ("sdfcheck", "rules", "tests", "benchmarks", "tables")
 TEXTS = {
     ".py",
     ".md",

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.generate.sdf import DATA, Merged, ranges, render
 from sdfcheck.formats.sdf.table import at, spans
+from tables.sdf import DATA, Merged, ranges, render
 
 FACTS = Path(__file__).parents[4] / "shared" / "facts" / "sdf"
 
