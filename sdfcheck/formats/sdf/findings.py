@@ -13,8 +13,7 @@ from collections import Counter
 from sdfcheck.formats.folding import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.belonging import likely_parents
-from sdfcheck.formats.sdf.needed import NOT_GIVEN
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.topology import standard_inside
 from sdfcheck.formats.sdf.value_problems import judge, text_problems

@@ -10,10 +10,32 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.formats.sdf.needed import is_needed
 from sdfcheck.formats.sdf.row_in_version import RowInVersion
 from sdfcheck.formats.sdf.table import Row, at, block, newest_name
 from sdfcheck.formats.sdf.version import Version
+
+NOT_GIVEN = "__default__"
+"""The default that stands for "not given": there is nothing sensible to take."""
+
+_NEEDED = frozenset(
+    """
+    box/size capsule/length capsule/radius cone/length cone/radius cylinder/length cylinder/radius
+    ellipsoid/radii image/height image/scale polyline/height polyline/point sphere/radius
+    axis/xyz axis2/xyz inertia/ixx inertia/iyy inertia/izz
+    joint/child joint/parent
+    lidar/range lidar/scan ray/range ray/scan range/max range/min scan/horizontal
+    horizontal/max_angle horizontal/min_angle horizontal/samples
+    logical_camera/far logical_camera/near sonar/max sonar/min
+    spherical_coordinates/latitude_deg spherical_coordinates/longitude_deg
+    trajectory/waypoint waypoint/pose waypoint/time
+    """.split()
+)
+"""Required children that make another robot when they are left out, or nothing sensible at all.
+
+libsdformat fills in every required child but the ends of a joint, and says nothing. For
+most (the atmosphere of a world, the step of a physics) the default is what an author who
+leaves them out expects.
+"""
 
 
 class AttributeDefinition(RowInVersion):
@@ -132,7 +154,9 @@ class Definition(RowInVersion):
         )
         self.required_attributes = tuple(name for name, attribute in attributes.items() if attribute.required)
         self.needed_children = tuple(
-            name for name in self.required_children if is_needed(self.name, name, children[name].default)
+            name
+            for name in self.required_children
+            if children[name].default == NOT_GIVEN or f"{self.name}/{name}" in _NEEDED
         )
 
     if not TYPE_CHECKING:

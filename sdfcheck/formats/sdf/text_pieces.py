@@ -13,11 +13,16 @@ _PIECE = re.compile(r"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|([^<]+)|<", re.DO
 
 
 def part(value: Value, start: int, end: int) -> Span:
-    """The place of a part of a value; all of it where the text in the file is spelt otherwise (entities)."""
+    """The place of a part of a value; all of it where the file has another text (entities, an expression)."""
     span = value.span
-    if span.text == value.text:
+    if value.text in {span.text, blanks_as_spaces(span.text)}:
         return value.element.document.spans.span(value.element, span.start + start, span.start + end)
     return span
+
+
+def blanks_as_spaces(text: str) -> str:
+    """The value that a parser makes of the text of an attribute, entities aside."""
+    return text.replace("\r\n", " ").translate({ord(blank): " " for blank in "\t\n\r"})
 
 
 def cut_text(element: Element) -> Span | None:

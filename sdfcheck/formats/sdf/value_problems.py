@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from sdfcheck.formats.reading import Outcome, Reading
 from sdfcheck.formats.sdf import history, problems
@@ -13,6 +14,9 @@ from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.source.element import Element, Value
+
+if TYPE_CHECKING:
+    from sdfcheck.formats.urdf.table import UrdfAttribute
 
 _KINDS = {
     Outcome.MISREAD: problems.MisreadValue,
@@ -48,19 +52,26 @@ def _exclude_each_other(rotation: Value, degrees: Value) -> bool:
 
 def judge(value: Value, definition: Definition | AttributeDefinition, reading: Reading) -> Iterator[object]:
     """Turn a reading into the problem that it is."""
+    if reading.outcome is Outcome.NOT_A_CHOICE:
+        yield from _choice(value, definition, reading)
+    else:
+        yield from problem_of(value, definition, reading)
+
+
+def problem_of(
+    value: Value, definition: Definition | AttributeDefinition | UrdfAttribute, reading: Reading
+) -> Iterator[object]:
+    """The problem of a number or truth value, if there is one."""
     if reading.is_fine:
         return
     span = part(value, reading.start, reading.end)
-    outcome = reading.outcome
-    if outcome is Outcome.NOT_A_CHOICE:
-        yield from _choice(value, definition, reading)
-    elif outcome is Outcome.OUT_OF_RANGE:
+    if reading.outcome is Outcome.OUT_OF_RANGE:
         instead = reading.range.instead if reading.range else None
         yield problems.ValueOutOfRange(value, span, str(reading.range), reading.refused, instead)
-    elif outcome is Outcome.NOT_FINITE:
+    elif reading.outcome is Outcome.NOT_FINITE:
         yield problems.ValueOutOfRange(value, span, "finite", reading.refused)
     else:
-        kind = _KINDS.get(outcome, problems.MalformedValue)
+        kind = _KINDS.get(reading.outcome, problems.MalformedValue)
         yield kind(value, definition, reading, span)
 
 

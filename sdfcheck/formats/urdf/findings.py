@@ -11,19 +11,16 @@ from collections import Counter
 from sdfcheck.formats.folding import MOST, folded
 from sdfcheck.formats.reading import Outcome
 from sdfcheck.formats.sdf import problems
-from sdfcheck.formats.sdf.text_pieces import stray_line
+from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces, stray_line
+from sdfcheck.formats.sdf.value_problems import problem_of
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.urdf import problems as urdf_problems
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, UrdfElement, is_expression, known_parents
 from sdfcheck.formats.urdf.values import read
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source
 
-_VALUE_PROBLEMS = {
-    Outcome.MISREAD: problems.MisreadValue,
-    Outcome.WRONG_COUNT: problems.WrongComponentCount,
-}
 _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
@@ -178,8 +175,7 @@ class UrdfFindings:
         if reading.outcome is Outcome.EMPTY:
             self.found.append(problems.MalformedValue(value, known, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
-            kind = _VALUE_PROBLEMS.get(reading.outcome, problems.MalformedValue)
-            self.found.append(kind(value, known, reading, _part(value, reading.start, reading.end)))
+            self.found += problem_of(value, known, reading)
 
     def judge(self, value: Value, known: UrdfAttribute) -> None:
         """Turn the reading of a value into the problem that it is."""
@@ -187,17 +183,11 @@ class UrdfFindings:
         reading = read(known, text)
         if reading.is_fine or is_expression(text):
             return
-        span = _part(value, reading.start, reading.end)
         if reading.outcome is Outcome.NOT_A_CHOICE:
             near = suggest(text, known.choices)
             self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True))
-        elif reading.outcome is Outcome.OUT_OF_RANGE:
-            instead = reading.range.instead if reading.range is not None else None
-            bound = str(reading.range)
-            self.found.append(problems.ValueOutOfRange(value, span, bound, reading.refused, instead))
         else:
-            kind = _VALUE_PROBLEMS.get(reading.outcome, problems.MalformedValue)
-            self.found.append(kind(value, known, reading, span))
+            self.found += problem_of(value, known, reading)
 
     def expressions(self) -> None:
         """What xacro would have replaced, reported once: it is one step that was left out."""
@@ -277,16 +267,4 @@ def _written(value: Value) -> str:
     if value.element.document.is_expanded:
         return value.text  # xacro writes spaces
     text = value.span.text
-    return text if "&" not in text and _unbroken(text) == value.text else value.text
-
-
-def _unbroken(text: str) -> str:
-    return text.replace("\r\n", " ").translate({ord(blank): " " for blank in "\t\n\r"})
-
-
-def _part(value: Value, start: int, end: int) -> Span:
-    """The place of a part of a value; all of it where the file has it otherwise (entities, an expression)."""
-    span = value.span
-    if "&" in span.text or _unbroken(span.text) != value.text:
-        return span
-    return Span(span.source, span.start + start, span.start + end)
+    return text if "&" not in text and blanks_as_spaces(text) == value.text else value.text
