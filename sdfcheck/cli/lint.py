@@ -141,36 +141,36 @@ def lint(**given: Any) -> int:
     if request.show_files:
         return _show_files(request, paths, options)
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
-    teller = _Teller(quiet=request.quiet)
-    done = _run(request, paths, options, teller)
+    notifier = _Notifier(quiet=request.quiet)
+    done = _run(request, paths, options, notifier)
     places = [output.file for output in wanted]
     refuse_inputs([*places, request.baseline if request.write_baseline else None], inputs_of(paths, done))
     rewrites = request.fix or request.add_ignore
     if rewrites or request.diff:
         from sdfcheck.cli.rewrite import Rewriter, work
 
-        rewriter = Rewriter(paths, options, teller, work(request), quiet=request.quiet)
+        rewriter = Rewriter(paths, options, notifier, work(request), quiet=request.quiet)
         if request.diff:
             changes = rewriter.show(done)
-            teller.flush()
-            return 2 if teller.failed else 0 if request.exit_zero else changes
+            notifier.flush()
+            return 2 if notifier.failed else 0 if request.exit_zero else changes
         done = rewriter.write(done)
     if request.baseline is not None:
         from sdfcheck.cli import baseline
 
         if request.write_baseline:
-            teller.flush()
+            notifier.flush()
             return baseline.write(done, request.baseline, quiet=request.quiet)
-        done = baseline.without_known(done, request.baseline, teller)
-    teller.flush()
+        done = baseline.without_known(done, request.baseline, notifier)
+    notifier.flush()
     _report(request, wanted, done, aside=rewrites and options.stdin is not None)
-    return 2 if teller.failed else _exit_code(request, done, settings.fail_on)
+    return 2 if notifier.failed else _exit_code(request, done, settings.fail_on)
 
 
-def _run(request: Request, paths: Sequence[Path], options: Options, teller: _Teller) -> Run:
+def _run(request: Request, paths: Sequence[Path], options: Options, notifier: _Notifier) -> Run:
     progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
     try:
-        return run_in_parallel(paths, options, request.jobs, progress=progress, notify=teller)
+        return run_in_parallel(paths, options, request.jobs, progress=progress, notify=notifier)
     finally:
         if progress:
             progress.clear()
@@ -208,7 +208,7 @@ def verdict(done: Run, fail_on: Severity, max_warnings: int | None) -> int:
     return int(any(severity >= fail_on for severity in severities))
 
 
-class _Teller:
+class _Notifier:
     """Says notices on stderr when the run is over, so that they do not mix with its progress."""
 
     def __init__(self, *, quiet: bool) -> None:
@@ -270,16 +270,16 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
 
 
 def _show_files(request: Request, paths: Sequence[Path], options: Options) -> int:
-    teller = _Teller(quiet=request.quiet)
+    notifier = _Notifier(quiet=request.quiet)
     found = find(paths, options)
     skipped = list(found.skipped)
-    files = [file.path for file in selected(found, options, skipped, notify=teller)]
+    files = [file.path for file in selected(found, options, skipped, notify=notifier)]
     emit("".join(f"{path}\n" for path in files))
-    teller.flush()
+    notifier.flush()
     if not request.quiet:
         for path, reason in sorted(skipped):
             say(f"skipped: {path}: {reason}")
-    return 2 if teller.failed else 0
+    return 2 if notifier.failed else 0
 
 
 def _show_settings(paths: Sequence[Path], options: Options) -> int:

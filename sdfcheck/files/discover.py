@@ -34,13 +34,13 @@ class DiscoveredFile(NamedTuple):
 class Found(NamedTuple):
     """What the given paths lead to: sorted, each file once.
 
-    ``skipped`` are files and folders left out, with the reason; ``barren`` are the
+    ``skipped`` are files and folders left out, with the reason; ``empty`` are the
     given folders in which nothing was found.
     """
 
     files: tuple[DiscoveredFile, ...]
     skipped: tuple[tuple[Path, str], ...] = ()
-    barren: tuple[Path, ...] = ()
+    empty: tuple[Path, ...] = ()
 
 
 def exclude_nothing(path: Path) -> bool:
@@ -66,12 +66,12 @@ def discover(
     """
     found: dict[str, DiscoveredFile] = {}
     skipped: list[tuple[Path, str]] = []
-    barren: list[Path] = []
+    empty: list[Path] = []
     for path in paths:
         if os.path.isdir(path):
             walked = list(_walk(path, respect_gitignore, skipped))
             if not walked:
-                barren.append(path)
+                empty.append(path)
             for file in walked:
                 if exclude(file):
                     skipped.append((file, "excluded by the configuration"))
@@ -86,7 +86,7 @@ def discover(
             if key not in found or not found[key].named:
                 found[key] = DiscoveredFile(path, named=True)
     files = sorted(found.values(), key=lambda file: file.path.as_posix())
-    return Found(tuple(files), tuple(sorted(set(skipped))), tuple(barren))
+    return Found(tuple(files), tuple(sorted(set(skipped))), tuple(empty))
 
 
 def is_robot_file(name: str) -> bool:

@@ -32,10 +32,10 @@ def suggest(name: str, candidates: Iterable[str]) -> str | None:
         # Each slip brings in one letter and takes out one at most.
         if abs(len(other) - len(folded)) > allowed or len(letters ^ set(other)) > 2 * allowed:
             continue
-        slips = distance(folded, other)
+        edits = distance(folded, other)
         # A short name is another one after half of its letters have changed.
-        if slips <= allowed and 2 * slips < len(other):
-            near.append((slips, sorted(other) != sorted(folded), candidate))
+        if edits <= allowed and 2 * edits < len(other):
+            near.append((edits, sorted(other) != sorted(folded), candidate))
     return min(near)[2] if near else None
 
 

@@ -229,7 +229,7 @@ def selected(
     progress: Progress | None = None,
 ) -> Iterator[Selected]:
     """Read the files that are worth linting; the others go to ``skipped``, with the reason."""
-    for folder in found.barren:
+    for folder in found.empty:
         text = f"no SDFormat, URDF, xacro or model.config file in {folder}"
         notify(Notice(Level.WARNING, text))
     for number, file in enumerate(found.files):

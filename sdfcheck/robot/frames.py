@@ -185,7 +185,7 @@ class _Analysis:
             and not stands_still(scope)
             and not element.has("link")
             and not element.has("model")
-            and not {(element, "link"), (element, "model")} & survey(self.document).slips
+            and not {(element, "link"), (element, "model")} & survey(self.document).misspelled
             and not (scope.parent is None and is_made_static(self.document))
         ):
             self.found.append(ModelWithoutLink(element))

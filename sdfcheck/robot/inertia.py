@@ -108,7 +108,7 @@ def problems(document: Document) -> list[Record]:
         inertial = read_inertial(link)
         if inertial is None:
             # In URDF what a link without inertial means depends on its joint: said with the tree.
-            misspelt = (link, "inertial") in survey(document).slips
+            misspelt = (link, "inertial") in survey(document).misspelled
             if not is_urdf and not misspelt and (link.has("collision") or link.has("visual")):
                 found.append(MissingInertial(link))
         elif inertial.is_automatic:
@@ -176,10 +176,10 @@ def _is_garbled(inertial: Inertial) -> bool:
     """Is a component there that is no number, or misspelt? What is taken instead was not meant."""
     inertia = inertial.inertia
     if inertia is None:
-        return (inertial.element, "inertia") in survey(inertial.link.document).slips
-    slips = survey(inertial.link.document).slips
+        return (inertial.element, "inertia") in survey(inertial.link.document).misspelled
+    misspelled = survey(inertial.link.document).misspelled
     return any(
-        (inertia.has(name) and name not in inertial.moments) or (inertia, name) in slips
+        (inertia.has(name) and name not in inertial.moments) or (inertia, name) in misspelled
         for name in COMPONENTS
     )
 

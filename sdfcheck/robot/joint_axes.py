@@ -55,7 +55,7 @@ def axis_problems(joint: Element) -> Iterator[Problem]:
         if axis is not None:
             yield from _direction(joint, axis)
             yield from _limits(joint, axis, kind)
-        elif number < count and (joint, name) not in survey(joint.document).slips:
+        elif number < count and (joint, name) not in survey(joint.document).misspelled:
             yield MissingAxis(joint, kind, name, DEFAULT_AXIS)
 
 

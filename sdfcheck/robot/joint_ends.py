@@ -150,8 +150,8 @@ def _lost_names(document: Document, scope: Scope) -> _Lost:
     parent = scope.element
     own = [child for child in parent.children() if child.name in FRAME_KINDS]
     names = [name for child in own if (name := child.attributes.get("name", ""))]
-    slips = survey(document).slips
-    misspelt = sum(element is parent and name in FRAME_KINDS for element, name in slips)
+    misspelled = survey(document).misspelled
+    misspelt = sum(element is parent and name in FRAME_KINDS for element, name in misspelled)
     return _Lost(set(names), len(own) - len(names) + misspelt, len(names) - len(set(names)))
 
 

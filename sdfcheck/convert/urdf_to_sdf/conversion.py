@@ -11,11 +11,11 @@ from sdfcheck.convert.urdf_to_sdf.extensions import Extensions
 from sdfcheck.convert.urdf_to_sdf.joints import Joints, frame_of
 from sdfcheck.convert.urdf_to_sdf.links import Links
 from sdfcheck.convert.urdf_to_sdf.materials import Materials
-from sdfcheck.convert.urdf_to_sdf.mentions import Mentions
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD, legal
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_back
 from sdfcheck.convert.urdf_to_sdf.plan import plan
+from sdfcheck.convert.urdf_to_sdf.plugin_names import PluginNames
 from sdfcheck.convert.writer import Node, comment_of, render, undeclared_prefixes, with_line_ends
 from sdfcheck.robot.poses import PoseError
 from sdfcheck.robot.robot import Robot
@@ -108,10 +108,10 @@ class _Writer:
                 later.append(entry)
             else:
                 self._entry(entry)
-        extensions, mentions = Extensions(self.context), Mentions(self.context)
+        extensions, plugin_names = Extensions(self.context), PluginNames(self.context)
         for block in later:
             extensions.apply(block, self.model)
-            mentions.tell(block)
+            plugin_names.report(block)
         self._declare()
         before = [c for c in map(comment_of, self.root.itersiblings(preceding=True)) if c is not None]
         if self.root.document.is_expanded:

@@ -10,9 +10,9 @@ from __future__ import annotations
 import re
 from collections import Counter
 
-from sdfcheck.formats.folding import MOST, counted, folded
+from sdfcheck.formats.repetition import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
-from sdfcheck.formats.sdf.belonging import likely_parents
+from sdfcheck.formats.sdf.likely_parents import likely_parents
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.topology import standard_inside

@@ -63,7 +63,7 @@ def sensor_problems(surveyed: Survey) -> Iterator[object]:
         expected = SETTINGS.get(kind.text.strip()) if kind is not None else None
         if kind is None or expected is None:
             continue
-        if any((sensor, name) in surveyed.slips for name in expected):
+        if any((sensor, name) in surveyed.misspelled for name in expected):
             continue
         given = [child for child in sensor.children() if child.name in _ALL_SETTINGS]
         wrong = next((child for child in given if child.name not in expected), None)

@@ -71,7 +71,7 @@ def _shapes(surveyed: Survey) -> Iterator[object]:
             # Elsewhere a collision is a reference, which holds its name.
             if (
                 element not in shaped
-                and (element, "geometry") not in surveyed.slips
+                and (element, "geometry") not in surveyed.misspelled
                 and _stands_in(element, "link")
                 and not _is_state(element)
             ):
@@ -115,7 +115,7 @@ def _stands_in(element: Element, parent: str) -> bool:
 def _lights(surveyed: Survey) -> Iterator[object]:
     """Up to 1.5 a light needed no name; all readers now ask for one."""
     for light in surveyed.index.get("light", ()):
-        given = "name" in light.attributes or (light, "name") in surveyed.slips
+        given = "name" in light.attributes or (light, "name") in surveyed.misspelled
         if surveyed.version < _SIX and not given and not _is_state(light):
             yield problems.MissingAttribute(light, "name", empty=False)
 
@@ -124,7 +124,7 @@ def _inertials(surveyed: Survey) -> Iterator[object]:
     """Moments that belong to no mass: the default of one kilogram was not meant."""
     massive, turning = _parents(surveyed, "mass"), _parents(surveyed, "inertia")
     for inertial in surveyed.index.get("inertial", ()):
-        given = inertial in massive or (inertial, "mass") in surveyed.slips
+        given = inertial in massive or (inertial, "mass") in surveyed.misspelled
         if not given and inertial in turning and not _is_static(inertial):
             yield problems.MissingElement(inertial, "mass", "1")
 

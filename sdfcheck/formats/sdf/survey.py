@@ -32,7 +32,7 @@ class Survey:
     ``named`` lists, per parent, its children that have a ``name``.
     """
 
-    __slots__ = ("customs", "document", "index", "named", "places", "problems", "slips", "version")
+    __slots__ = ("customs", "document", "index", "misspelled", "named", "problems", "version")
 
     def __init__(self, document: Document) -> None:
         root = document.root
@@ -47,7 +47,7 @@ class Survey:
         """Parent → (element name, value of its ``name``, element)."""
         self.customs = walk.explained.customs if walk.explained else []
         """Custom elements in standard ones, with their parent and its definition."""
-        self.slips = walk.explained.misspelled if walk.explained else set()
+        self.misspelled = walk.explained.misspelled if walk.explained else set()
         """What elements lack only because a child or attribute of theirs is misspelled."""
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from collections import Counter
 
-from sdfcheck.formats.folding import MOST, folded
 from sdfcheck.formats.reading import Outcome
+from sdfcheck.formats.repetition import MOST, folded
 from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces, stray_line
 from sdfcheck.formats.sdf.value_problems import problem_of

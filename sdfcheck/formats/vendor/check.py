@@ -10,7 +10,7 @@ import re
 from sdfcheck.formats.sdf.text_pieces import part
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor import problems
-from sdfcheck.formats.vendor.carriers import astray, value_at
+from sdfcheck.formats.vendor.carriers import value_at, value_elsewhere
 from sdfcheck.formats.vendor.definitions import REFUSED, Effect, Outcome, Place, Slot, Tag, Vendor
 from sdfcheck.formats.vendor.relations import beside, missing_children, relations
 from sdfcheck.formats.vendor.values import expected_of, misreading, out_of_range
@@ -188,7 +188,7 @@ class VendorCheck:
         empty = misreading(slot, "", lenient, _judged(tag, element))
         effect = empty.effect if empty is not None and place.carrier == "text" else REFUSED
         effect = slot.lacking or effect
-        stray = astray(element, place.carrier)
+        stray = value_elsewhere(element, place.carrier)
         if stray is not None:
             carrier, other = stray
             self.found.append(

@@ -47,7 +47,7 @@ def mend(done: Run, paths: Sequence[Path], options: Options, *, unsafe: bool) ->
     if not wanted:
         return
     found = find(paths, options)
-    found = found._replace(files=tuple(f for f in found.files if f.path in wanted), barren=())
+    found = found._replace(files=tuple(f for f in found.files if f.path in wanted), empty=())
     book = RuleBook(options.choice, options.target)
     with Shelves(expand=options.expand, arguments=options.arguments) as shelves:
         for file in selected(found, options, []):

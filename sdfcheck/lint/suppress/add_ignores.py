@@ -45,7 +45,7 @@ def add_ignores(done: Run, paths: Sequence[Path], options: Options, *, reason: s
             path = files[os.path.realpath(place.source.path)]
             wanted.setdefault(path, []).append((diagnostic, place))
     found = find(paths, options)
-    found = found._replace(files=tuple(f for f in found.files if f.path in wanted), barren=())
+    found = found._replace(files=tuple(f for f in found.files if f.path in wanted), empty=())
     book = RuleBook(options.choice, options.target)
     for file in selected(found, options, []):
         rules = book.rules(options.settings_for(file.path))

@@ -12,8 +12,8 @@ from sdfcheck.source.scanner.tokens import Token, TokenKind, first_line, name_ra
 
 LOOK_AHEAD = 5_000
 """How many tokens one look ahead may read."""
-REMEDIES = 50
-"""How many remedies one text is worth."""
+REPAIR_LIMIT = 50
+"""How many repairs one text is worth."""
 
 _UNKNOWN = "?"
 _BLANK_LINE = re.compile(r"[\r\n]([ \t]+)(?=[\r\n])")
@@ -28,7 +28,7 @@ _COMMON = frozenset(
 )
 
 
-class Remedy(NamedTuple):
+class Repair(NamedTuple):
     """A defect at ``place`` and what makes it good: ``tokens`` instead of some, from ``number`` on."""
 
     kind: SyntaxKind
@@ -41,25 +41,25 @@ class Remedy(NamedTuple):
     doubtful: tuple[tuple[int, int], ...] = ()
 
 
-class Blame:
+class Evidence:
     """Looks for evidence in a list of tokens, which others may change meanwhile."""
 
     def __init__(self, text: str, tokens: list[Token]) -> None:
         self.text = text
         self.tokens = tokens
-        self.patience = 100_000 + 8 * len(tokens)
+        self.budget = 100_000 + 8 * len(tokens)
         """How many tokens all questions together may still read."""
-        self.remedies = REMEDIES
+        self.repairs_left = REPAIR_LIMIT
 
-    def note_remedy(self) -> None:
+    def note_repair(self) -> None:
         """One has been applied: whoever did has to go back, and that takes time, too."""
-        self.remedies -= 1
-        self.patience -= len(self.tokens)
+        self.repairs_left -= 1
+        self.budget -= len(self.tokens)
 
     @property
     def is_exhausted(self) -> bool:
         """Has so much been asked already that a text like this is worth no more questions?"""
-        return self.remedies <= 0 or self.patience <= 0
+        return self.repairs_left <= 0 or self.budget <= 0
 
     def next_unmatched_end(self, number: int) -> str | None:
         """The name in the next end tag behind token ``number`` that ends what is open; None: no such."""
@@ -67,7 +67,7 @@ class Blame:
         if self.is_exhausted:
             return _UNKNOWN
         for index in range(number + 1, min(number + 1 + LOOK_AHEAD, len(self.tokens))):
-            self.patience -= 1
+            self.budget -= 1
             token = self.tokens[index]
             if token.kind is TokenKind.START:
                 depth += 1
@@ -78,19 +78,19 @@ class Blame:
         at_end = number + 1 + LOOK_AHEAD >= len(self.tokens)
         return None if at_end and depth == 0 else _UNKNOWN
 
-    def cause(self, opened: list[int], depth: int, number: int) -> Remedy | None:
+    def cause(self, opened: list[int], depth: int, number: int) -> Repair | None:
         """Why the innermost of the ``opened`` elements has no end tag before token ``number``.
 
         ``opened[depth]`` is the element that this token closes.
         """
         if self.is_exhausted:
             return None
-        remedy = self.doubled_start(opened[depth + 1 :])
-        if remedy is None:
-            remedy = self.damaged_end(opened[-1], number) or self.missing_end(opened, number)
-        return remedy
+        repair = self.doubled_start(opened[depth + 1 :])
+        if repair is None:
+            repair = self.damaged_end(opened[-1], number) or self.missing_end(opened, number)
+        return repair
 
-    def doubled_start(self, opened: list[int]) -> Remedy | None:
+    def doubled_start(self, opened: list[int]) -> Repair | None:
         """``<pose>0 0 0<pose>``: the second one is an end tag without its slash; or almost."""
         if len(opened) < 2 or self.is_exhausted:
             return None
@@ -101,7 +101,7 @@ class Blame:
             return self._as_end_tag(opened[-1], outer)
         return None
 
-    def damaged_end(self, opened: int, number: int) -> Remedy | None:
+    def damaged_end(self, opened: int, number: int) -> Repair | None:
         """``<pose>0 0 0/pose>`` or ``<pose>0 0 0<pose/>``."""
         name = self.tokens[opened].name
         for index, token in self.children(opened, number):
@@ -114,7 +114,7 @@ class Blame:
                 return self._as_end_tag(index, self.tokens[opened])
         return None
 
-    def missing_end(self, opened: list[int], number: int) -> Remedy | None:
+    def missing_end(self, opened: list[int], number: int) -> Repair | None:
         """By indentation: the next sibling has been swallowed, or a nested element has taken the end tag."""
         element = self.tokens[opened[-1]]
         indent = self.indent(element.start)
@@ -133,7 +133,7 @@ class Blame:
                 nested = token if own is not None and own > indent else None
         return None
 
-    def bare_start(self, opened: int, number: int) -> Remedy | None:
+    def bare_start(self, opened: int, number: int) -> Repair | None:
         """``pose>0 0 0</pose>``: the end tag ``number`` is sound, and its start tag lacks the ``<``."""
         if self.is_exhausted:
             return None
@@ -148,7 +148,7 @@ class Blame:
         index, match = found
         return self._split(index, Token(TokenKind.START, *match.span(), match[1], tag_of(match)))
 
-    def bare_root(self, number: int) -> Remedy | None:
+    def bare_root(self, number: int) -> Repair | None:
         """``sdf version="1.12">`` before everything else: the root's start tag lacks the ``<``."""
         token = self.tokens[number]
         match = BARE_START.search(self.text, token.start, token.end)
@@ -167,7 +167,7 @@ class Blame:
 
     def uses(self, name: str) -> int:
         """How many start tags there are of that name."""
-        self.patience -= len(self.tokens)
+        self.budget -= len(self.tokens)
         return sum(token.name == name and token.kind is not TokenKind.END for token in self.tokens)
 
     def empty_twin(self, opened: int, number: int) -> Token | None:
@@ -208,8 +208,8 @@ class Blame:
         """The tokens directly inside an element, up to token ``number``; of elements both tags."""
         depth = 0
         for index in range(opened + 1, number):
-            self.patience -= 1
-            if self.patience <= 0:
+            self.budget -= 1
+            if self.budget <= 0:
                 return
             token = self.tokens[index]
             depth -= token.kind is TokenKind.END
@@ -225,13 +225,13 @@ class Blame:
         before = self.text[line:at] if line or far == 0 else "?"
         return len(before.expandtabs()) if not before.strip(" \t") else None
 
-    def _as_end_tag(self, index: int, opened: Token) -> Remedy:
+    def _as_end_tag(self, index: int, opened: Token) -> Repair:
         token = self.tokens[index]
         end = Token(TokenKind.END, token.start, token.end, opened.name)
         place, other = (token.start, token.end), name_range(opened, self.text)
-        return Remedy(SyntaxKind.MISSING_SLASH, opened.name, place, other, index, 1, (end,))
+        return Repair(SyntaxKind.MISSING_SLASH, opened.name, place, other, index, 1, (end,))
 
-    def _split(self, index: int, tag: Token) -> Remedy:
+    def _split(self, index: int, tag: Token) -> Repair:
         """Part of a text turns out to be a tag without its ``<``."""
         token = self.tokens[index]
         around = (
@@ -242,13 +242,13 @@ class Blame:
         parts = tuple(t for t in around if t is tag or self.text[t.start : t.end].strip())
         place = (tag.start, tag.end)
         name = ("/" if tag.kind is TokenKind.END else "") + tag.name
-        return Remedy(SyntaxKind.MISSING_ANGLE, name, place, None, index, 1, parts, (place,))
+        return Repair(SyntaxKind.MISSING_ANGLE, name, place, None, index, 1, parts, (place,))
 
-    def _end_before(self, index: int, element: Token) -> Remedy:
+    def _end_before(self, index: int, element: Token) -> Repair:
         token = self.tokens[index]
         end = Token(TokenKind.END, token.start, token.start, element.name)
         place, other = self.gap(element, index)
-        return Remedy(SyntaxKind.UNCLOSED_ELEMENT, element.name, place, other, index, 0, (end,))
+        return Repair(SyntaxKind.UNCLOSED_ELEMENT, element.name, place, other, index, 0, (end,))
 
     def gap(self, element: Token, number: int) -> tuple[tuple[int, int], tuple[int, int]]:
         """Where an end tag is missing before token ``number``, and the other place to look at.

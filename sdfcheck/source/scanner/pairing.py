@@ -15,7 +15,7 @@ from sdfcheck.source.problems import (
     SyntaxKind,
     TooDeep,
 )
-from sdfcheck.source.scanner.evidence import Blame, Remedy, alike
+from sdfcheck.source.scanner.evidence import Evidence, Repair, alike
 from sdfcheck.source.scanner.steps import Act, Pairs, Step
 from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens, first_line, name_range
 from sdfcheck.source.text import Source, Span
@@ -37,10 +37,10 @@ class _Pairing:
         self.cut = tokens.cut
         self.odd_ends = tokens.odd_ends
         self.faulty = any(isinstance(problem, SyntaxDefect) for problem in tokens.problems)
-        self.blame = Blame(text, self.tokens)
+        self.evidence = Evidence(text, self.tokens)
         self.steps: list[Step] = []
         # With the number of the token that they were found at, to go back behind it.
-        # What a remedy has found stays (-1).
+        # What a repair has found stays (-1).
         self.problems: list[tuple[int, Problem]] = []
         self.doubtful: list[tuple[int, tuple[int, int]]] = []
         self.number = 0
@@ -63,16 +63,16 @@ class _Pairing:
                 elif not self.take(token):
                     continue
                 self.number += 1
-            if self.cut or (remedy := self.blame.doubled_start(self.open)) is None:
+            if self.cut or (repair := self.evidence.doubled_start(self.open)) is None:
                 self.take_end_of_text(end)
                 return self.result(end)
-            self.apply(remedy)
+            self.apply(repair)
 
     def result(self, end: int) -> Pairs:
         problems = [problem for _, problem in self.problems]
         return Pairs(self.steps, problems, [doubt for _, doubt in self.doubtful], end)
 
-    # Each `take…` decides on one token; False if a remedy leads back to another one.
+    # Each `take…` decides on one token; False if a repair leads back to another one.
 
     def take(self, token: Token) -> bool:
         kind = token.kind
@@ -91,8 +91,8 @@ class _Pairing:
 
     def take_before_root(self, token: Token) -> bool:
         if token.kind is TokenKind.TEXT or token.kind is TokenKind.SECTION:
-            if remedy := self.blame.bare_root(self.number):
-                return self.apply(remedy)
+            if repair := self.evidence.bare_root(self.number):
+                return self.apply(repair)
             self.defect(SyntaxKind.TEXT_OUTSIDE_ROOT, first_line(token, self.text))
         elif token.kind is TokenKind.DECLARATION and token.start > 0:
             first = self.tokens[0]
@@ -138,11 +138,11 @@ class _Pairing:
     def take_foreign_end(self, token: Token, names: list[str]) -> bool:
         """An end tag for something that is not open: misspelt, or too many, or its start tag is broken."""
         top, outer = names[-1], names[-2] if len(names) > 1 else None
-        following = self.blame.next_unmatched_end(self.number)
+        following = self.evidence.next_unmatched_end(self.number)
         similar = alike(token.name, top)
         if following == top and not (outer == top and similar):
-            if remedy := self.blame.bare_start(self.open[-1], self.number):
-                return self.apply(remedy)
+            if repair := self.evidence.bare_start(self.open[-1], self.number):
+                return self.apply(repair)
             self.extra(token)
         elif following == outer or similar:
             self.mismatch(token)
@@ -154,13 +154,13 @@ class _Pairing:
         """An end tag for something farther out: the inner elements lack theirs, or it is a wrong one."""
         depth = len(names) - 1 - names[::-1].index(token.name)
         expected = names[depth - 1] if depth else None
-        following = self.blame.next_unmatched_end(self.number)
+        following = self.evidence.next_unmatched_end(self.number)
         if following != expected and following == names[-2]:
             self.mismatch(token)
             return True
         while len(self.open) > depth + 1:
-            if remedy := self.blame.cause(self.open, depth, self.number):
-                return self.apply(remedy)
+            if repair := self.evidence.cause(self.open, depth, self.number):
+                return self.apply(repair)
             if following is not None and following != expected and following == names[len(self.open) - 1]:
                 self.crossed.append(following)
             self.leave_open(token)
@@ -215,7 +215,7 @@ class _Pairing:
         has_children = last_opened != self.open[-1]
         opened = self.close_unwritten(token.start)
         if opened.tag is None:
-            place, other = self.blame.gap(opened, self.number)
+            place, other = self.evidence.gap(opened, self.number)
             self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, self.source.span(*other), opened.name)
         # What it has swallowed stands in the wrong place now.
         self.doubt(opened.start, token.start if has_children else opened.end)
@@ -226,7 +226,7 @@ class _Pairing:
         start, end = name_range(opened, self.text), name_range(token, self.text)
         if opened.tag is not None or token.start in self.odd_ends:
             pass  # one of the two is broken, and that has been said
-        elif self.blame.is_misspelt_start(opened.name, token.name):
+        elif self.evidence.is_misspelt_start(opened.name, token.name):
             self.defect(SyntaxKind.MISMATCHED_END_TAG, start, self.source.span(*end), token.name)
             at = next(i for i in range(len(self.steps) - 1, -1, -1) if self.steps[i].token is opened)
             self.steps[at] = self.steps[at]._replace(name=token.name)
@@ -241,27 +241,27 @@ class _Pairing:
     def extra(self, token: Token) -> None:
         """An end tag too many, or one whose start tag got lost: then what it was to enclose is misplaced."""
         here, opened = (token.start, token.end), self.open[-1]
-        orphans = None if self.blame.is_exhausted else self.blame.orphans(opened, self.number)
-        if twin := self.blame.empty_twin(opened, self.number):
+        orphans = None if self.evidence.is_exhausted else self.evidence.orphans(opened, self.number)
+        if twin := self.evidence.empty_twin(opened, self.number):
             self.defect(SyntaxKind.EXTRA_END_TAG, here, self.name_span(twin), token.name)
         elif orphans is None:
             self.defect(SyntaxKind.EXTRA_END_TAG, here, self.name_span(self.tokens[opened]), token.name)
         else:
-            place = self.blame.place_before(orphans, self.blame.indent(token.start))
+            place = self.evidence.place_before(orphans, self.evidence.indent(token.start))
             self.defect(SyntaxKind.MISSING_START_TAG, place, self.source.span(*here), token.name)
             self.doubt_lack(self.tokens[opened])
         self.step(Act.DROP, token)
         self.doubt(token.start if orphans is None else self.tokens[orphans].start, token.end)
 
-    def apply(self, remedy: Remedy) -> bool:
-        """Change the tokens as the remedy says, and go back to where it begins."""
-        self.blame.note_remedy()
-        self.number = remedy.number
-        self.tokens[remedy.number : remedy.number + remedy.replaced] = remedy.tokens
-        while self.steps and self.steps[-1].number >= remedy.number:
+    def apply(self, repair: Repair) -> bool:
+        """Change the tokens as the repair says, and go back to where it begins."""
+        self.evidence.note_repair()
+        self.number = repair.number
+        self.tokens[repair.number : repair.number + repair.replaced] = repair.tokens
+        while self.steps and self.steps[-1].number >= repair.number:
             self.steps.pop()
-        self.problems = [entry for entry in self.problems if entry[0] < remedy.number]
-        self.doubtful = [entry for entry in self.doubtful if entry[0] < remedy.number]
+        self.problems = [entry for entry in self.problems if entry[0] < repair.number]
+        self.doubtful = [entry for entry in self.doubtful if entry[0] < repair.number]
         self.open.clear()
         self.too_deep = 0
         for step in self.steps:
@@ -269,10 +269,10 @@ class _Pairing:
                 self.open.append(step.number)
             elif step.act is Act.CLOSE:
                 self.open.pop()
-        other = self.source.span(*remedy.other) if remedy.other else None
-        defect = SyntaxDefect(self.source.span(*remedy.place), remedy.kind, other, remedy.name)
+        other = self.source.span(*repair.other) if repair.other else None
+        defect = SyntaxDefect(self.source.span(*repair.place), repair.kind, other, repair.name)
         self.problems.append((-1, defect))
-        self.doubtful += [(-1, doubt) for doubt in remedy.doubtful]
+        self.doubtful += [(-1, doubt) for doubt in repair.doubtful]
         return False
 
     def name_span(self, token: Token) -> Span:
@@ -294,4 +294,4 @@ class _Pairing:
         if len(self.problems) < DEFECT_LIMIT:
             self.note(SyntaxDefect(self.source.span(*place), kind, other, detail))
         else:
-            self.blame.patience = 0
+            self.evidence.budget = 0

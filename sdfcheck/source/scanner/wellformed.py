@@ -43,7 +43,7 @@ class Writer:
         self.scan = scan
         self.problems = scan.problems
         self.entities = entities
-        self.patience = REFERENCE_LIMIT
+        self.budget = REFERENCE_LIMIT
         self.pieces: list[str] = []
         self.copied = 0
         self.open: list[tuple[int, str]] = []
@@ -180,8 +180,8 @@ class Writer:
             if _is_defined(match) or match[1] in self.entities:
                 continue
             # At the end of the text it is cut, and that is said already.
-            if self.patience > 0 and not _CUT_REFERENCE.match(self.text, match.start()):
-                self.patience -= 1
+            if self.budget > 0 and not _CUT_REFERENCE.match(self.text, match.start()):
+                self.budget -= 1
                 span = self.source.span(match.start(), match.end())
                 self.problems.append(UnknownEntity(span, match[1] or match[2] or ""))
 

@@ -32,7 +32,7 @@ def test_near_misses(name: str, candidates: list[str], expected: str | None) -> 
 
 
 @pytest.mark.parametrize(
-    ("one", "other", "slips"),
+    ("one", "other", "edits"),
     [
         ("", "", 0),
         ("", "ab", 2),
@@ -42,5 +42,5 @@ def test_near_misses(name: str, candidates: list[str], expected: str | None) -> 
         ("kitten", "sitting", 3),
     ],
 )
-def test_distance(one: str, other: str, slips: int) -> None:
-    assert distance(one, other) == distance(other, one) == slips
+def test_distance(one: str, other: str, edits: int) -> None:
+    assert distance(one, other) == distance(other, one) == edits

@@ -161,7 +161,7 @@ def test_exclusion_spares_named_files_unless_forced(tmp_path: Path) -> None:
 def test_barren_folder_is_reported(tmp_path: Path) -> None:
     found = discover([tmp_path])
     assert found.files == ()
-    assert found.barren == (tmp_path,)
+    assert found.empty == (tmp_path,)
 
 
 def test_missing_path_is_wrong_usage(tmp_path: Path) -> None:

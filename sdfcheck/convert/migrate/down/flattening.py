@@ -45,7 +45,7 @@ def _into_parent(migration: Migration, nested: Node) -> None:
     name = nested.get("name") or ""
     outer = _pose(nested)
     _rename_ends(nested, name)
-    _rename_mentions(migration, nested, name)
+    _rename_in_plugins(migration, nested, name)
     parts: list[Node] = []
     own = {child.get("name") for child in nested.children() if child.name in _NAMED}
     turn = outer[:3, :3]
@@ -71,7 +71,7 @@ def _into_parent(migration: Migration, nested: Node) -> None:
         nested.remove()
 
 
-def _rename_mentions(migration: Migration, nested: Node, name: str) -> None:
+def _rename_in_plugins(migration: Migration, nested: Node, name: str) -> None:
     inside = [child for child in nested.children() if child.name in _NAMED]
     own = {(child.name, child.get("name") or ""): f"{name}__{child.get('name')}" for child in inside}
     rename_in_plugins(migration, nested, own)

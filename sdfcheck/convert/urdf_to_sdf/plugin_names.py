@@ -7,8 +7,8 @@ from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.source.element import Element
 
 
-class Mentions:
-    """Tells of plugins that name links and joints which were merged or renamed; they stay as written."""
+class PluginNames:
+    """Reports plugins that name links and joints which were merged or renamed; they stay as written."""
 
     def __init__(self, context: Context) -> None:
         self.context = context
@@ -28,7 +28,7 @@ class Mentions:
             else:
                 self.gone.pop(name, None)
 
-    def tell(self, block: Element) -> None:
+    def report(self, block: Element) -> None:
         """Look at the plugins in a ``<gazebo>`` block."""
         if not self.gone:
             return
