@@ -20,6 +20,7 @@ from sdfcheck.robot.values import lazy
 if TYPE_CHECKING:
     from sdfcheck.robot.alterations import Alterations
     from sdfcheck.robot.frame import Frame, MergedFrame
+    from sdfcheck.robot.guess import Guess
     from sdfcheck.robot.includes import Included
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.part import Part
@@ -126,6 +127,12 @@ class Scope(Node):
         head, delimiter, rest = reference.partition("::")
         model = self.nodes.get(head) if delimiter else None
         return isinstance(model, Scope) and model.may_hold(rest)
+
+    def guess(self, reference: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
+        """What a reference that names nothing here was meant to be: none of ``but``, and of ``kind``."""
+        from sdfcheck.robot.guess import guess
+
+        return guess(self, reference, but, kind)
 
     def names(self) -> Iterator[str]:
         """The names that a reference here can use, scoped ones included; not all of very many."""
