@@ -10,6 +10,8 @@ from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.includes import Included
+    from sdfcheck.robot.link_names import LinkNames
+    from sdfcheck.robot.motion.lumping import Lumping
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.node import Node
@@ -173,6 +175,28 @@ class Model(Scope):
         from sdfcheck.robot.motion.tree import Tree
 
         return Tree(self)
+
+    @lazy
+    def joints_by_name(self) -> dict[str, Joint]:
+        """Its joints by name, of several of a name the first; in URDF a link may have the same name."""
+        found: dict[str, Joint] = {}
+        for joint in self.joints:
+            found.setdefault(joint.name, joint)
+        return found
+
+    @lazy
+    def link_names(self) -> LinkNames:
+        """In URDF: the names by which joints call links, and those that the links have."""
+        from sdfcheck.robot.link_names import LinkNames
+
+        return LinkNames(self)
+
+    @lazy
+    def lumping(self) -> Lumping:
+        """In URDF: what libsdformat makes of links that fixed joints tie together."""
+        from sdfcheck.robot.motion.lumping import Lumping
+
+        return Lumping(self)
 
     @property
     def mass_properties(self) -> MassProperties | None:

@@ -108,7 +108,8 @@ class Scope(Node):
 
     def resolve(self, reference: str) -> Node | None:
         """What a reference names; None if nothing of that name is known here."""
-        reference = reference.strip()
+        if not self.is_urdf:
+            reference = reference.strip()
         if reference == self.own_name:
             return self
         if reference == NEVER_A_REFERENCE:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
+
+from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -15,15 +17,16 @@ class Tree:
     """The links of a model and the joints between two different ones of them.
 
     Links and joints are those of the model itself, in the order of the file; of several
-    links of one name the first counts.
+    links of one name the first counts. In URDF one whose name is yet to be expanded is left out.
     """
 
     def __init__(self, model: Model) -> None:
         self.model = model
         self.links: dict[str, Link] = {}
         """Name → link."""
+        is_name: Callable[[str], bool] = _is_name_in_urdf if model.is_urdf else bool
         for link in model.links:
-            if link.name:
+            if is_name(link.name):
                 self.links.setdefault(link.name, link)
         self.joints: tuple[Joint, ...] = model.joints
         """All joints, those that tie nothing as well."""
@@ -59,6 +62,41 @@ class Tree:
                     seen.add(child)
                     waiting.append(child)
 
+    @lazy
+    def main_roots(self) -> list[Link]:
+        """The roots in the largest group: more than one where a link has several parents."""
+        main = set(self.groups[0]) if self.links else ()
+        return [link for link in self.roots if link in main]
+
+    def top(self, group: list[Link]) -> Link:
+        """The root of a group, or its first link where joints lead round in a circle."""
+        return next((link for link in group if link not in self.parents), group[0])
+
+    @lazy
+    def loose_groups(self) -> list[list[Link]]:
+        """The groups besides the largest, unless mistakes in as many joints explain them."""
+        others = self.groups[1:]
+        if not others:
+            return []
+        broken = sum(self.ends(joint) is None for joint in self.joints) + len(self.loops())
+        if len(others) <= broken:
+            return []
+        meant = set(self._meant_children())
+        return [group for group in others if not meant.intersection(group)]
+
+    def _meant_children(self) -> Iterator[Link]:
+        """The links to which joints lead, or would if their ends were spelled right."""
+        from sdfcheck.formats.suggest import suggest_in
+
+        for joint in self.joints:
+            name = joint.child_name
+            if self.ends(joint) is not None or not name:
+                continue
+            meant = name if name in self.links else suggest_in(self.model.document, name, self.links)
+            if meant is not None:
+                yield self.links[meant]
+
+    @lazy
     def groups(self) -> list[list[Link]]:
         """The links, grouped by what joints tie together: the largest group first, then by place."""
         tied: dict[Link, list[Link]] = {}
@@ -105,3 +143,9 @@ class Tree:
         order = {joint: number for number, joint in enumerate(self.joints)}
         first = min(range(len(ring)), key=lambda number: order[ring[number]])
         return ring[first:] + ring[:first]
+
+
+def _is_name_in_urdf(name: str) -> bool:
+    from sdfcheck.formats.urdf.table import is_expression
+
+    return bool(name) and not is_expression(name)

@@ -187,6 +187,10 @@ class Mimic(_AxisPart):
         """The joint that it follows; None if the name is not that of a joint."""
         from sdfcheck.robot.parts.joint import Joint
 
+        model = self.joint.model
+        if self.is_urdf:  # where joints and links have names of their own
+            name = self.leader_value.text if self.leader_value is not None else ""
+            return model.joints_by_name.get(name) if model is not None and name else None
         found = self.joint.scope.resolve(self.leader_name) if self.leader_name else None
         return found if isinstance(found, Joint) else None
 

@@ -37,8 +37,19 @@ class Inertial(Part):
         if not self.is_urdf:
             return self._number("mass", 1.0)
         mass = self.find("mass")
-        value = mass.attribute("value") if mass is not None else None
-        return Number.of(value, mass if mass is not None else self.element, 0.0)
+        return Number.of(self._mass_value, mass if mass is not None else self.element, 0.0)
+
+    @property
+    def has_mass(self) -> bool:
+        """Is the mass other than 0? In URDF a text that is not a number counts, for it is reported for itself."""
+        if not self.is_urdf:
+            return float(self.mass) != 0
+        return self._mass_value is not None and self._mass_value.number != 0
+
+    @property
+    def _mass_value(self) -> Value | None:
+        mass = self.find("mass")
+        return mass.attribute("value") if mass is not None else None
 
     @property
     def inertia(self) -> Element | None:

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 
 MOVING_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "planar", "floating"})
 
+PRESERVING = ("preserveFixedJoint", "disableFixedJointLumping")
+"""The settings in ``<gazebo>`` that keep a fixed joint."""
+
 AXES = {
     "revolute": 1,
     "continuous": 1,
@@ -52,6 +55,16 @@ class Joint(Node):
     def is_fixed(self) -> bool:
         """Does it not let its child move?"""
         return self.type == "fixed"
+
+    @property
+    def is_preserved(self) -> bool:
+        """Does a ``<gazebo>`` block tell libsdformat to keep it although it is fixed?"""
+        return any(block.is_on(name) for block in self.gazebo_blocks for name in PRESERVING)
+
+    @property
+    def is_lumped(self) -> bool:
+        """In URDF: does libsdformat merge its child into its parent?"""
+        return self.is_urdf and self.is_fixed and self.parent_name != "world" and not self.is_preserved
 
     @property
     def is_for_drake_only(self) -> bool:
@@ -118,10 +131,13 @@ class Joint(Node):
         return value if value is not None and value.text else None
 
     def _named(self, name: str) -> Node | None:
+        if self.is_urdf:
+            from sdfcheck.formats.urdf.table import is_expression
+
+            found = self.look_up(name) if name and not is_expression(name) else None
+            return found if found is not None and found.kind == "link" else None
         found = self.look_up(name) if name else None
-        if found is self or (self.is_urdf and found is not None and found.kind != "link"):
-            return None
-        return found
+        return None if found is self else found
 
     @property
     def attachment(self) -> Node | None:

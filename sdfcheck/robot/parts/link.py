@@ -42,6 +42,11 @@ class Link(Node):
         return self._only("inertial", Inertial)
 
     @property
+    def has_mass(self) -> bool:
+        """Is its mass other than 0? In URDF a text that is not a number counts, for it is reported for itself."""
+        return self.inertial.has_mass
+
+    @property
     def visuals(self) -> tuple[Visual, ...]:
         """What is seen of it."""
         return tuple(self._parts("visual"))
