@@ -76,8 +76,8 @@ def diff(**given: Any) -> int:
 def _compare(request: Request) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
     from sdfcheck.lint.config.configuration import Configuration
-    from sdfcheck.robot.poses import PoseError
-    from sdfcheck.robot.urdf_robot import RobotError
+    from sdfcheck.robot.errors import DescriptionError
+    from sdfcheck.robot.motion.poses import PoseError
 
     configuration = Configuration(request.config, isolated=request.isolated)
     documents = []
@@ -87,7 +87,7 @@ def _compare(request: Request) -> FileDifference:
         documents.append(load(file, configuration.settings_for(file)))
     try:
         return compare_files(*documents, tolerance=request.tolerance)
-    except RobotError as error:
+    except DescriptionError as error:
         span = error.element.span
         raise WrongUsage(f"{span.source.path}:{span.begin.line}:{span.begin.column}: {error}") from None
     except PoseError as error:

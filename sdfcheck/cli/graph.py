@@ -51,9 +51,9 @@ def graph_command(kind: str, file: Path, form: str, config: Path | None, isolate
     try:
         drawn = graph(load(file, settings), GraphKind(kind))
     except ValueError as error:
-        from sdfcheck.robot.urdf_robot import RobotError
+        from sdfcheck.robot.errors import DescriptionError
 
-        if not isinstance(error, RobotError):
+        if not isinstance(error, DescriptionError):
             raise
         line, column = error.element.span.begin
         raise WrongUsage(f"{file}:{line}:{column}: {error}") from None

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from sdfcheck.robot.mass_report import LinkMass, MassReport, ModelMass
-    from sdfcheck.robot.robot import Body
+    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mass_report import LinkMass, MassReport, ModelMass
     from sdfcheck.source.document import Document
 
 _HEADER = ("", "mass", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "")
@@ -89,13 +89,13 @@ def measure(document: Document) -> MassReport:
     Raises:
         WrongUsage: its numbers cannot be read.
     """
-    from sdfcheck.robot.mass_report import mass_report
-    from sdfcheck.robot.poses import PoseError
-    from sdfcheck.robot.urdf_robot import RobotError
+    from sdfcheck.robot.errors import DescriptionError
+    from sdfcheck.robot.motion.mass_report import mass_report
+    from sdfcheck.robot.motion.poses import PoseError
 
     try:
         return mass_report(document)
-    except RobotError as error:
+    except DescriptionError as error:
         line, column = error.element.span.begin
         raise WrongUsage(f"{document.path}:{line}:{column}: {error}") from None
     except PoseError as error:
@@ -103,7 +103,7 @@ def measure(document: Document) -> MassReport:
 
 
 def _only(report: MassReport, name: str) -> MassReport:
-    from sdfcheck.robot.mass_report import MassReport
+    from sdfcheck.robot.motion.mass_report import MassReport
 
     found = next((model for model in report.walk() if model.name == name), None)
     if found is None:
@@ -140,16 +140,16 @@ def _blocks(report: MassReport) -> Iterator[_Block]:
         yield _Block("file", [_row("total", report.total, what)], report.notes)
 
 
-def _row(name: str, body: Body | None, note: str) -> tuple[str, ...]:
+def _row(name: str, body: MassProperties | None, note: str) -> tuple[str, ...]:
     if body is None:
         return (name, *["–"] * 10, note)
     return (name, *(_short(number) for number in _numbers(body)), note)
 
 
-def _numbers(body: Body) -> tuple[float, ...]:
+def _numbers(body: MassProperties) -> tuple[float, ...]:
     m = body.moments
     moments = (m[0, 0], m[1, 1], m[2, 2], m[0, 1], m[0, 2], m[1, 2])
-    return tuple(float(number) for number in (body.mass, *body.centre, *moments))
+    return tuple(float(number) for number in (body.mass, *body.center, *moments))
 
 
 def _short(number: float) -> str:
@@ -236,7 +236,7 @@ def _link(link: LinkMass) -> dict[str, Any]:
     return {"name": link.name, "from": link.origin.value, **body, "note": link.note}
 
 
-def _body(body: Body | None) -> dict[str, Any] | None:
+def _body(body: MassProperties | None) -> dict[str, Any] | None:
     if body is None:
         return None
     mass, x, y, z, *moments = _numbers(body)

@@ -17,8 +17,9 @@ import numpy as np
 from sdfcheck.convert.rewrite.reframing import reframed
 from sdfcheck.convert.rewrite.renaming import Names, filled, same_geometry, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
-from sdfcheck.robot.robot import Axis, Body, Geometry, Joint, Link, Mimic, Robot
-from sdfcheck.robot.rotations import Array, inverse, to_rpy
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
+from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
 
 _ENDLESS = 1e15
 
@@ -44,7 +45,7 @@ class Change:
 
 
 def compare(
-    a: Robot, b: Robot, *, across_formats: bool = False, tolerance: float = TOLERANCE
+    a: Mechanism, b: Mechanism, *, across_formats: bool = False, tolerance: float = TOLERANCE
 ) -> list[Change]:
     """What changed from ``a`` to ``b``.
 
@@ -63,7 +64,7 @@ def compare(
 
 
 class _Comparison:
-    def __init__(self, a: Robot, b: Robot, across_formats: bool, tolerance: float) -> None:
+    def __init__(self, a: Mechanism, b: Mechanism, across_formats: bool, tolerance: float) -> None:
         self.across_formats = across_formats
         self.tolerance = tolerance
         self.names = Names.between(a, b, tolerance)
@@ -117,7 +118,7 @@ class _Comparison:
         yield from self.body(b.name, a.body, b.body)
         yield from self.geometries(a, b)
 
-    def body(self, name: str, a: Body | None, b: Body | None) -> Iterator[Change]:
+    def body(self, name: str, a: MassProperties | None, b: MassProperties | None) -> Iterator[Change]:
         if a is None or b is None:
             if (a or b) is not None and (not self.across_formats or (a or b).mass):  # type: ignore[union-attr]
                 texts = ("none" if body is None else f"{body.mass:g} kg" for body in (a, b))
@@ -125,8 +126,8 @@ class _Comparison:
             return
         if not self.equal(a.mass, b.mass):
             yield self.changed("link", name, "mass", *_pair((a.mass,), (b.mass,)))
-        if not np.allclose(a.centre, b.centre, rtol=0, atol=self.tolerance):
-            yield self.changed("link", name, "centre of mass", *_pair(a.centre, b.centre))
+        if not np.allclose(a.center, b.center, rtol=0, atol=self.tolerance):
+            yield self.changed("link", name, "centre of mass", *_pair(a.center, b.center))
         size = max(float(np.abs(a.moments).max()), float(np.abs(b.moments).max()))
         pairs = (("ixx", 0, 0), ("iyy", 1, 1), ("izz", 2, 2), ("ixy", 0, 1), ("ixz", 0, 2), ("iyz", 1, 2))
         for what, row, column in pairs:
@@ -248,7 +249,7 @@ def _bounded(value: float) -> float:
     return math.copysign(math.inf, value) if abs(value) >= _ENDLESS else value
 
 
-def _in_child(robot: Robot, joint: Joint) -> Array:
+def _in_child(robot: Mechanism, joint: Joint) -> Array:
     child = robot.links.get(joint.child)
     return inverse(child.pose) @ joint.pose if child is not None else joint.pose.copy()
 

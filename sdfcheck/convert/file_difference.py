@@ -9,12 +9,12 @@ from sdfcheck.convert.rewrite.reframing import shifted_model
 from sdfcheck.convert.rewrite.renaming import same_pose
 from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
 from sdfcheck.convert.verify import TOLERANCE
-from sdfcheck.robot.poses import Poses, written_pose
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.rotations import Array, inverse
-from sdfcheck.robot.scopes import Scope, scopes
-from sdfcheck.robot.sdf_robot import read_sdf_robot
-from sdfcheck.robot.urdf_robot import read_urdf_robot
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.poses import written_pose
+from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
@@ -23,7 +23,7 @@ from sdfcheck.source.sniff import Kind
 class Placed:
     """A model of a file: the robot, its 4×4 pose in the world, and whether it stands still."""
 
-    robot: Robot
+    robot: Mechanism
     pose: Array
     is_static: bool = False
 
@@ -41,22 +41,22 @@ class FileDifference:
 def placed_models(document: Document) -> dict[str, Placed]:
     """The models at the top of a document or in its world.
 
-    Raises RobotError or PoseError where one cannot be read.
+    Raises DescriptionError or PoseError where one cannot be read.
     """
     if document.kind is Kind.URDF:
-        robot = _as_sdf_has_it(read_urdf_robot(document))
+        robot = _as_sdf_has_it(mechanism_of(root_of(document).models[0]))
         return {robot.name: Placed(robot, *_stand(document))}
     if needs_writing_out(document):
         document, _ = written_out(document)
     found: dict[str, Placed] = {}
-    poses = Poses()
-    for root in scopes(document).roots:
-        if root.kind == "model":
-            found[root.name] = _placed(root, poses.of_model(root))
+    root = root_of(document)
+    for top in root.scopes:
+        if isinstance(top, Model):
+            found[top.name] = _placed(top, root.poses.in_scope(top))
             continue
-        for frame in root.frames.values():
-            if frame.kind == "model" and frame.inner is not None:
-                found[frame.name] = _placed(frame.inner, poses.of_model(frame.inner))
+        for node in top.nodes.values():
+            if isinstance(node, Model) and node.is_readable:
+                found[node.name] = _placed(node, root.poses.in_scope(node))
     return found
 
 
@@ -67,7 +67,7 @@ def compare_files(
 
     ``across_formats``: compare as if their formats differed, as :func:`compare` has it.
 
-    Raises RobotError or PoseError where one of them cannot be read.
+    Raises DescriptionError or PoseError where one of them cannot be read.
     """
     before, after = placed_models(a), placed_models(b)
     across = across_formats or a.kind is not b.kind
@@ -87,21 +87,21 @@ def compare_files(
     return FileDifference(tuple(changes), len(robots), links, joints)
 
 
-def _placed(scope: Scope, pose: Array) -> Placed:
-    robot = read_sdf_robot(scope)
+def _placed(scope: Model, pose: Array) -> Placed:
+    robot = mechanism_of(scope)
     if scope.is_static:  # what stands still needs no joint to stand
         anchors = {j.name for j in robot.joints.values() if j.kind == "fixed" and j.parent == "world"}
         robot.joints = {name: joint for name, joint in robot.joints.items() if name not in anchors}
     return Placed(robot, pose, scope.is_static)
 
 
-def _as_sdf_has_it(robot: Robot) -> Robot:
+def _as_sdf_has_it(robot: Mechanism) -> Mechanism:
     """Without an empty link ``world``, and without joints that leave all free: SDFormat has neither."""
     world = robot.links.get("world")
     is_place = world is not None and world.body is None and not world.geometries
     links = {name: link for name, link in robot.links.items() if not (is_place and name == "world")}
     joints = {name: joint for name, joint in robot.joints.items() if joint.kind != "floating"}
-    return Robot(robot.name, links, joints, robot.frames)
+    return Mechanism(robot.name, links, joints, robot.frames)
 
 
 def _stand(document: Document) -> tuple[Array, bool]:

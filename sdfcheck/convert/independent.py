@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sdfcheck.convert.verify import Difference
-from sdfcheck.robot.kinematics import link_poses
-from sdfcheck.robot.rotations import Array, angle_between, inverse
+from sdfcheck.robot.motion.kinematics import link_poses
+from sdfcheck.robot.motion.rotations import Array, angle_between, inverse
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 

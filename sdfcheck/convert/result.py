@@ -8,7 +8,7 @@ from pathlib import Path
 from sdfcheck.convert.broken_text import guess_in
 from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.verify import Correspondence, Verification, verify
-from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.source.document import Document
 
 
@@ -16,8 +16,8 @@ from sdfcheck.source.document import Document
 class Comparison:
     """The two robots, each read from its own text by its format's reader, and what became of what."""
 
-    source: Robot
-    result: Robot
+    source: Mechanism
+    result: Mechanism
     correspondence: Correspondence
 
     def verify(self) -> Verification:

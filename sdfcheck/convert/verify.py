@@ -1,6 +1,6 @@
 """Proof that two descriptions are one robot.
 
-Both are read by their own readers into :class:`~sdfcheck.robot.robot.Robot`; at random
+Both are read by their own readers into :class:`~sdfcheck.robot.motion.mechanism.Robot`; at random
 joint positions the poses of all links and the mass, centre of mass and inertia of the
 whole are compared, then those of each link, the links' geometry and the joints' limits.
 """
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.robot.kinematics import (
+from sdfcheck.robot.motion.kinematics import (
     Bodies,
     Positions,
     degrees_of_freedom,
@@ -21,8 +21,9 @@ from sdfcheck.robot.kinematics import (
     total_body,
     with_followers,
 )
-from sdfcheck.robot.robot import Axis, Body, Geometry, Joint, Robot
-from sdfcheck.robot.rotations import Array, angles_between, inverse
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Mechanism
+from sdfcheck.robot.motion.rotations import Array, angles_between, inverse
 
 TOLERANCE = 1e-9
 CONFIGURATIONS = 64
@@ -102,8 +103,8 @@ class Verification:
 
 
 def verify(
-    source: Robot,
-    result: Robot,
+    source: Mechanism,
+    result: Mechanism,
     correspondence: Correspondence | None = None,
     *,
     configurations: int = CONFIGURATIONS,
@@ -115,7 +116,7 @@ def verify(
 
 class _Comparison:
     def __init__(
-        self, source: Robot, result: Robot, correspondence: Correspondence, tolerance: float
+        self, source: Mechanism, result: Mechanism, correspondence: Correspondence, tolerance: float
     ) -> None:
         self.source = source
         self.result = result
@@ -199,7 +200,7 @@ class _Comparison:
 
     def compare_bodies(self) -> None:
         """Each link of the result must weigh what the source's links weigh that went into it."""
-        became: dict[str, Body] = {}
+        became: dict[str, MassProperties] = {}
         told = {self.to.link(name).link for name in self.to.changed_bodies}
         for name in self.compared:
             body, counterpart = self.source.links[name].body, self.to.link(name)
@@ -294,5 +295,5 @@ def _stacked(poses: list[Array]) -> Array:
     return np.stack(np.broadcast_arrays(*poses))
 
 
-def _single(body: Body) -> Bodies:
-    return Bodies(body.mass, body.centre[None], body.moments[None])
+def _single(body: MassProperties) -> Bodies:
+    return Bodies(body.mass, body.center[None], body.moments[None])

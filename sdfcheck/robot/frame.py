@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.values import lazy
@@ -10,6 +10,7 @@ from sdfcheck.robot.values import lazy
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.part import Part
+    from sdfcheck.robot.scope import Scope
     from sdfcheck.source.element import Element, Value
 
 
@@ -49,6 +50,15 @@ class MergedFrame(Frame):
     def __init__(self, holder: Part, element: Element, model: Model) -> None:
         super().__init__(holder, element, f"_merged__{model.name}__model__")
         self.model = model
+
+    @lazy
+    def apart(self) -> Model:
+        """The model as it is by itself, not merged."""
+        from sdfcheck.robot.includes import included
+        from sdfcheck.robot.model import included_model
+
+        model = included_model(cast("Scope", self.model.holder), included(self.document, self.element))
+        return self.model if model is None else model
 
     @property
     def attached_to_value(self) -> Value | None:

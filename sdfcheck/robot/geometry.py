@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from sdfcheck.robot.robot import Geometry
-from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.motion.mechanism import Geometry
+from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.element import Element
 
 _SIZES = {

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from enum import Enum
 
-from sdfcheck.robot.carriers import attachment, carrier, child_of, look_up, own_model, stands_still
-from sdfcheck.robot.scopes import WORLD_FRAME, Frame, Scope, scopes
+from sdfcheck.robot import node as nodes
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.root import Root, root_of
+from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 
 UNKNOWN = "unknown"
@@ -52,80 +54,55 @@ class Graph(NamedTuple):
 
 def graph(document: Document, kind: GraphKind) -> Graph:
     """A graph of an SDF or URDF document, included models and all."""
-    draft = _Draft()
-    roots = root_scopes(document)
-    for root in roots:
-        draft.name_all(root, root.name if len(roots) > 1 else "")
-    if kind is GraphKind.JOINTS:
-        _draw_joints(draft)
-    elif kind is GraphKind.FRAMES:
-        _draw_attachments(draft)
-    else:
-        _draw_poses(draft, roots)
+    draft = _Draft(root_of(document))
+    {GraphKind.FRAMES: _draw_attachments, GraphKind.POSES: _draw_poses, GraphKind.JOINTS: _draw_joints}[kind](
+        draft
+    )
     return Graph(kind, tuple(draft.nodes), tuple(draft.edges))
-
-
-def root_scopes(document: Document) -> list[Scope]:
-    """The worlds and models at the top of an SDF document, or the robot of a URDF one."""
-    root = document.root
-    if root is None or root.name != "robot":
-        return scopes(document).roots
-    scope = Scope("model", root.attributes.get("name", ""), root, None)
-    for kind in ("link", "joint"):
-        for child in root.children(kind):
-            if name := child.attributes.get("name", ""):
-                scope.frames.setdefault(name, Frame(kind, name, child, scope))
-    return [scope]
 
 
 class _Draft:
     """A graph in the making."""
 
-    def __init__(self) -> None:
+    def __init__(self, root: Root) -> None:
         self.nodes: list[Node] = []
         self.edges: list[Edge] = []
-        self.names: dict[Frame, str] = {}
-        """Every frame, and what to call it from the top."""
+        self.names: dict[nodes.Node, str] = {}
+        """Every node of the robot in document order, and what to call it from the top."""
+        self.tops: dict[nodes.Node, Scope] = {}
         self._numbers: dict[object, int] = {}
+        for top in root.scopes:
+            self._name_all(top, top.name if len(root.scopes) > 1 else "")
 
-    def name_all(self, scope: Scope, name: str) -> None:
-        """Name a scope's own frame and all that is in it; nested scopes without recursion."""
-        waiting = [(scope, name)]
+    def _name_all(self, top: Scope, name: str) -> None:
+        """Name a top scope and all that is in it; without recursion."""
+        self.names[top], self.tops[top] = name or top.name, top
+        waiting = [(top, name)]
         while waiting:
-            at, prefix = waiting.pop()
-            self.names[at.own] = prefix or at.name
+            scope, prefix = waiting.pop()
             nested = []
-            for own, frame in at.frames.items():
-                self.names[frame] = f"{prefix}::{own}" if prefix else own
-                if frame.kind == "model" and frame.inner is not None:
-                    nested.append((frame.inner, self.names[frame]))
+            for own, node in scope.nodes.items():
+                self.names[node] = f"{prefix}::{own}" if prefix else own
+                self.tops[node] = top
+                if isinstance(node, Model):
+                    nested.append((node, self.names[node]))
             waiting += reversed(nested)
 
-    def node(self, frame: Frame, note: str = "") -> int:
-        """The number of a frame; a model's frame is one from inside and outside."""
-        key = frame.inner.own if frame.kind == "model" and frame.inner is not None else frame
-        if key not in self._numbers:
-            self._numbers[key] = len(self.nodes)
-            self.nodes.append(Node(self.names.get(frame, frame.name), frame.kind, note))
-        return self._numbers[key]
+    def node(self, node: nodes.Node, note: str = "") -> int:
+        """The number of a node of the robot."""
+        return self._number(node, Node(self.names.get(node, node.name), node.kind, note))
 
-    def unknown(self, name: str, holder: Frame) -> int:
-        """The number of something that a frame refers to and that does not exist."""
-        return self._other((holder.scope, name), Node(name, UNKNOWN))
+    def unknown(self, name: str, holder: nodes.Node) -> int:
+        """The number of something that a node refers to and that does not exist."""
+        return self._number((holder.scope, name), Node(name, UNKNOWN))
 
-    def world(self, scope: Scope) -> int:
-        """The number of the world, also of one around a model that stands alone."""
-        while scope.parent is not None:
-            scope = scope.parent
-        return self.node(scope.own) if scope.kind == "world" else self._other("world", Node("world", "world"))
-
-    def _other(self, key: object, node: Node) -> int:
+    def _number(self, key: object, node: Node) -> int:
         if key not in self._numbers:
             self._numbers[key] = len(self.nodes)
             self.nodes.append(node)
         return self._numbers[key]
 
-    def tie(self, lower: Frame, upper: Frame | None, reference: str, label: str) -> None:
+    def tie(self, lower: nodes.Node, upper: nodes.Node | None, reference: str, label: str) -> None:
         """An edge to what a reference names, or to what it names in vain."""
         number = self.node(lower)
         if upper is not None:
@@ -133,69 +110,56 @@ class _Draft:
         elif reference:
             self.edges.append(Edge(self.unknown(reference, lower), number, label))
 
-    def distinct(self) -> Iterator[Frame]:
-        """All frames in document order, a nested model's once."""
-        for frame in list(self.names):
-            if not (frame is frame.scope.own and frame.scope.parent is not None):
-                yield frame
-
 
 def _draw_attachments(draft: _Draft) -> None:
-    for frame in draft.distinct():
-        draft.node(frame)
-    for frame in draft.distinct():
-        if frame.kind == "model":
-            stands = frame.inner is not None and stands_still(frame.inner)
-            draft.tie(frame, None if stands else attachment(frame), "", "canonical link")
-        elif frame.kind == "joint":
-            draft.tie(frame, attachment(frame), child_of(frame), "child")
-        elif frame.kind == "frame":
-            reference = frame.element.attributes.get("attached_to", "").strip()
-            draft.tie(frame, attachment(frame), reference, "attached to" if reference else "")
+    for node in draft.names:
+        draft.node(node)
+    for node in draft.names:
+        if isinstance(node, Model):
+            draft.tie(node, None if node.stands_still else node.attachment, "", "canonical link")
+        elif isinstance(node, Joint):
+            draft.tie(node, node.attachment, node.child_name, "child")
+        elif node.kind == "frame":
+            value = getattr(node, "attached_to_value", None)
+            reference = value.text.strip() if value is not None else ""
+            draft.tie(node, node.attachment, reference, "attached to" if reference else "")
 
 
-def _draw_poses(draft: _Draft, roots: list[Scope]) -> None:
-    from sdfcheck.robot.poses import base_of, is_urdf, pose_element, reference_of, urdf_base
-
-    note = _pose_notes()
-    root_of = {frame: root for root in roots for frame in _below(root)}
-    for frame in draft.distinct():
-        draft.node(frame, note(frame, root_of.get(frame)))
-    for frame in draft.distinct():
-        if frame is frame.scope.own:
-            continue
-        if is_urdf(frame):
-            base, joint = urdf_base(frame)
-            draft.tie(frame, base, "", joint.attributes.get("name", "") if joint is not None else "")
-        elif reference := base_of(frame):
-            default = {"joint": "child", "frame": "attached to"}.get(frame.kind, "")
-            label = "relative to" if reference_of(pose_element(frame)) else default
-            draft.tie(frame, look_up(frame, reference), reference, label)
-        else:
-            draft.tie(frame, own_model(frame), "", "")
+def _draw_poses(draft: _Draft) -> None:
+    note = _pose_notes(draft)
+    for node in draft.names:
+        draft.node(node, note(node))
+    for node, top in draft.tops.items():
+        if node is not top:
+            _tie_to_base(draft, node)
 
 
-def _below(root: Scope) -> Iterator[Frame]:
-    waiting = [root]
-    while waiting:
-        scope = waiting.pop()
-        yield from scope.frames.values()
-        waiting += scope.inner
+def _tie_to_base(draft: _Draft, node: nodes.Node) -> None:
+    from sdfcheck.robot.motion.poses import is_in_urdf, urdf_base
+
+    if is_in_urdf(node):
+        base, joint = urdf_base(node)
+        draft.tie(node, base, "", joint.name if joint is not None else "")
+        return
+    default = {"joint": "child", "frame": "attached to"}.get(node.kind, "")
+    reference = node.base_name
+    draft.tie(
+        node, node.base, reference, ("relative to" if node.written_base else default) if reference else ""
+    )
 
 
-def _pose_notes() -> Callable[[Frame, Scope | None], str]:
-    """Resolved poses as text: position and roll, pitch, yaw in the frame of the root."""
-    from sdfcheck.robot.poses import PoseError, Poses
-    from sdfcheck.robot.rotations import to_rpy
+def _pose_notes(draft: _Draft) -> Callable[[nodes.Node], str]:
+    """Resolved poses as text: position and roll, pitch, yaw in the frame of the top."""
+    from sdfcheck.robot.errors import DescriptionError
+    from sdfcheck.robot.motion.rotations import to_rpy
 
-    poses = Poses()
-
-    def note(frame: Frame, root: Scope | None) -> str:
-        if root is None:
+    def note(node: nodes.Node) -> str:
+        top = draft.tops[node]
+        if node is top:
             return ""
         try:
-            pose = poses.reached(root, frame)
-        except PoseError as error:
+            pose = node.root.poses.reached(top, node)
+        except DescriptionError as error:
             return str(error)
         numbers = (*pose[:3, 3], *to_rpy(pose[:3, :3]))
         return " ".join(_short(float(number)) for number in numbers)
@@ -209,34 +173,21 @@ def _short(number: float) -> str:
 
 
 def _draw_joints(draft: _Draft) -> None:
-    frames = list(draft.distinct())
-    for frame in frames:
-        if frame.kind == "link":
-            draft.node(frame)
-    for joint in frames:
-        if joint.kind == "joint":
-            kind = joint.element.attributes.get("type", "").strip() or "no type"
-            upper, lower = (_end(draft, joint, role) for role in ("parent", "child"))
+    for node in draft.names:
+        if node.kind == "link":
+            draft.node(node)
+    for joint in draft.names:
+        if isinstance(joint, Joint):
+            kind = (joint.type_value.text.strip() if joint.type_value is not None else "") or "no type"
+            upper = _end(draft, joint, joint.parent_name, joint.parent)
+            lower = _end(draft, joint, joint.child_name, joint.child)
             if upper is not None and lower is not None:
                 draft.edges.append(Edge(upper, lower, f"{draft.names[joint]} ({kind})"))
 
 
-def _end(draft: _Draft, joint: Frame, role: str) -> int | None:
+def _end(draft: _Draft, joint: Joint, name: str, found: nodes.Node | None) -> int | None:
     """The node of the link at an end of a joint."""
-    name = child_of(joint) if role == "child" else _parent_of(joint.element)
     if not name:
         return None
-    found = look_up(joint, name)
-    if found is None and name == WORLD_FRAME:
-        return draft.world(joint.scope)
-    link = carrier(found) if found is not None else None
-    if link is None:
-        return draft.unknown(name, joint)
-    return draft.node(link)
-
-
-def _parent_of(joint: Element) -> str:
-    parent = joint.find("parent")
-    if parent is None:
-        return ""
-    return parent.content or parent.attributes.get("link", "").strip()
+    carrier = found.carrier if found is not None else None
+    return draft.unknown(name, joint) if carrier is None else draft.node(carrier)

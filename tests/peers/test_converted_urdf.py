@@ -16,10 +16,10 @@ from lxml import etree
 
 from sdfcheck.cli.main import main
 from sdfcheck.convert.verify import Correspondence, verify
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.scopes import scopes
-from sdfcheck.robot.sdf_robot import read_sdf_robot
-from sdfcheck.robot.urdf_robot import RobotError
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind, sniff
 from tests.peers import cmdcheck, drake_poses, own_conversion
@@ -210,8 +210,8 @@ def excuse(one: Converted) -> str:
     return ""
 
 
-def robot(text: str) -> Robot:
+def robot(text: str) -> Mechanism:
     try:
-        return read_sdf_robot(scopes(read(text.encode(), Path("r.sdf"), Kind.SDF)).roots[0])
-    except RobotError as error:
+        return mechanism_of(root_of(read(text.encode(), Path("r.sdf"), Kind.SDF)).models[0])
+    except DescriptionError as error:
         pytest.fail(str(error))

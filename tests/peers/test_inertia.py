@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.mass_report import ModelMass, mass_report
+from sdfcheck.robot.motion.mass_report import ModelMass, mass_report
 
 pytestmark = pytest.mark.peers
 ROOT = Path(__file__).parents[2]
@@ -63,7 +63,7 @@ def test_drake_finds_the_same_total(path: Path) -> None:
     if theirs is None:
         pytest.skip("Drake does not load it")
     assert model.total.mass == pytest.approx(theirs["mass"], rel=1e-9)
-    assert model.total.centre == pytest.approx(np.array(theirs["centre"]), abs=1e-9)
+    assert model.total.center == pytest.approx(np.array(theirs["centre"]), abs=1e-9)
     scale = float(np.abs(model.total.moments).max())
     assert model.total.moments == pytest.approx(np.array(theirs["moments"]), abs=1e-9 * max(scale, 1.0))
 

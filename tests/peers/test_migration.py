@@ -15,11 +15,11 @@ from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.proof import comparable, correspondence, models
 from sdfcheck.convert.verify import verify
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.poses import PoseError
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.scopes import Scope
-from sdfcheck.robot.sdf_robot import read_sdf_robot
-from sdfcheck.robot.urdf_robot import RobotError
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.source.document import Document, read
 from tests.peers.cmdcheck import library
 from tests.peers.cmdprint import version_of
@@ -97,7 +97,7 @@ def test_libsdformat_reads_the_same_robot_from_an_older_version(tmp_path: Path) 
                 compared += 1
                 done = verify(
                     comparable(migration, robot),
-                    read_sdf_robot(there[name]),
+                    mechanism_of(there[name]),
                     correspondence(migration, robot),
                 )
                 wrong += [f"{source.path}: {name}: {one}" for one in done.differences]
@@ -114,8 +114,8 @@ def to_old(document: Document) -> Migration | None:
     return None if migration.root.of("include") else migration
 
 
-def readable(scope: Scope) -> Robot | None:
+def readable(scope: Model) -> Mechanism | None:
     try:
-        return read_sdf_robot(scope)
-    except (RobotError, PoseError):
+        return mechanism_of(scope)
+    except (DescriptionError, PoseError):
         return None

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.carriers import attachment
-from sdfcheck.robot.poses import Poses
-from sdfcheck.robot.rotations import Array, angle_between
-from sdfcheck.robot.scopes import Frame, Scope, scopes
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.rotations import Array, angle_between
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.root import root_of
 from tests.peers import drake_poses
 from tests.peers.findings import SHARED
 
@@ -29,29 +29,23 @@ def resolved(path: Path) -> Iterator[tuple[str, Array]]:
     """Our poses of links and frames, by the names that Drake gives them."""
     document = Library().document(path)
     assert document is not None
-    poses = Poses()
-    for root in scopes(document).roots:
-        models = list(root.inner) if root.kind == "world" else [root]
+    root = root_of(document)
+    for top in root.scopes:
+        models = top.models if top.kind == "world" else (top,)
         for model in models:
-            for name, frame in frames_below(model, model.name):
-                yield name, poses.reached(model, frame)
+            for name, node in model.all_nodes(f"{model.name}::"):
+                if node.kind == "link" or (node.kind == "frame" and not is_misplaced_by_drake(node)):
+                    yield name, root.poses.reached(model, node)
+                if isinstance(node, Model) and node.is_readable:
+                    yield f"{name}::__model__", root.poses.reached(model, node)
 
 
-def frames_below(scope: Scope, prefix: str) -> Iterator[tuple[str, Frame]]:
-    for name, frame in scope.frames.items():
-        if frame.kind == "link" or (frame.kind == "frame" and not is_misplaced_by_drake(frame)):
-            yield f"{prefix}::{name}", frame
-        if frame.kind == "model" and frame.inner is not None:
-            yield f"{prefix}::{name}::__model__", frame
-            yield from frames_below(frame.inner, f"{prefix}::{name}")
-
-
-def is_misplaced_by_drake(frame: Frame) -> bool:
+def is_misplaced_by_drake(frame: Node) -> bool:
     """Drake 1.51 loses the offset of what a frame is attached to: a joint, or a frame that comes later."""
-    order = list(frame.scope.frames.values())
-    at: Frame | None = frame
+    order = list(frame.scope.nodes.values())
+    at: Node | None = frame
     while at is not None and at.kind == "frame":
-        on = attachment(at)
+        on = at.attachment
         if on is not None and on.kind == "joint":
             return True
         if (

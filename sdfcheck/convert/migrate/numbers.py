@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sdfcheck.convert.writer import number
-from sdfcheck.robot.rotations import Array, to_rpy
+from sdfcheck.robot.motion.rotations import Array, to_rpy
 
 _DUST = 1e-13
 """Smaller components of what was computed are what is left of rounding."""

@@ -6,10 +6,14 @@ import numpy as np
 
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.robot.carriers import carrier, look_up, own_model
-from sdfcheck.robot.poses import PoseError, Poses, placement_of, reference_of, written_pose
-from sdfcheck.robot.rotations import Array, inverse
-from sdfcheck.robot.scopes import Frame, Scope, Scopes, scopes
+from sdfcheck.robot.frame import MergedFrame
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.poses import PoseError, written_pose
+from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.node import Node as RobotNode
+from sdfcheck.robot.parts.placement import reference_of
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import MODEL_FRAME, WORLD_FRAME, Scope
 from sdfcheck.source.element import Element
 
 _HOLDERS = frozenset({"link", "joint"})
@@ -20,19 +24,19 @@ class Places:
 
     def __init__(self, migration: Migration) -> None:
         self.migration = migration
-        self.scopes: Scopes = scopes(migration.draft.read())
-        self.poses = Poses()
-        self.frames: dict[Element, Frame] = {
-            frame.element: frame for scope in self.scopes.all() for frame in scope.frames.values()
+        self.root = root_of(migration.draft.read())
+        self.poses = self.root.poses
+        self.frames: dict[Element, RobotNode] = {
+            node.place: node for scope in self.root.all_scopes() for node in scope.nodes.values()
         }
 
-    def frame(self, node: Node) -> Frame | None:
+    def frame(self, node: Node) -> RobotNode | None:
         """The frame that a node makes."""
         return self.frames.get(self.migration.draft.element(node))
 
     def scope(self, node: Node) -> Scope | None:
         """The scope that a node stands in."""
-        return self.scopes.of(self.migration.draft.element(node))
+        return self.root.scope_of(self.migration.draft.element(node))
 
     def plain(self, owner: Node) -> Array:
         """The pose of a node in what the oldest versions mean by it.
@@ -49,17 +53,14 @@ class Places:
         outer = self.in_holder(owner.parent, holder) if owner.parent is not holder else np.eye(4)
         return inverse(outer) @ self.in_holder(owner, holder)
 
-    def of_frame(self, frame: Frame) -> Array:
+    def of_frame(self, frame: RobotNode) -> Array:
         pose = self.poses.in_scope(frame)
         if frame.kind == "joint":
-            child = frame.element.find("child")
-            below = frame.scope.find(child.content) if child is not None else None
+            child = frame.find("child")
+            below = frame.scope.resolve(child.content) if child is not None else None
             if below is not None:
                 return inverse(self.poses.reached(frame.scope, below)) @ pose
-        model = own_model(frame)
-        return (
-            pose if model is None or model is frame.scope.own else inverse(self.poses.in_scope(model)) @ pose
-        )
+        return pose if frame.merged is None else inverse(self.poses.in_scope(frame.merged)) @ pose
 
     def holder(self, node: Node) -> Node | None:
         """The link or joint around a part."""
@@ -82,26 +83,31 @@ class Places:
             return self.poses.of_part(self.migration.draft.element(node), frame)
         scope = self.scope(node)
         if scope is None:
-            raise PoseError(f"there is no frame {reference!r} around {title(node)}")
+            element = self.migration.draft.element(node)
+            raise PoseError(f"there is no frame {reference!r} around {title(node)}", element)
         return self.poses.named(scope, reference) @ written_pose(pose)
 
     def is_placed(self, node: Node) -> bool:
         """Is it a model that is placed by one of its frames?"""
         frame = self.frame(node)
-        return frame is not None and bool(placement_of(frame)[0])
+        if isinstance(frame, MergedFrame):
+            frame = frame.model
+        return isinstance(frame, Model) and bool(frame.placement_frame)
 
-    def carrier(self, frame: Frame) -> tuple[Frame, str] | None:
+    def carrier(self, frame: RobotNode) -> tuple[RobotNode, str] | None:
         """The link or world that a frame moves with, and its name as seen from the frame's scope."""
-        found = carrier(frame)
+        found = frame.carrier
         if found is None:
             return None
+        if found.stands_still or found.kind == "world":
+            return found, MODEL_FRAME if found.kind == "model" else WORLD_FRAME
         names, scope = [found.name], found.scope
         while scope is not frame.scope:
-            if scope.parent is None:
+            if not isinstance(scope.holder, Scope):
                 return None
             names.insert(0, scope.name)
-            scope = scope.parent
+            scope = scope.scope
         return found, "::".join(names)
 
-    def named(self, frame: Frame, reference: str) -> Frame | None:
-        return look_up(frame, reference)
+    def named(self, frame: RobotNode, reference: str) -> RobotNode | None:
+        return frame.look_up(reference)

@@ -13,12 +13,14 @@ from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.result import Comparison
 from sdfcheck.convert.verify import Correspondence
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.poses import PoseError, Poses
-from sdfcheck.robot.robot import Link, Robot
-from sdfcheck.robot.rotations import Array
-from sdfcheck.robot.scopes import Frame, Scope, scopes
-from sdfcheck.robot.sdf_robot import canonical_link, read_sdf_robot
-from sdfcheck.robot.urdf_robot import RobotError
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Link, Mechanism
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
 
 
@@ -29,10 +31,10 @@ def comparisons(migration: Migration) -> list[Comparison]:
     compared = list(_worlds(migration, source, result))
     for name, scope in models(source):
         try:
-            robot = comparable(migration, read_sdf_robot(scope))
-        except (RobotError, PoseError) as error:
-            place = scope.element if scope.element.document is source else scope.placed
-            if place is not None and place.document is source:
+            robot = comparable(migration, mechanism_of(scope))
+        except (DescriptionError, PoseError) as error:
+            place = scope.place
+            if place.document is source:
                 text = f"model `{scope.name}` cannot be compared with its result: {error}"
                 migration.losses.append(loss_at(place, LossKind.NOT_VERIFIED, text))
             continue
@@ -40,29 +42,29 @@ def comparisons(migration: Migration) -> list[Comparison]:
     return compared
 
 
-def _robot(scope: Scope | None) -> Robot:
+def _robot(scope: Model | None) -> Mechanism:
     """The robot of a result; one that cannot be read is empty, so that everything is missing."""
     try:
-        return read_sdf_robot(scope) if scope is not None else Robot("", {}, {})
-    except (RobotError, PoseError):
-        return Robot("", {}, {})
+        return mechanism_of(scope) if scope is not None else Mechanism("", {}, {})
+    except (DescriptionError, PoseError):
+        return Mechanism("", {}, {})
 
 
-def models(document: Document) -> Iterator[tuple[str, Scope]]:
+def models(document: Document) -> Iterator[tuple[str, Model]]:
     """The models at the top and in worlds, by their names with that of the world."""
-    for root in scopes(document).roots:
-        if root.kind == "model":
-            yield root.name, root
+    for top in root_of(document).scopes:
+        if isinstance(top, Model):
+            yield top.name, top
             continue
-        for frame in root.frames.values():
-            if frame.inner is not None:
-                yield f"{root.name}::{frame.name}", frame.inner
+        for node in top.nodes.values():
+            if isinstance(node, Model) and node.is_readable:
+                yield f"{top.name}::{node.name}", node
 
 
 def _worlds(migration: Migration, source: Document, result: Document) -> Iterator[Comparison]:
     """The worlds, with their models for links: where do they stand?"""
-    results = {scope.name: scope for scope in scopes(result).roots if scope.kind == "world"}
-    for scope in scopes(source).roots:
+    results = {scope.name: scope for scope in root_of(result).scopes if scope.kind == "world"}
+    for scope in root_of(source).scopes:
         other = results.get(scope.name)
         if scope.kind == "world" and other is not None:
             standing = _standing(scope, migration)
@@ -70,30 +72,28 @@ def _worlds(migration: Migration, source: Document, result: Document) -> Iterato
                 yield Comparison(standing, _standing(other, None), Correspondence())
 
 
-def _standing(world: Scope, migration: Migration | None) -> Robot:
-    poses = Poses()
-    robot = Robot(world.name, {"world": Link("world", np.eye(4), world.element)}, {})
-    for name, frame in world.frames.items():
-        if frame.kind != "model":
+def _standing(world: Scope, migration: Migration | None) -> Mechanism:
+    poses = world.root.poses
+    robot = Mechanism(world.name, {"world": Link("world", np.eye(4), world.element)}, {})
+    for name, model in world.nodes.items():
+        if not isinstance(model, Model):
             continue
         try:
-            robot.links[name] = Link(name, poses.in_scope(frame) @ _placement(frame), frame.element)
+            robot.links[name] = Link(name, poses.in_scope(model) @ _placement(model), model.place)
         except PoseError as error:
-            if migration is not None and frame.element.document is migration.draft.source:
+            if migration is not None and model.place.document is migration.draft.source:
                 text = f"the pose of model `{name}` cannot be compared: {error}"
-                migration.losses.append(loss_at(frame.element, LossKind.NOT_VERIFIED, text))
+                migration.losses.append(loss_at(model.place, LossKind.NOT_VERIFIED, text))
     return robot
 
 
-def _placement(frame: Frame) -> Array:
+def _placement(model: Model) -> Array:
     """From a model's frame to its first link, which is what stands somewhere."""
-    link = canonical_link(frame.inner) if frame.inner is not None else None
-    if link is None or frame.inner is None:
-        return np.eye(4)
-    return Poses().reached(frame.inner, link)
+    link = model.canonical_link
+    return np.eye(4) if link is None else model.root.poses.reached(model, link)
 
 
-def comparable(migration: Migration, robot: Robot) -> Robot:
+def comparable(migration: Migration, robot: Mechanism) -> Mechanism:
     """A robot of the source without what is a loss."""
     if not migration.lost_mimics:
         return robot
@@ -104,7 +104,7 @@ def comparable(migration: Migration, robot: Robot) -> Robot:
     return replace(robot, joints=joints)
 
 
-def correspondence(migration: Migration, source: Robot) -> Correspondence:
+def correspondence(migration: Migration, source: Mechanism) -> Correspondence:
     """What became of the links and joints of a model."""
     joints = dict(migration.renamed_joints)
     links = dict(migration.moved_links)

@@ -15,11 +15,11 @@ from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.poses import PoseError, Poses
-from sdfcheck.robot.robot import Body
-from sdfcheck.robot.scopes import Frame, scopes
-from sdfcheck.robot.sdf_robot import automatic_body
-from sdfcheck.robot.urdf_robot import RobotError
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.motion.mass import MassProperties, automatic
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
@@ -94,7 +94,7 @@ def _verify(document: Document, result: Document) -> None:
     try:
         # A file of an included model is found by another uri from the including one.
         found = compare_files(document, result, across_formats=True)
-    except (RobotError, PoseError):
+    except (DescriptionError, PoseError):
         return  # no robot can be read from the source, so there is nothing to keep
     for model, changes in found.changes:
         first = changes[0]
@@ -119,19 +119,19 @@ def _without_includes(document: Document) -> tuple[Document, list[str]]:
 def _without_automatic_inertias(document: Document) -> tuple[Document, list[str]]:
     assert document.root is not None
     frames = {
-        frame.element: frame
-        for scope in scopes(document).all()
-        for frame in scope.frames.values()
-        if frame.kind == "link"
+        link.element: link
+        for scope in root_of(document).all_scopes()
+        for link in scope.nodes.values()
+        if isinstance(link, Link)
     }
     notes: list[str] = []
-    root, poses, changed = branch_of(document.root), Poses(), False
+    root, changed = branch_of(document.root), False
     for branch in root.walk():
         frame = frames.get(branch.origin) if branch.origin is not None else None
         inertial = branch.find("inertial") if frame is not None else None
         if inertial is None or frame is None or not _is_automatic(inertial):
             continue
-        body = _computed(frame, poses, notes)
+        body = _computed(frame, notes)
         if body is not None:
             _write_inertial(inertial, body)
             changed = True
@@ -142,10 +142,10 @@ def _is_automatic(inertial: Branch) -> bool:
     return inertial.attributes.get("auto", "").strip().lower() in {"true", "1"}
 
 
-def _computed(frame: Frame, poses: Poses, notes: list[str]) -> Body | None:
+def _computed(frame: Link, notes: list[str]) -> MassProperties | None:
     try:
-        return automatic_body(frame, poses)
-    except (RobotError, PoseError) as error:
+        return automatic(frame)
+    except (DescriptionError, PoseError) as error:
         notes.append(f"{_place(frame.element)}: link `{frame.name}` keeps its automatic inertia: {error}")
         return None
 
@@ -154,7 +154,7 @@ def _place(element: Element) -> str:
     return f"{element.document.path}:{element.span.begin.line}"
 
 
-def _write_inertial(inertial: Branch, body: Body) -> None:
+def _write_inertial(inertial: Branch, body: MassProperties) -> None:
     """Written out: pose, mass and moments; comments and other elements stay."""
     del inertial.attributes["auto"]
     inertial.parts = [
@@ -165,8 +165,8 @@ def _write_inertial(inertial: Branch, body: Body) -> None:
     pairs = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2))
     for name, row, column in pairs:
         inertia.parts.append(Branch(name, _clean(float(body.moments[row, column]), largest)))
-    size = float(np.abs(body.centre).max())
-    centre = " ".join(_clean(float(value), max(size, 1.0)) for value in body.centre)
+    size = float(np.abs(body.center).max())
+    centre = " ".join(_clean(float(value), max(size, 1.0)) for value in body.center)
     computed: list[Branch] = [Branch("mass", number(body.mass)), inertia]
     if size > _DUST:
         computed.insert(0, Branch("pose", f"{centre} 0 0 0"))

@@ -19,10 +19,10 @@ from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.includes import Included, included, included_element
+from sdfcheck.robot.motion.rotations import to_rpy
 from sdfcheck.robot.parameters import PARAMETERS, parameters
-from sdfcheck.robot.poses import Poses
-from sdfcheck.robot.rotations import to_rpy
-from sdfcheck.robot.scopes import MODEL_FRAME, scopes
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import MODEL_FRAME
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import SyntaxDefect
@@ -200,9 +200,9 @@ def _is_custom(child: Branch) -> bool:
 def _placed(found: Included, name: str) -> Branch:
     """The pose of a merged model's own frame where another frame of it is placed."""
     document = found.include.document
-    scope = scopes(document).of(found.include)
+    scope = root_of(document).scope_of(found.include)
     assert scope is not None
-    own = Poses().in_scope(scope.frames[name])
+    own = scope.root.poses.in_scope(scope.nodes[name])
     relative_to = "world" if scope.kind == "world" else MODEL_FRAME
     return Branch("pose", numbers((*own[:3, 3], *to_rpy(own[:3, :3]))), relative_to=relative_to)
 

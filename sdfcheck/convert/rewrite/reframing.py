@@ -13,11 +13,14 @@ from dataclasses import replace
 import numpy as np
 
 from sdfcheck.convert.rewrite.renaming import Names, same_geometry, same_pose, seat
-from sdfcheck.robot.robot import Body, Geometry, Joint, Link, Robot
-from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
+from sdfcheck.robot.motion.rotations import Array, inverse
 
 
-def reframed(a: Robot, b: Robot, names: Names, tolerance: float) -> tuple[Robot, Mapping[str, Array]]:
+def reframed(
+    a: Mechanism, b: Mechanism, names: Names, tolerance: float
+) -> tuple[Mechanism, Mapping[str, Array]]:
     """``b`` with the link frames of ``a``, where a link differs in less if only its frame has moved.
 
     Also the 4×4 poses of the frames that have moved in those that they had, by the names of ``a``.
@@ -32,20 +35,20 @@ def reframed(a: Robot, b: Robot, names: Names, tolerance: float) -> tuple[Robot,
     frames = {
         name: (link, back[link] @ pose if link in back else pose) for name, (link, pose) in b.frames.items()
     }
-    return Robot(b.name, links, b.joints, frames), moved
+    return Mechanism(b.name, links, b.joints, frames), moved
 
 
-def shifted_model(robot: Robot, shift: Array) -> Robot:
+def shifted_model(robot: Mechanism, shift: Array) -> Mechanism:
     """The robot in a frame in which its own model frame has the 4×4 pose ``shift``."""
     links = {name: replace(link, pose=shift @ link.pose) for name, link in robot.links.items()}
     joints = {name: replace(joint, pose=shift @ joint.pose) for name, joint in robot.joints.items()}
-    return Robot(robot.name, links, joints, robot.frames)
+    return Mechanism(robot.name, links, joints, robot.frames)
 
 
 class _Search:
     """Finds for each link the pose of its frame in ``b`` in the one that it has in ``a``."""
 
-    def __init__(self, a: Robot, b: Robot, names: Names, tolerance: float) -> None:
+    def __init__(self, a: Mechanism, b: Mechanism, names: Names, tolerance: float) -> None:
         self.a = a
         self.b = b
         self.names = names
@@ -95,7 +98,7 @@ class _Search:
         return count
 
 
-def _parents_first(robot: Robot) -> list[str]:
+def _parents_first(robot: Mechanism) -> list[str]:
     carried = [joint.child for joint in robot.tree()]
     return [*(name for name in robot.links if name not in set(carried)), *carried]
 
@@ -107,12 +110,12 @@ def _shifted(link: Link, shift: Array) -> Link:
     return replace(link, pose=link.pose @ inverse(shift), body=body, geometries=shapes)
 
 
-def _same_body(a: Body | None, b: Body | None, tolerance: float) -> bool:
+def _same_body(a: MassProperties | None, b: MassProperties | None, tolerance: float) -> bool:
     if a is None or b is None:
         return a is b
     size = max(float(np.abs(a.moments).max()), 1e-12)
     return bool(
-        np.allclose(a.centre, b.centre, rtol=0, atol=tolerance)
+        np.allclose(a.center, b.center, rtol=0, atol=tolerance)
         and np.allclose(a.moments, b.moments, rtol=0, atol=tolerance * size)
     )
 

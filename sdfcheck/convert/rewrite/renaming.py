@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sdfcheck.robot.robot import Body, Geometry, Joint, Link, Robot, default_body
-from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.motion.mass import MassProperties, default_mass
+from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
+from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.sniff import Kind
 
 
@@ -20,7 +21,7 @@ class Names:
     joints: dict[str, str]
 
     @classmethod
-    def between(cls, a: Robot, b: Robot, tolerance: float) -> Names:
+    def between(cls, a: Mechanism, b: Mechanism, tolerance: float) -> Names:
         """Pair what has one name; of the rest, pair what is alike if nothing else is."""
         links = same_names(a.links, b.links)
 
@@ -54,7 +55,7 @@ def same_names(a: Iterable[str], b: Container[str]) -> dict[str, str]:
     return same
 
 
-def seat(robot: Robot, name: str) -> tuple[str, Array]:
+def seat(robot: Mechanism, name: str) -> tuple[str, Array]:
     """The link that carries a link, empty for none, and the 4×4 pose in it or in the model."""
     pose = robot.links[name].pose
     for joint in robot.joints.values():
@@ -64,13 +65,13 @@ def seat(robot: Robot, name: str) -> tuple[str, Array]:
     return "", pose
 
 
-def meant_body(link: Link, other: Link) -> Body | None:
+def meant_body(link: Link, other: Link) -> MassProperties | None:
     """The mass properties of a link; what an SDF model leaves out is 1 kg, where the other link has any."""
     silent = link.body is None and other.body is not None and link.element.document.kind is Kind.SDF
-    return default_body() if silent else link.body
+    return default_mass() if silent else link.body
 
 
-def filled(robot: Robot, other: Robot, names: Mapping[str, str]) -> Robot:
+def filled(robot: Mechanism, other: Mechanism, names: Mapping[str, str]) -> Mechanism:
     """The robot with the mass properties that are meant, where those of the other robot are written."""
     links = {
         name: replace(link, body=meant_body(link, other.links[names[name]])) if name in names else link
@@ -105,7 +106,9 @@ def _unique_pairs(
     return {name: other for name, other in found.items() if chosen.count(other) == 1}
 
 
-def _same_link(a: Robot, link: Link, b: Robot, other: Link, links: dict[str, str], tolerance: float) -> bool:
+def _same_link(
+    a: Mechanism, link: Link, b: Mechanism, other: Link, links: dict[str, str], tolerance: float
+) -> bool:
     parent, here = seat(a, link.name)
     other_parent, there = seat(b, other.name)
     if (links.get(parent) if parent else "") != other_parent or not same_pose(here, there, tolerance):
@@ -118,11 +121,11 @@ def _same_link(a: Robot, link: Link, b: Robot, other: Link, links: dict[str, str
     return all(same_geometry(mine, theirs, tolerance) for mine, theirs in pairs)
 
 
-def _same_body(a: Body | None, b: Body | None) -> bool:
+def _same_body(a: MassProperties | None, b: MassProperties | None) -> bool:
     if a is None or b is None:
         return a is b
     same_mass = bool(np.isclose(a.mass, b.mass, rtol=1e-9, atol=0))
-    return same_mass and np.allclose(a.centre, b.centre) and np.allclose(a.moments, b.moments, rtol=1e-6)
+    return same_mass and np.allclose(a.center, b.center) and np.allclose(a.moments, b.moments, rtol=1e-6)
 
 
 def _ends(joint: Joint, links: dict[str, str]) -> tuple[str, str]:

@@ -12,22 +12,23 @@ from sdfcheck.convert.sdf_to_urdf.plan.arrange import Arrangement
 from sdfcheck.convert.sdf_to_urdf.plan.layout import Layout
 from sdfcheck.convert.sdf_to_urdf.plan.naming import Naming
 from sdfcheck.convert.writer import Node
-from sdfcheck.robot.poses import Poses
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.scopes import Frame, Scope
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.poses import Poses
+from sdfcheck.robot.node import Node as RobotNode
 
 
 @dataclass(slots=True)
 class Context:
     """One conversion under way."""
 
-    scope: Scope
+    scope: Model
     poses: Poses
-    read: Robot
+    read: Mechanism
     """The model as it was read."""
-    robot: Robot
+    robot: Mechanism
     """The model as it is understood."""
-    frames: Mapping[str, Frame]
+    frames: Mapping[str, RobotNode]
     """Links, joints, frames and nested models of the model, by name."""
     made: Arrangement
     layout: Layout

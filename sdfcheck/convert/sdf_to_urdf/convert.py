@@ -19,7 +19,7 @@ from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
 from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.links import add_link
 from sdfcheck.convert.sdf_to_urdf.materials import define_colors
-from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, frames_below, include_title
+from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, include_title
 from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.sdf_to_urdf.plan.arrange import WORLD, arrange
 from sdfcheck.convert.sdf_to_urdf.plan.choose import choose, others
@@ -29,12 +29,13 @@ from sdfcheck.convert.sdf_to_urdf.plan.naming import named
 from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render, undeclared_prefixes, with_line_ends
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.poses import PoseError, Poses
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.rotations import inverse
-from sdfcheck.robot.scopes import Scope
-from sdfcheck.robot.sdf_robot import RobotError, canonical_link, read_sdf_robot
-from sdfcheck.robot.urdf_robot import read_urdf_robot
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.rotations import inverse
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
@@ -57,12 +58,14 @@ def convert(
     try:
         context = _prepare(scope, options, folder or document.path.parent)
         _write(context)
-    except (RobotError, PoseError) as error:
+    except (DescriptionError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
     text = _text(context)
     try:
-        result = read_urdf_robot(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF))
-    except RobotError as error:
+        result = mechanism_of(
+            root_of(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF)).models[0]
+        )
+    except DescriptionError as error:
         raise refusal(scope.element, f"in the result, at {error.element.title}: {error}") from None
     comparison = Comparison(_expected(context), result, _correspondence(context))
     for other in others(document, scope):
@@ -86,18 +89,18 @@ def _text(context: Context) -> str:
     return with_line_ends(render(context.root, before, after), element.document.source.text)
 
 
-def _prepare(scope: Scope, options: Options, folder: Path) -> Context:
-    robot = read_sdf_robot(scope)
+def _prepare(scope: Model, options: Options, folder: Path) -> Context:
+    robot = mechanism_of(scope)
     if not robot.links:
         raise refusal(scope.element, f"{scope.element.title} has no link")
-    poses = Poses()
+    poses = scope.root.poses
     meant = understood(robot, options.planes)
-    frames = dict(frames_below(scope))
-    canonical = canonical_link(scope)
+    frames = dict(scope.all_nodes())
+    canonical = scope.canonical_link
     canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
     made = arrange(meant, canonical_name)
     naming, links, joints, places = named(meant, robot.frames)
-    world = inverse(poses.of_model(scope))
+    world = inverse(poses.in_scope(scope))
     layout = lay_out(meant, made, world, keep=options.keep_link_frames, naming=naming)
     root = Node("robot", name=scope.name)
     return Context(
@@ -141,7 +144,7 @@ def _write(context: Context) -> None:
 def _in_order(context: Context) -> list[str]:
     """The links; the canonical one first, as readers that count on that expect it."""
     names = list(context.robot.links)
-    canonical = canonical_link(context.scope)
+    canonical = context.scope.canonical_link
     first = next((name for name in names if context.frames[name] is canonical), "")
     if not context.scope.element.attributes.get("canonical_link") or first in {"", names[0]}:
         return names
@@ -223,7 +226,7 @@ def _leave_out(context: Context) -> None:
         message = f"{what}: it is kept for libsdformat alone"
         context.ledger.note(LossKind.CLOSED_LOOP, joint.element, message, Severity.ERROR)
     apart = {name: joint for name, joint in context.read.joints.items() if joint.kind != "gearbox"}
-    before = list(understood(Robot("", {}, apart)).joints.values())
+    before = list(understood(Mechanism("", {}, apart)).joints.values())
     for joint in context.read.joints.values():
         if joint.kind != "gearbox":
             continue
@@ -261,13 +264,13 @@ def _tell_shift(context: Context, name: str) -> None:
     context.ledger.note(LossKind.SHIFTED_LINK_FRAME, link.element, message)
 
 
-def _expected(context: Context) -> Robot:
+def _expected(context: Context) -> Mechanism:
     """The robot that the result must be equal to: couplings that were told to be lost are not in it."""
     joints = dict(context.robot.joints)
     for name in context.unmimicked:
         joint = joints[name]
         joints[name] = replace(joint, axes=tuple(replace(axis, mimic=None) for axis in joint.axes))
-    return Robot(context.robot.name, context.robot.links, joints, context.robot.frames)
+    return Mechanism(context.robot.name, context.robot.links, joints, context.robot.frames)
 
 
 def _correspondence(context: Context) -> Correspondence:

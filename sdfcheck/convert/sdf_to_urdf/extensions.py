@@ -13,10 +13,10 @@ from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.carriers import is_merged_model
-from sdfcheck.robot.poses import reference_of
-from sdfcheck.robot.rotations import Array
-from sdfcheck.robot.scopes import Frame
+from sdfcheck.robot.frame import MergedFrame
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.node import Node as RobotNode
+from sdfcheck.robot.parts.placement import reference_of
 from sdfcheck.source.element import Element
 
 _OF_LINKS = frozenset(
@@ -70,7 +70,7 @@ def keep_base(context: Context, joint: str, pose: Array) -> None:
     context.blob().add("frame", name=joint, attached_to="__model__").add("pose", pose_text(pose))
 
 
-def keep_frame(context: Context, name: str, link: str, pose: Array, frame: Frame) -> None:
+def keep_frame(context: Context, name: str, link: str, pose: Array, frame: RobotNode) -> None:
     """Keep a frame by this name, on a link of the URDF in whose frame it has this pose."""
     holder = context.blob()
     carry_comments(context, holder, frame.element)
@@ -78,7 +78,7 @@ def keep_frame(context: Context, name: str, link: str, pose: Array, frame: Frame
     text = pose_text(pose)
     if text != "0 0 0 0 0 0":
         node.add("pose", text)
-    if is_merged_model(frame):
+    if isinstance(frame, MergedFrame):
         return
     carry_inside(context, node, frame.element)
     context.ledger.take(frame.element, frame.element.find("pose"))
@@ -117,7 +117,7 @@ def _keep(
         context.ledger.note(LossKind.KEPT_AS_EXTENSION, child, message, Severity.INFO)
 
 
-def _pose(context: Context, part: Element, frame: Frame, shift: Array) -> str | None:
+def _pose(context: Context, part: Element, frame: RobotNode, shift: Array) -> str | None:
     """The pose to write for a part of a link or joint; None where it is as it was."""
     if part.name not in _PLACED or (is_identity(shift) and not reference_of(part.find("pose"))):
         return None

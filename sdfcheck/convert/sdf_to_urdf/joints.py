@@ -17,8 +17,8 @@ from sdfcheck.convert.sdf_to_urdf.plan.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Axis, Joint
-from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.motion.mechanism import Axis, Joint
+from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.element import Element
 
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})

@@ -6,7 +6,7 @@ from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.poses import pose_text, shortened
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
-from sdfcheck.robot.robot import Joint
+from sdfcheck.robot.motion.mechanism import Joint
 
 _REPLACED = frozenset({"parent", "child", "pose"})
 _DIRECTION = frozenset({"xyz", "use_parent_model_frame"})

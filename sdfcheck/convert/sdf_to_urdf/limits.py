@@ -12,7 +12,7 @@ from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.plan.meaning import TWO_AXES
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Axis, Joint
+from sdfcheck.robot.motion.mechanism import Axis, Joint
 from sdfcheck.source.element import Element
 
 

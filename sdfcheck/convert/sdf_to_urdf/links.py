@@ -16,9 +16,10 @@ from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.inertials import Inertial, read_inertial
-from sdfcheck.robot.poses import written_pose
-from sdfcheck.robot.robot import Body, Geometry, Link
-from sdfcheck.robot.rotations import Array, transform
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mechanism import Geometry, Link
+from sdfcheck.robot.motion.poses import written_pose
+from sdfcheck.robot.motion.rotations import Array, transform
 from sdfcheck.source.element import Element
 
 _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -75,10 +76,10 @@ def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial
         context.ledger.note(LossKind.CHANGED_DEFAULT, inertial.element, message, Severity.INFO)
 
 
-def _write_body(context: Context, node: Node, link: Link, body: Body) -> None:
+def _write_body(context: Context, node: Node, link: Link, body: MassProperties) -> None:
     places = {"x": 0, "y": 1, "z": 2}
     tensor = {name: float(body.moments[places[name[1]], places[name[2]]]) for name in _COMPONENTS}
-    pose = link.pose @ transform(np.eye(3), body.centre)
+    pose = link.pose @ transform(np.eye(3), body.center)
     source = link.element.find("inertial")
     _write(context, node, source, context.layout.within(link.name, pose), body.mass, tensor)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.comments import carry_around, carry_comments
 from sdfcheck.convert.sdf_to_urdf.context import Context
@@ -11,17 +9,9 @@ from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.extensions import keep_frame, model_extensions, of_frame
 from sdfcheck.convert.sdf_to_urdf.joints import add_fixed
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.carriers import is_merged_model, merged_model
-from sdfcheck.robot.scopes import Frame, Scope
+from sdfcheck.robot.frame import MergedFrame
+from sdfcheck.robot.model import Model
 from sdfcheck.source.element import Element
-
-
-def frames_below(scope: Scope, prefix: str = "") -> Iterator[tuple[str, Frame]]:
-    """All frames of a model and of the models in it, by the names that the robot has for them."""
-    for name, frame in scope.frames.items():
-        yield prefix + name, frame
-        if frame.inner is not None:
-            yield from frames_below(frame.inner, f"{prefix}{name}::")
 
 
 def enter_models(context: Context) -> list[Element]:
@@ -29,16 +19,16 @@ def enter_models(context: Context) -> list[Element]:
     elements = [context.scope.element]
     _enter(context, context.scope.element, "")
     for name, frame in context.frames.items():
-        if frame.kind == "model" and frame.inner is not None:
+        if isinstance(frame, Model) and frame.is_readable:
             message = f"model `{name}` is made a part of the robot; its names begin with `{name.replace('::', '__')}__`"
-            context.ledger.note(LossKind.MERGED_MODEL, frame.element, message, Severity.INFO)
-            brought, scope = frame.inner.element, name
-        elif is_merged_model(frame) and (merged := merged_model(frame)) is not None:
-            brought, scope = merged, name.rpartition("::")[0]
+            context.ledger.note(LossKind.MERGED_MODEL, frame.place, message, Severity.INFO)
+            brought, scope = frame.element, name
+        elif isinstance(frame, MergedFrame):
+            brought, scope = frame.model.element, name.rpartition("::")[0]
         else:
             continue
-        if frame.element.tag == "include":
-            _enter_include(context, frame.element, scope)
+        if frame.place.tag == "include":
+            _enter_include(context, frame.place, scope)
         elements.append(brought)
         _enter(context, brought, scope)
     return elements

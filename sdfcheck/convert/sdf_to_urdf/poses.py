@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sdfcheck.convert.writer import Node, numbers
-from sdfcheck.robot.poses import written_pose
-from sdfcheck.robot.rotations import Array, to_rpy
+from sdfcheck.robot.motion.poses import written_pose
+from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.source.element import Element
 
 _ROUNDING = 1e-14

@@ -13,8 +13,8 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.writer import Node, number, numbers
-from sdfcheck.robot.robot import Geometry
-from sdfcheck.robot.rotations import Array, about_axis, transform
+from sdfcheck.robot.motion.mechanism import Geometry
+from sdfcheck.robot.motion.rotations import Array, about_axis, transform
 
 if TYPE_CHECKING:
     from sdfcheck.convert.sdf_to_urdf.context import Context

@@ -11,7 +11,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.writer import copied
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Link
+from sdfcheck.robot.motion.mechanism import Link
 from sdfcheck.source.element import Element
 
 _SAID = frozenset({"auto_inertia_params", "density", "geometry", "pose"})

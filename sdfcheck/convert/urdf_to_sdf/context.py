@@ -13,7 +13,7 @@ from sdfcheck.convert.writer import Comment, Node, comment_of, copied, numbers, 
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.rotations import Array, to_rpy
+from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.source.element import Element
 
 KEPT = "urdf"

@@ -17,9 +17,11 @@ from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_
 from sdfcheck.convert.urdf_to_sdf.plan import plan
 from sdfcheck.convert.urdf_to_sdf.plugin_names import PluginNames
 from sdfcheck.convert.writer import Node, comment_of, render, undeclared_prefixes, with_line_ends
-from sdfcheck.robot.poses import PoseError
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.urdf_robot import RobotError, origin_of, read_urdf_robot
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.poses import PoseError, origin_of
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
@@ -38,8 +40,8 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     root = document.root
     assert root is not None
     try:
-        robot = read_urdf_robot(document)
-    except RobotError as error:
+        robot = mechanism_of(root_of(document).models[0])
+    except DescriptionError as error:
         raise refusal(error.element, str(error)) from None
     if not robot.links:
         raise refusal(root, "the robot has no links")
@@ -51,14 +53,14 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     source = expected(robot, made, context)
     try:
         result = read_back(text, document.path, context)
-    except (RobotError, PoseError) as error:
+    except (DescriptionError, PoseError) as error:
         raise refusal(root, f"with what is in <gazebo> blocks the result cannot be read: {error}") from None
     comparison = Comparison(source, result, correspondence(made, context))
     text = with_line_ends(text, document.source.text)
     return conversion(document, text, context.losses, [comparison], verified=verified)
 
 
-def _refuse_broken(root: Element, robot: Robot) -> None:
+def _refuse_broken(root: Element, robot: Mechanism) -> None:
     """Raise NotConvertible where names do not tell which link or joint is meant."""
     for kind in ("link", "joint"):
         seen: set[str] = set()
@@ -79,7 +81,7 @@ def _refuse_broken(root: Element, robot: Robot) -> None:
 class _Writer:
     """Writes the model in the order of the document."""
 
-    def __init__(self, document: Document, robot: Robot, context: Context) -> None:
+    def __init__(self, document: Document, robot: Mechanism, context: Context) -> None:
         assert document.root is not None
         self.root: Element = document.root
         self.robot = robot

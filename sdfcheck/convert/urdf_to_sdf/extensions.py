@@ -22,7 +22,7 @@ from sdfcheck.convert.urdf_to_sdf.settings import (
 from sdfcheck.convert.writer import Node, comment_of, copied
 from sdfcheck.formats.sdf.values import number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.rotations import Array, from_rpy, transform
+from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
 from sdfcheck.source.element import Element
 
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})

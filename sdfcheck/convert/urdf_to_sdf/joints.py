@@ -9,9 +9,9 @@ from sdfcheck.convert.urdf_to_sdf.context import Context, comments_in, is_quater
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD
 from sdfcheck.convert.writer import Node, number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Joint
-from sdfcheck.robot.rotations import Array, inverse
-from sdfcheck.robot.urdf_robot import origin_of
+from sdfcheck.robot.motion.mechanism import Joint
+from sdfcheck.robot.motion.poses import origin_of
+from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.element import Element
 
 _KINDS = {"fixed": "fixed", "revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}

@@ -18,9 +18,9 @@ from sdfcheck.convert.urdf_to_sdf.options import PackageUris
 from sdfcheck.convert.writer import Node, comment_of, number, spaced
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Body
-from sdfcheck.robot.rotations import Array
-from sdfcheck.robot.urdf_robot import origin_of
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.poses import origin_of
+from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.element import Element
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -159,11 +159,11 @@ def _inertial(element: Element) -> Node:
     return node
 
 
-def inertial_of(body: Body) -> Node:
+def inertial_of(body: MassProperties) -> Node:
     """Computed mass properties, in the axes of the link."""
     node = Node("inertial")
-    if body.centre.any():
-        node.add("pose", " ".join((*(number(float(value)) for value in body.centre), "0 0 0")))
+    if body.center.any():
+        node.add("pose", " ".join((*(number(float(value)) for value in body.center), "0 0 0")))
     node.add("mass", number(float(body.mass)))
     moments = node.add("inertia")
     for name, (row, column) in zip(_MOMENTS, ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)), strict=True):

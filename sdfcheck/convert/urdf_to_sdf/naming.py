@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.motion.mechanism import Mechanism
 
 WORLD = "world"
 
@@ -12,7 +12,7 @@ WORLD = "world"
 class Names:
     """The new names of links and joints; a link goes before a joint of its name."""
 
-    def __init__(self, robot: Robot, *, world_is_root: bool) -> None:
+    def __init__(self, robot: Mechanism, *, world_is_root: bool) -> None:
         self.links: dict[str, str] = {}
         self.joints: dict[str, str] = {}
         self.losses: list[Loss] = []

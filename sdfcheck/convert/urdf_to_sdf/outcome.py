@@ -9,23 +9,23 @@ from typing import Any
 from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.convert.urdf_to_sdf.plan import Plan, free_joints
 from sdfcheck.convert.verify import Correspondence, Counterpart
-from sdfcheck.robot.robot import Axis, Link, Robot
-from sdfcheck.robot.scopes import scopes
-from sdfcheck.robot.sdf_robot import read_sdf_robot
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
 
-def read_back(text: str, path: Path, context: Context) -> Robot:
+def read_back(text: str, path: Path, context: Context) -> Mechanism:
     """The robot of the text that was written, without links that the source has for Gazebo only."""
     document = read(text.encode("utf-8", "surrogateescape"), path.with_suffix(".sdf"), Kind.SDF)
-    robot = read_sdf_robot(scopes(document).roots[0])
+    robot = mechanism_of(root_of(document).models[0])
     for name in context.own_links:
         robot.links.pop(name, None)
     return robot
 
 
-def expected(robot: Robot, plan: Plan, context: Context) -> Robot:
+def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
     """The source with what was reported, and what it has for Gazebo.
 
     That is masses supplied, limits that mean none, joints that do not follow.
@@ -46,7 +46,7 @@ def expected(robot: Robot, plan: Plan, context: Context) -> Robot:
         if name in context.lost_mimics:
             axes = tuple(replace(axis, mimic=None) for axis in axes)
         joints[name] = replace(joint, axes=axes)
-    return Robot(robot.name, links, joints, robot.frames)
+    return Mechanism(robot.name, links, joints, robot.frames)
 
 
 def _unbounded(axis: Axis) -> Axis:

@@ -10,12 +10,13 @@ from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD, Names
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.robot import Body, Joint, Link, Robot
-from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
+from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
-SMALL = Body(1e-3, np.zeros(3), np.eye(3) * 1e-6)
+SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
 """What a link without mass is given where it cannot be merged: too little to be felt."""
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic"})
 _TRUE = frozenset({"true", "yes", "1"})
@@ -40,10 +41,10 @@ OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", *_KEEPERS}
 class Plan:
     """``home`` is where a link's frame ends up: the link that survives, and the 4×4 pose in it."""
 
-    robot: Robot
+    robot: Mechanism
     names: Names
     home: dict[str, tuple[str, Array]]
-    bodies: dict[str, Body | None]
+    bodies: dict[str, MassProperties | None]
     """The mass properties of the links that survive; None: those as written."""
     automatic: set[str] = field(default_factory=set)
     supplied: set[str] = field(default_factory=set)
@@ -67,7 +68,7 @@ class Plan:
         return [link, *(name for name, (home, _) in self.home.items() if home == link and name != link)]
 
 
-def plan(document: Document, robot: Robot, options: Options) -> Plan:
+def plan(document: Document, robot: Mechanism, options: Options) -> Plan:
     """Decide.
 
     Raises NotConvertible where the options forbid a link without mass.
@@ -135,7 +136,7 @@ def _mass(link: Link) -> float:
     return link.body.mass if link.body is not None else 0.0
 
 
-def _kept_joints(document: Document, robot: Robot) -> set[str]:
+def _kept_joints(document: Document, robot: Mechanism) -> set[str]:
     """Joints with something of their own, such as a sensor, or that are to be kept by request."""
     kept = set()
     assert document.root is not None
@@ -165,7 +166,7 @@ def _weigh(made: Plan, link: Link, options: Options) -> None:
     if alone and _mass(link) > 0:
         made.bodies[name] = None
         return
-    total: Body | None = None
+    total: MassProperties | None = None
     for part in parts:
         body = made.robot.links[part].body
         if body is not None:
@@ -192,6 +193,6 @@ def _supply(made: Plan, link: Link, options: Options) -> None:
     made.losses.append(loss_at(link.element, LossKind.MASSLESS_LINK, text))
 
 
-def free_joints(robot: Robot) -> set[str]:
+def free_joints(robot: Mechanism) -> set[str]:
     """Joints of kinds that SDFormat expresses by having none."""
     return {joint.name for joint in robot.joints.values() if joint.kind not in _TIED}

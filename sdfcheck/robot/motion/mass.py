@@ -10,8 +10,8 @@ import numpy as np
 
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion import poses
+from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.parts.inertial import MOMENTS
-from sdfcheck.robot.rotations import Array
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -115,11 +115,10 @@ def _filled(collision: Collision, density: float) -> MassProperties:
         raise DescriptionError(
             "its inertia cannot be computed: the collision is not a solid", collision.element
         )
-    from sdfcheck.robot.mesh_mass import MeshError, mesh_body
+    from sdfcheck.robot.motion.mesh_mass import MeshError, mesh_body
 
     try:
-        body = mesh_body(geometry.shape_element, density)
-        return MassProperties(body.mass, body.centre, body.moments)
+        return mesh_body(geometry.shape_element, density)
     except MeshError as error:
         raise DescriptionError(f"its inertia cannot be computed: {error}", geometry.shape_element) from None
 

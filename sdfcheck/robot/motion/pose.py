@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sdfcheck.robot.rotations import Array, inverse, to_rpy
+from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
 from sdfcheck.robot.scope import Scope
 
 if TYPE_CHECKING:

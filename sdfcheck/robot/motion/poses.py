@@ -15,9 +15,9 @@ from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.frame import MergedFrame
 from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.rotations import Array, from_quaternion, from_rpy, inverse, transform
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.placement import reference_of
-from sdfcheck.robot.rotations import Array, from_quaternion, from_rpy, inverse, transform
 from sdfcheck.robot.scope import Scope
 
 if TYPE_CHECKING:
@@ -165,7 +165,7 @@ class Poses:
         if isinstance(node.holder, Scope):
             base = self._of(node.scope, node.base, node.base_name)
         result = base @ written_pose(node.pose_element)
-        inside = node.model if isinstance(node, MergedFrame) else node
+        inside = node.apart if isinstance(node, MergedFrame) else node
         if isinstance(inside, Model) and inside.placement_frame:
             result = result @ inverse(self.named(inside, inside.placement_frame))
         return result

@@ -96,8 +96,8 @@ class Geometry(Part):
     @property
     def measures(self) -> tuple[float, ...]:
         """All numbers of the shape in one row: the radius and the length of a cylinder, the scale of a mesh."""
-        names = _DEFAULT_SIZES.get(self.shape, {})
-        return tuple(number for name in names for number in self._measures(name))
+        defaults = _DEFAULT_SIZES.get(self.shape, {})
+        return tuple(n for name in defaults for n in self._measures(name) or defaults[name])
 
     @lazy
     def solid(self) -> Solid | None:

@@ -12,7 +12,8 @@ from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.convert.verify import verify
 from sdfcheck.files.library import Library
-from sdfcheck.robot.urdf_robot import read_urdf_robot
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -133,7 +134,7 @@ def test_verification_sees_every_changed_number() -> None:
         words = found[1].split()
         words[0] = repr(float(words[0]) + 0.01)
         text = body[: found.start(1)] + " ".join(words) + body[found.end(1) :] + "</robot>"
-        robot = read_urdf_robot(read(text.encode(), Path("m.urdf"), Kind.URDF))
+        robot = mechanism_of(root_of(read(text.encode(), Path("m.urdf"), Kind.URDF)).models[0])
         comparison = done.comparisons[0]
         assert not verify(comparison.source, robot, comparison.correspondence).is_equal, found[0]
         changed += 1

@@ -11,8 +11,8 @@ from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.convert.verify import Verification
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.scopes import scopes
-from sdfcheck.robot.sdf_robot import read_sdf_robot
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
@@ -63,7 +63,7 @@ def test_one_changed_number_is_noticed(written: str, other: str) -> None:
     assert written in done.text
     changed = read(done.text.replace(written, other, 1).encode(), Path("arm.sdf"), Kind.SDF)
     before = done.comparisons[0]
-    result = read_sdf_robot(scopes(changed).roots[0])
+    result = mechanism_of(root_of(changed).models[0])
     assert not Comparison(before.source, result, before.correspondence).verify().is_equal
 
 
@@ -77,7 +77,7 @@ def test_axes_of_turned_joints_stay(version: Version) -> None:
 def verified(done: Conversion, text: str) -> Verification:
     """The verification of another text in the place of the conversion's."""
     before = done.comparisons[0]
-    result = read_sdf_robot(scopes(read(text.encode(), Path("arm.sdf"), Kind.SDF)).roots[0])
+    result = mechanism_of(root_of(read(text.encode(), Path("arm.sdf"), Kind.SDF)).models[0])
     return Comparison(before.source, result, before.correspondence).verify()
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.robot import frames
+from sdfcheck.robot.model import Model
 from sdfcheck.robot.resources import problems
-from sdfcheck.robot.scopes import scopes
+from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import MODEL, WORLD, document, opened, write
 
 
@@ -17,26 +18,26 @@ def nested(uri: str, name: str, merge: str = "false") -> str:
 
 
 def test_references_reach_into_included_models(tmp_path: Path) -> None:
-    scope = scopes(document(tmp_path, WORLD.format(nested("arm.sdf", "left")))).roots[0]
-    assert scope.find("left::tip") is not None
-    assert scope.find("left::toe") is None
+    scope = root_of(document(tmp_path, WORLD.format(nested("arm.sdf", "left")))).scopes[0]
+    assert scope.resolve("left::tip") is not None
+    assert scope.resolve("left::toe") is None
     assert not scope.may_hold("left::toe")
 
 
 def test_merged_models_give_their_frames(tmp_path: Path) -> None:
-    scope = scopes(document(tmp_path, MODEL.format(nested("arm.sdf", "left", "true")))).roots[0]
-    assert set(scope.frames) == {"base", "tip", "elbow", "grip", "_merged__left__model__"}
+    scope = root_of(document(tmp_path, MODEL.format(nested("arm.sdf", "left", "true")))).scopes[0]
+    assert set(scope.nodes) == {"base", "tip", "elbow", "grip", "_merged__left__model__"}
 
 
 def test_a_urdf_gives_its_links_and_joints(tmp_path: Path) -> None:
     robot = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"/></robot>'
-    scope = scopes(document(tmp_path, WORLD.format(nested("robot.sdf", "r")), robot=robot)).roots[0]
-    assert [name for name in ("r::a", "r::b", "r::j") if scope.find(name) is None] == []
+    scope = root_of(document(tmp_path, WORLD.format(nested("robot.sdf", "r")), robot=robot)).scopes[0]
+    assert [name for name in ("r::a", "r::b", "r::j") if scope.resolve(name) is None] == []
 
 
 def test_what_could_not_be_read_may_hold_anything(tmp_path: Path) -> None:
     named, merged = (
-        scopes(document(tmp_path, MODEL.format(nested("gone.sdf", "x", merge)))).roots[0]
+        root_of(document(tmp_path, MODEL.format(nested("gone.sdf", "x", merge)))).scopes[0]
         for merge in ("0", "1")
     )
     assert named.may_hold("x::link")
@@ -46,15 +47,15 @@ def test_what_could_not_be_read_may_hold_anything(tmp_path: Path) -> None:
 
 def test_an_include_may_make_a_model_static(tmp_path: Path) -> None:
     text = WORLD.format("<include><uri>arm.sdf</uri><static>true</static></include>")
-    (frame,) = scopes(document(tmp_path, text)).roots[0].frames.values()
-    assert frame.inner is not None
-    assert frame.inner.is_static
+    (frame,) = root_of(document(tmp_path, text)).scopes[0].nodes.values()
+    assert isinstance(frame, Model)
+    assert frame.is_static
 
 
 @pytest.mark.parametrize("merge", ["false", "true"])
 def test_a_model_in_itself_ends(tmp_path: Path, merge: str) -> None:
     found = document(tmp_path, MODEL.format('<link name="l"/>' + nested("main.sdf", "again", merge)))
-    assert len(list(scopes(found).roots[0].names())) < 500
+    assert len(list(root_of(found).scopes[0].names())) < 500
     frames.problems(found)
     list(problems(found))
 

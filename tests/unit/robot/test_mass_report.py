@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sdfcheck.robot.mass_report import MassOrigin, MassReport, mass_report
+from sdfcheck.robot.motion.mass_report import MassOrigin, MassReport, mass_report
 from tests.unit.robot.files import document, opened, write
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
@@ -28,10 +28,10 @@ def test_links_and_total_are_in_the_models_frame(tmp_path: Path) -> None:
     (model,) = report.models
     assert [link.name for link in model.links] == ["a", "b"]
     assert model.links[1].body is not None
-    assert model.links[1].body.centre == pytest.approx([2, 0, 0])
+    assert model.links[1].body.center == pytest.approx([2, 0, 0])
     assert model.total is not None
     assert model.total.mass == 4
-    assert model.total.centre == pytest.approx([1.5, 0, 0])
+    assert model.total.center == pytest.approx([1.5, 0, 0])
     # Two points 2 m apart turn about their centre with the reduced mass.
     assert np.diag(model.total.moments) == pytest.approx([0.2, 0.2 + 3, 0.2 + 3])
     assert report.total is model.total or np.allclose(report.total.moments, model.total.moments)  # type: ignore[union-attr]
@@ -48,8 +48,8 @@ def test_nested_models_count_in_what_holds_them(tmp_path: Path) -> None:
     outer, inner = report.walk()
     assert outer.total is not None
     assert inner.total is not None
-    assert outer.total.centre == pytest.approx([0, 0, 2])
-    assert inner.total.centre == pytest.approx([0, 0, 0])
+    assert outer.total.center == pytest.approx([0, 0, 2])
+    assert inner.total.center == pytest.approx([0, 0, 0])
 
 
 def test_a_link_without_inertial_has_what_simulators_take(tmp_path: Path) -> None:
@@ -101,7 +101,7 @@ def test_the_total_leaves_static_models_out(tmp_path: Path) -> None:
     assert [model.is_static for model in report.models] == [True, False]
     assert report.total is not None
     assert report.total.mass == 2
-    assert report.total.centre == pytest.approx([1, 0, 0])
+    assert report.total.center == pytest.approx([1, 0, 0])
 
 
 def test_includes_are_followed(tmp_path: Path) -> None:
@@ -111,7 +111,7 @@ def test_includes_are_followed(tmp_path: Path) -> None:
     assert model.name == "left"
     assert report.total is not None
     assert report.total.mass == 2
-    assert report.total.centre == pytest.approx([0, 3, 0])
+    assert report.total.center == pytest.approx([0, 3, 0])
 
 
 def test_an_include_that_is_missing_is_told(tmp_path: Path) -> None:
@@ -132,7 +132,7 @@ def test_a_urdf_link_without_inertial_has_no_mass(tmp_path: Path) -> None:
     base, arm = report.models[0].links
     assert base.origin is MassOrigin.NONE
     assert arm.body is not None
-    assert arm.body.centre == pytest.approx([1, 0, 1])
+    assert arm.body.center == pytest.approx([1, 0, 1])
     included = measured(tmp_path, '<world name="w"><include><uri>r.urdf</uri></include></world>')
     assert included.total is not None
     assert report.total is not None

@@ -9,8 +9,9 @@ import pytest
 from sdfcheck.formats.sdf.problems import MissingAttribute, WrongComponentCount
 from sdfcheck.robot.include_problems import InvalidParameter
 from sdfcheck.robot.include_problems import ParameterFault as Fault
+from sdfcheck.robot.model import Model
 from sdfcheck.robot.resources import problems
-from sdfcheck.robot.scopes import scopes
+from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import WORLD, document
 
 BOX = "<geometry><box><size>{}</size></box></geometry>"
@@ -123,10 +124,10 @@ def test_ids_reach_into_included_and_merged_models(tmp_path: Path) -> None:
     )
     found = document(tmp_path, with_parameters(entries, "inner.sdf"), inner=inner)
     assert list(problems(found)) == []
-    (frame,) = scopes(found).roots[0].frames.values()
-    assert frame.inner is not None
-    assert frame.inner.find("tip") is None
-    assert frame.inner.find("left::tip") is not None, "the other one stays"
+    (frame,) = root_of(found).scopes[0].nodes.values()
+    assert isinstance(frame, Model)
+    assert frame.resolve("tip") is None
+    assert frame.resolve("left::tip") is not None, "the other one stays"
 
 
 def test_of_an_unknown_model_only_the_entries_themselves_are_judged(tmp_path: Path) -> None:
@@ -138,9 +139,9 @@ def test_of_an_unknown_model_only_the_entries_themselves_are_judged(tmp_path: Pa
 
 def names(folder: Path, entries: str) -> set[str]:
     found = document(folder, with_parameters(entries))
-    (frame,) = scopes(found).roots[0].frames.values()
-    assert frame.inner is not None
-    return set(frame.inner.names())
+    (frame,) = root_of(found).scopes[0].nodes.values()
+    assert isinstance(frame, Model)
+    return set(frame.names())
 
 
 @pytest.mark.parametrize(
@@ -167,6 +168,6 @@ def test_another_include_of_the_same_file_is_untouched(tmp_path: Path) -> None:
         f"<include><uri>arm.sdf</uri><name>a</name>{changed}</include>"
         "<include><uri>arm.sdf</uri><name>b</name></include>"
     )
-    scope = scopes(document(tmp_path, text)).roots[0]
-    assert scope.find("a::tip") is None
-    assert scope.find("b::tip") is not None
+    scope = root_of(document(tmp_path, text)).scopes[0]
+    assert scope.resolve("a::tip") is None
+    assert scope.resolve("b::tip") is not None

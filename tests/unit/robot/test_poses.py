@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.graphs import root_scopes
-from sdfcheck.robot.poses import PoseError, Poses, written_pose
-from sdfcheck.robot.rotations import Array, from_rpy, transform
+from sdfcheck.robot.motion.poses import PoseError, Poses, written_pose
+from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, read
 
 
@@ -21,7 +21,7 @@ def document(text: str, version: str = "1.12") -> Document:
 
 
 def pose_of(reference: str, parsed: Document) -> Array:
-    return Poses().named(root_scopes(parsed)[0], reference)
+    return Poses().named(root_of(parsed).scopes[0], reference)
 
 
 def at(x: float, y: float, z: float, roll: float = 0, pitch: float = 0, yaw: float = 0) -> Array:
@@ -119,10 +119,10 @@ def test_poses_of_parts() -> None:
         '<visual name="v"><pose>0 1 0 0 0 0</pose></visual>'
         '<visual name="x"><pose relative_to="__model__"/></visual></link></model>'
     )
-    scope = root_scopes(parsed)[0]
-    own, placed = scope.frames["a"].element.children("visual")
-    assert Poses().of_part(own, scope.frames["a"]) == pytest.approx(at(0, 1, 0))
-    assert Poses().of_part(placed, scope.frames["a"]) == pytest.approx(at(-1, 0, 0))
+    scope = root_of(parsed).scopes[0]
+    own, placed = scope.nodes["a"].element.children("visual")
+    assert Poses().of_part(own, scope.nodes["a"]) == pytest.approx(at(0, 1, 0))
+    assert Poses().of_part(placed, scope.nodes["a"]) == pytest.approx(at(-1, 0, 0))
 
 
 URDF = """<robot name="r"><link name="base"/><link name="arm"/><link name="hand"/>

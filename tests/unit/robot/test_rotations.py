@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sdfcheck.robot.rotation_checks import DegreesAsRadians, NonUnitQuaternion, problems, urdf_problems
-from sdfcheck.robot.rotations import (
+from sdfcheck.robot.motion.rotations import (
     about_axis,
     angle_between,
     from_quaternion,
@@ -18,6 +17,7 @@ from sdfcheck.robot.rotations import (
     to_rpy,
     transform,
 )
+from sdfcheck.robot.rotation_checks import DegreesAsRadians, NonUnitQuaternion, problems, urdf_problems
 from sdfcheck.source.document import read
 
 ANGLES = [(0.0, 0.0, 0.0), (0.1, -0.2, 0.3), (3.0, 1.5, -3.0), (-2.0, -1.2, 0.7)]

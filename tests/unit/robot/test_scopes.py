@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.scopes import Scope, scopes
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document, read
 
 NESTED = """<sdf version="1.12"><world name="w">
@@ -21,7 +23,7 @@ def document(text: str) -> Document:
 
 
 def first(text: str) -> Scope:
-    return scopes(document(text)).roots[0]
+    return root_of(document(text)).scopes[0]
 
 
 @pytest.mark.parametrize(
@@ -41,17 +43,17 @@ def first(text: str) -> Scope:
     ],
 )
 def test_references_reach_down(reference: str, kind: str | None) -> None:
-    found = first(NESTED).find(reference)
+    found = first(NESTED).resolve(reference)
     assert (found.kind if found else None) == kind
 
 
 def test_references_do_not_reach_up() -> None:
     world = first(NESTED)
-    (model,) = world.inner
-    (nested,) = model.inner
-    assert nested.find("a") is None
-    assert nested.find("__model__") is nested.own
-    assert model.find("world") is None
+    (model,) = world.models
+    (nested,) = model.models
+    assert nested.resolve("a") is None
+    assert nested.resolve("__model__") is nested
+    assert model.resolve("world") is None
 
 
 def test_names_are_listed_with_their_scopes() -> None:
@@ -60,18 +62,18 @@ def test_names_are_listed_with_their_scopes() -> None:
 
 def test_the_innermost_scope_of_an_element() -> None:
     parsed = document(NESTED)
-    found = scopes(parsed)
+    found = root_of(parsed)
     assert parsed.root is not None
-    scope = found.of(found.roots[0].find("m::n::j").element)  # type: ignore[union-attr]
+    scope = found.scope_of(found.scopes[0].resolve("m::n::j").element)  # type: ignore[union-attr]
     assert scope is not None
     assert scope.name == "n"
-    assert found.of(parsed.root) is None
-    assert [scope.name for scope in found.all()] == ["w", "m", "n"]
+    assert found.scope_of(parsed.root) is None
+    assert [scope.name for scope in found.all_scopes()] == ["w", "m", "n"]
 
 
 def test_the_first_of_one_name_counts() -> None:
     scope = first('<sdf version="1.12"><model name="m"><link name="a"/><frame name="a"/></model></sdf>')
-    assert scope.frames["a"].kind == "link"
+    assert scope.nodes["a"].kind == "link"
 
 
 def test_what_cannot_be_read_may_hold_anything(tmp_path: Path) -> None:
@@ -82,7 +84,7 @@ def test_what_cannot_be_read_may_hold_anything(tmp_path: Path) -> None:
     )
     parsed = Library().document(file)
     assert parsed is not None
-    scope = scopes(parsed).roots[0]
+    scope = root_of(parsed).scopes[0]
     assert scope.may_hold("n::x")
     assert not scope.may_hold("x")
     assert not scope.may_hold("a::x")
@@ -99,16 +101,17 @@ def test_included_models_are_scopes(tmp_path: Path) -> None:
     )
     parsed = Library().document(file)
     assert parsed is not None
-    scope = scopes(parsed).roots[0]
-    assert list(scope.frames) == ["arm", "hand", "_merged__other__model__"]
-    found = scope.find("arm::hand")
+    scope = root_of(parsed).scopes[0]
+    assert list(scope.nodes) == ["arm", "hand", "_merged__other__model__"]
+    found = scope.resolve("arm::hand")
     assert found is not None
-    assert found.scope.placed is not None
+    assert isinstance(found.scope, Model)
+    assert found.scope.include is not None
 
 
 def test_before_1_7_the_later_of_two_kinds_gets_another_name() -> None:
     links = '<link name="a"/><link name="b"/>'
     text = f'<sdf version="{{}}"><model name="m"><joint name="b" type="fixed"/>{links}</model></sdf>'
     for version, expected in (("1.6", {"a", "b", "b_joint"}), ("1.7", {"a", "b"})):
-        (scope,) = scopes(document(text.format(version))).roots
-        assert set(scope.frames) == expected
+        (scope,) = root_of(document(text.format(version))).scopes
+        assert set(scope.nodes) == expected

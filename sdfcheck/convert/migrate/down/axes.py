@@ -10,9 +10,9 @@ from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.places import Places
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.poses import PoseError
-from sdfcheck.robot.rotations import Array
-from sdfcheck.robot.scopes import Frame
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.node import Node as RobotNode
 
 _MODEL = "__model__"
 _FLAG = "use_parent_model_frame"
@@ -34,7 +34,7 @@ def express_axes(migration: Migration) -> None:
         _write(axis, turn, flag)
 
 
-def _turned(migration: Migration, places: Places, joint: Frame, axis: Node) -> tuple[Array, str] | None:
+def _turned(migration: Migration, places: Places, joint: RobotNode, axis: Node) -> tuple[Array, str] | None:
     try:
         return _turn(migration, places, joint, axis)
     except (PoseError, ValueError) as error:
@@ -42,7 +42,7 @@ def _turned(migration: Migration, places: Places, joint: Frame, axis: Node) -> t
         return None
 
 
-def _turn(migration: Migration, places: Places, joint: Frame, axis: Node) -> tuple[Array, str]:
+def _turn(migration: Migration, places: Places, joint: RobotNode, axis: Node) -> tuple[Array, str]:
     """How to turn the numbers, and what the flag is to say (nothing: no flag)."""
     xyz, flag = axis.find("xyz"), axis.find(_FLAG)
     expressed = (xyz.get("expressed_in") or "").strip() if xyz is not None else ""

@@ -9,8 +9,8 @@ from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.writer import number
-from sdfcheck.robot.poses import PoseError, written_pose
-from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.motion.poses import PoseError, written_pose
+from sdfcheck.robot.motion.rotations import Array
 
 _OWNERS = frozenset({"collision", "visual"})
 

@@ -10,7 +10,7 @@ from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
 from sdfcheck.convert.verify import Counterpart
-from sdfcheck.robot.rotations import Array, from_rpy, transform
+from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
 
 _NAMED = frozenset({"link", "joint", "gripper", "model"})
 _MOVED = _NAMED | {"plugin"}

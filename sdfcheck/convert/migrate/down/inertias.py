@@ -9,10 +9,10 @@ from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.places import Places
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.poses import PoseError
-from sdfcheck.robot.robot import Body
-from sdfcheck.robot.sdf_robot import automatic_body
-from sdfcheck.robot.urdf_robot import RobotError
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.motion.mass import MassProperties, automatic
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.parts.link import Link
 
 _COMPONENTS = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2))
 
@@ -24,10 +24,10 @@ def write_inertias(migration: Migration) -> None:
         inertial, frame = link.find("inertial"), places.frame(link)
         if inertial is None or (inertial.get("auto") or "").strip().lower() not in {"true", "1"}:
             continue
-        if frame is not None:
+        if isinstance(frame, Link):
             try:
-                _write(inertial, automatic_body(frame, places.poses))
-            except (RobotError, PoseError) as error:
+                _write(inertial, automatic(frame))
+            except (DescriptionError, PoseError) as error:
                 migration.changed_bodies = True
                 text = f"the automatic inertia of {title(link)} is lost: {error}"
                 migration.lose(inertial, text, LossKind.CHANGED_INERTIA, Severity.ERROR)
@@ -44,14 +44,14 @@ def _remove(node: Node, *names: str) -> None:
             child.remove()
 
 
-def _write(inertial: Node, body: Body) -> None:
+def _write(inertial: Node, body: MassProperties) -> None:
     pose = inertial.find("pose")
-    centre = numbers.vector((*body.centre, 0, 0, 0))
+    centre = numbers.vector((*body.center, 0, 0, 0))
     if pose is not None:
         for name in list(pose.attributes()):
             pose.unset(name)
         pose.write(centre)
-    elif body.centre.any():
+    elif body.center.any():
         inertial.add("pose", centre)
     (inertial.find("mass") or inertial.add("mass")).write(number(body.mass))
     inertia = inertial.find("inertia") or inertial.add("inertia")

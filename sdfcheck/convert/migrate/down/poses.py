@@ -9,9 +9,11 @@ from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.places import Places
-from sdfcheck.robot.poses import PoseError, reference_of, written_pose
-from sdfcheck.robot.rotations import Array, inverse
-from sdfcheck.robot.scopes import Frame, Scope
+from sdfcheck.robot.motion.poses import PoseError, written_pose
+from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.node import Node as RobotNode
+from sdfcheck.robot.parts.placement import reference_of
+from sdfcheck.robot.scope import Scope
 
 _FORMAT = ("rotation_format", "degrees")
 
@@ -67,7 +69,7 @@ def _differs(pose: Node, value: Array) -> bool:
         return True
     if not written and not pose.attributes().keys() & set(_FORMAT):
         return bool(np.abs(value - np.eye(4)).max() > 0)
-    from sdfcheck.robot.rotations import from_rpy, transform
+    from sdfcheck.robot.motion.rotations import from_rpy, transform
 
     if len(written) != 6:
         return True
@@ -111,10 +113,10 @@ def attach_joints_to_links(migration: Migration) -> None:
                 own.unset(attribute)
 
 
-def _as_seen(scope: Scope, link: Frame, name: str, named: Frame) -> tuple[Frame, str]:
+def _as_seen(scope: Scope, link: RobotNode, name: str, named: RobotNode) -> tuple[RobotNode, str]:
     """A link and its name from a scope above that of the frame that leads to it."""
     at = named.scope
-    while at is not scope and at.parent is not None:
+    while at is not scope and isinstance(at.holder, Scope):
         name = f"{at.name}::{name}"
-        at = at.parent
+        at = at.scope
     return link, name

@@ -8,8 +8,8 @@ from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.places import Places
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.poses import PoseError
-from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.rotations import Array
 
 _ENDS = ("parent", "child")
 

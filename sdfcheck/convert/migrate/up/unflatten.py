@@ -11,8 +11,8 @@ from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.places import Places
-from sdfcheck.robot.poses import PoseError
-from sdfcheck.robot.rotations import Array, inverse
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.rotations import Array, inverse
 
 _MOVED = frozenset({"frame", "joint", "link", "model", "gripper"})
 _ENDS = ("parent", "child", "gripper_link", "palm_link")

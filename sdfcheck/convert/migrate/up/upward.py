@@ -16,7 +16,7 @@ from sdfcheck.convert.migrate.up.new_names import rename_clashing_joints, rename
 from sdfcheck.convert.migrate.up.unflatten import unflatten
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.poses import PoseError, written_pose
+from sdfcheck.robot.motion.poses import PoseError, written_pose
 
 STATES = {"model": "model_state", "light": "light_state", "joint": "joint_state", "link": "link_state"}
 

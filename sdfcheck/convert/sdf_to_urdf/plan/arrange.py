@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from sdfcheck.robot.robot import Joint, Robot
+from sdfcheck.robot.motion.mechanism import Joint, Mechanism
 
 WORLD = "world"
 
@@ -39,7 +39,7 @@ class Arrangement:
         return {edge.child: edge for edge in self.edges}
 
 
-def arrange(robot: Robot, canonical: str) -> Arrangement:
+def arrange(robot: Mechanism, canonical: str) -> Arrangement:
     """The forest in which every tree begins at the world, at the top above the canonical link, or where no
     joint carries a link."""
     chosen = robot.spanning()
@@ -76,7 +76,7 @@ def _outwards(start: str, beside: dict[str, list[Joint]], placed: set[str]) -> I
                 yield Edge(joint, here, there)
 
 
-def _top(robot: Robot, link: str) -> str:
+def _top(robot: Mechanism, link: str) -> str:
     """The link at the top of the tree that a link is in."""
     carriers = {joint.child: joint for joint in robot.tree()}
     while link in carriers and carriers[link].parent != WORLD:

@@ -5,25 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.robot.scopes import Scope, scopes
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
-def models(document: Document) -> list[Scope]:
+def models(document: Document) -> list[Model]:
     """The top-level models of a file and of its worlds, in document order."""
-    return [model for root in scopes(document).roots for model in _models(root)]
+    return [model for root in root_of(document).scopes for model in _models(root)]
 
 
-def _models(scope: Scope) -> Iterator[Scope]:
-    if scope.kind == "model":
+def _models(scope: Scope) -> Iterator[Model]:
+    if isinstance(scope, Model):
         yield scope
     else:
-        yield from scope.inner
+        yield from (node for node in scope.nodes.values() if isinstance(node, Model) and node.is_readable)
 
 
-def choose(document: Document, name: str) -> Scope:
+def choose(document: Document, name: str) -> Model:
     """The model of a name, or the only one.
 
     Raises:
@@ -49,9 +51,9 @@ def _list(names: list[str]) -> str:
     return shown if len(names) <= 20 else f"{shown} and {len(names) - 20} more"
 
 
-def others(document: Document, chosen: Scope) -> Iterator[Element]:
+def others(document: Document, chosen: Model) -> Iterator[Element]:
     """What stands beside the chosen model: other models, lights, physics and the rest of its world."""
-    at: Element | None = chosen.placed if chosen.placed is not None else chosen.element
+    at: Element | None = chosen.place
     while at is not None and at is not document.root:
         around = at.parent
         if around is not None:

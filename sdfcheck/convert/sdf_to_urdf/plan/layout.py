@@ -9,8 +9,8 @@ import numpy as np
 
 from sdfcheck.convert.sdf_to_urdf.plan.arrange import WORLD, Arrangement
 from sdfcheck.convert.sdf_to_urdf.plan.naming import Naming
-from sdfcheck.robot.robot import Robot
-from sdfcheck.robot.rotations import Array, angle_between, inverse
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.rotations import Array, angle_between, inverse
 
 SAME = 1e-12
 """Frames that are nearer than this (m, rad) are one."""
@@ -36,7 +36,7 @@ class Layout:
         return tidy(inverse(self.frames[link]) @ pose)
 
 
-def lay_out(robot: Robot, made: Arrangement, world: Array, *, keep: bool, naming: Naming) -> Layout:
+def lay_out(robot: Mechanism, made: Arrangement, world: Array, *, keep: bool, naming: Naming) -> Layout:
     """Frames for all links; ``world`` is the pose of the world in the model's frame."""
     frames: dict[str, Array] = {WORLD: world}
     stands: dict[str, tuple[str, Array]] = {}

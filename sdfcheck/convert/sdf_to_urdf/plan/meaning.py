@@ -13,15 +13,16 @@ import numpy as np
 
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.shapes import pieces
-from sdfcheck.robot.robot import Axis, Joint, Link, Mimic, Robot, default_body
-from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.motion.mass import default_mass
+from sdfcheck.robot.motion.mechanism import Axis, Joint, Link, Mechanism, Mimic
+from sdfcheck.robot.motion.rotations import Array
 
 ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw"})
 TWO_AXES = frozenset({"universal", "revolute2"})
 _UP = (0.0, 0.0, 1.0)
 
 
-def understood(robot: Robot, planes: Planes = Planes.DROP) -> Robot:
+def understood(robot: Mechanism, planes: Planes = Planes.DROP) -> Mechanism:
     """The robot with defaults filled in, without gearboxes: those are a coupling of two other joints."""
     links = {name: _link(link, planes) for name, link in robot.links.items()}
     joints = {name: _joint(joint) for name, joint in robot.joints.items()}
@@ -29,11 +30,11 @@ def understood(robot: Robot, planes: Planes = Planes.DROP) -> Robot:
         if gearbox.kind == "gearbox":
             _couple(joints, gearbox)
     kept = {name: joint for name, joint in joints.items() if joint.kind != "gearbox"}
-    return Robot(robot.name, links, kept, robot.frames)
+    return Mechanism(robot.name, links, kept, robot.frames)
 
 
 def _link(link: Link, planes: Planes) -> Link:
-    body = default_body() if link.body is None else link.body
+    body = default_mass() if link.body is None else link.body
     shown = [piece for geometry in link.geometries for piece in pieces(geometry, planes)]
     return Link(link.name, link.pose, link.element, body, shown)
 

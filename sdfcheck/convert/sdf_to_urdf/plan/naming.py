@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from sdfcheck.robot.robot import Robot
+from sdfcheck.robot.motion.mechanism import Mechanism
 
 
 class Naming:
@@ -27,7 +27,7 @@ class Naming:
 
 
 def named(
-    robot: Robot, frames: Iterable[str]
+    robot: Mechanism, frames: Iterable[str]
 ) -> tuple[Naming, Mapping[str, str], Mapping[str, str], Mapping[str, str]]:
     """The names of links, of joints and of frames, by those of the source.
 

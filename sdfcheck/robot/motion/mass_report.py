@@ -8,12 +8,15 @@ from enum import Enum
 
 import numpy as np
 
-from sdfcheck.robot.poses import PoseError, Poses, written_pose
-from sdfcheck.robot.robot import Body
-from sdfcheck.robot.rotations import Array
-from sdfcheck.robot.scopes import Frame, Scope, scopes
-from sdfcheck.robot.sdf_robot import RobotError, body_of
-from sdfcheck.robot.urdf_robot import read_urdf_robot
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.poses import PoseError, written_pose
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
@@ -36,7 +39,7 @@ class LinkMass:
 
     name: str
     origin: MassOrigin
-    body: Body | None
+    body: MassProperties | None
     note: str = ""
 
 
@@ -51,7 +54,7 @@ class ModelMass:
     is_static: bool
     links: tuple[LinkMass, ...]
     models: tuple[ModelMass, ...]
-    total: Body | None
+    total: MassProperties | None
     notes: tuple[str, ...] = ()
 
     @property
@@ -74,7 +77,7 @@ class MassReport:
     """
 
     models: tuple[ModelMass, ...]
-    total: Body | None
+    total: MassProperties | None
     notes: tuple[str, ...] = ()
 
     @property
@@ -89,7 +92,7 @@ class MassReport:
 def mass_report(document: Document) -> MassReport:
     """Measure an SDF or URDF document.
 
-    Raises RobotError for a URDF whose numbers cannot be read.
+    Raises DescriptionError for a URDF whose numbers cannot be read.
     """
     if document.kind is Kind.URDF:
         model = _urdf_model(document)
@@ -98,16 +101,13 @@ def mass_report(document: Document) -> MassReport:
 
 
 class _Reader:
-    def __init__(self) -> None:
-        self.poses = Poses()
-
     def read(self, document: Document) -> MassReport:
         models: list[ModelMass] = []
-        moving: list[Body | None] = []
+        moving: list[MassProperties | None] = []
         notes: list[str] = []
-        roots = scopes(document).roots
+        roots = root_of(document).scopes
         for root in roots:
-            if root.kind == "model":
+            if isinstance(root, Model):
                 measured = self.model(root, root.name)
                 pose = written_pose(root.element.find("pose")) if len(roots) > 1 else np.eye(4)
                 models.append(measured)
@@ -120,75 +120,70 @@ class _Reader:
             notes += missing
         return MassReport(tuple(models), _joined(moving), tuple(notes))
 
-    def model(self, scope: Scope, name: str) -> ModelMass:
-        links = tuple(self.link(frame) for frame in scope.links())
+    def model(self, scope: Model, name: str) -> ModelMass:
+        links = tuple(map(self.link, (node for node in scope.nodes.values() if isinstance(node, Link))))
         models, bodies, notes = self.inner(scope, f"{name}::")
         total = _joined([*(link.body for link in links), *bodies])
         return ModelMass(name, scope.is_static, links, tuple(models), total, tuple(notes))
 
-    def inner(self, scope: Scope, prefix: str) -> tuple[list[ModelMass], list[Body | None], list[str]]:
+    def inner(
+        self, scope: Scope, prefix: str
+    ) -> tuple[list[ModelMass], list[MassProperties | None], list[str]]:
         """The models in a scope, their totals in its frame, and what could not be told of them."""
         models: list[ModelMass] = []
-        bodies: list[Body | None] = []
-        notes = [] if scope.complete else ["an include could not be read"]
-        for frame in scope.frames.values():
-            if frame.kind != "model":
+        bodies: list[MassProperties | None] = []
+        notes = [] if scope.is_complete else ["an include could not be read"]
+        for frame in scope.nodes.values():
+            if not isinstance(frame, Model):
                 continue
             name = prefix + frame.name
-            if frame.inner is None:
+            if not frame.is_readable:
                 notes.append(f"model `{name}` could not be read")
                 continue
-            measured = self.model(frame.inner, name)
+            measured = self.model(frame, name)
             models.append(measured)
             try:
-                bodies.append(_placed(measured.total, self.poses.in_scope(frame)))
+                bodies.append(_placed(measured.total, frame.root.poses.in_scope(frame)))
             except PoseError as error:
                 bodies.append(None)
                 notes.append(f"model `{name}` has no place: {error}")
         return models, bodies, notes
 
-    def link(self, frame: Frame) -> LinkMass:
+    def link(self, frame: Link) -> LinkMass:
         name = frame.name
         try:
-            pose = self.poses.in_scope(frame)
-            if frame.element.document.kind is Kind.URDF:
-                return _urdf_link(frame, pose)
-            body = body_of(frame, self.poses)
-        except (PoseError, RobotError) as error:
+            pose = frame.root.poses.in_scope(frame)
+            body = frame.mass_properties
+            if frame.is_urdf:
+                return _of_urdf(frame.name, body, pose)
+        except (PoseError, DescriptionError) as error:
             return LinkMass(name, MassOrigin.UNKNOWN, None, str(error))
         if body is None:
-            return LinkMass(name, MassOrigin.DEFAULT, Body(1.0, np.zeros(3), np.eye(3)).seen_from(pose))
-        inertial = frame.element.find("inertial")
-        assert inertial is not None
-        automatic = inertial.attributes.get("auto", "").strip().lower() in {"true", "1"}
-        origin = MassOrigin.AUTOMATIC if automatic else MassOrigin.WRITTEN
+            return LinkMass(
+                name, MassOrigin.DEFAULT, MassProperties(1.0, np.zeros(3), np.eye(3)).seen_from(pose)
+            )
+        origin = MassOrigin.AUTOMATIC if frame.inertial.is_automatic else MassOrigin.WRITTEN
         return LinkMass(name, origin, body.seen_from(pose))
 
 
 def _urdf_model(document: Document) -> ModelMass:
-    robot = read_urdf_robot(document)
+    robot = mechanism_of(root_of(document).models[0])
     links = tuple(_of_urdf(link.name, link.body, link.pose) for link in robot.links.values())
     return ModelMass(robot.name, False, links, (), _joined([link.body for link in links]))
 
 
-def _urdf_link(frame: Frame, pose: Array) -> LinkMass:
-    """A link of a URDF model that an SDF file includes."""
-    robot = frame.element.document.view(read_urdf_robot)
-    return _of_urdf(frame.name, robot.links[frame.name].body, pose)
-
-
-def _of_urdf(name: str, body: Body | None, pose: Array) -> LinkMass:
+def _of_urdf(name: str, body: MassProperties | None, pose: Array) -> LinkMass:
     if body is None:
         return LinkMass(name, MassOrigin.NONE, None)
     return LinkMass(name, MassOrigin.WRITTEN, body.seen_from(pose))
 
 
-def _placed(body: Body | None, pose: Array) -> Body | None:
+def _placed(body: MassProperties | None, pose: Array) -> MassProperties | None:
     return None if body is None else body.seen_from(pose)
 
 
-def _joined(bodies: list[Body | None]) -> Body | None:
-    total: Body | None = None
+def _joined(bodies: list[MassProperties | None]) -> MassProperties | None:
+    total: MassProperties | None = None
     for body in bodies:
         if body is not None:
             total = body if total is None else total.joined_with(body)

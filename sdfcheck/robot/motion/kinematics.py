@@ -10,8 +10,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sdfcheck.robot.robot import Axis, Joint, Robot
-from sdfcheck.robot.rotations import Array, about_axis, inverse, transform
+from sdfcheck.robot.motion.mechanism import Axis, Joint, Mechanism
+from sdfcheck.robot.motion.rotations import Array, about_axis, inverse, transform
 from sdfcheck.source.record import NamedTuple
 
 Positions = Mapping[str, Array]
@@ -76,7 +76,7 @@ def _shifted(shifts: Array) -> Array:
     return transform(np.broadcast_to(np.eye(3), (len(shifts), 3, 3)), shifts)
 
 
-def link_poses(robot: Robot, positions: Positions) -> dict[str, Array]:
+def link_poses(robot: Mechanism, positions: Positions) -> dict[str, Array]:
     """The poses of every link in the model's frame; joints that close loops are passed over.
 
     ``positions`` leaves out joints at zero; followers are worked out from their leaders.
@@ -103,12 +103,12 @@ def link_poses(robot: Robot, positions: Positions) -> dict[str, Array]:
     return {name: poses[name] for name in robot.links}
 
 
-def _zero(robot: Robot, name: str) -> Array:
+def _zero(robot: Mechanism, name: str) -> Array:
     link = robot.links.get(name)
     return np.eye(4) if link is None else link.pose
 
 
-def _steps(robot: Robot, joint: Joint, values: Positions, start: str) -> Array:
+def _steps(robot: Mechanism, joint: Joint, values: Positions, start: str) -> Array:
     """The poses of one end of a joint in the other, ``start``."""
     before = inverse(_zero(robot, joint.parent)) @ joint.pose
     behind = inverse(joint.pose) @ _zero(robot, joint.child)
@@ -116,7 +116,7 @@ def _steps(robot: Robot, joint: Joint, values: Positions, start: str) -> Array:
     return across if start == joint.parent else inverse(across)
 
 
-def with_followers(robot: Robot, positions: Positions) -> dict[str, Array]:
+def with_followers(robot: Mechanism, positions: Positions) -> dict[str, Array]:
     """The positions, with those of mimicking joints worked out (chains too; a ring keeps what is given)."""
     result = dict(positions)
 
@@ -135,7 +135,7 @@ def with_followers(robot: Robot, positions: Positions) -> dict[str, Array]:
     return result
 
 
-def total_body(robot: Robot, poses: Mapping[str, Array]) -> Bodies | None:
+def total_body(robot: Mechanism, poses: Mapping[str, Array]) -> Bodies | None:
     """All links joined at the given poses, in the model's frame; None if no link has mass properties."""
     bodies = [(link.body, poses[name]) for name, link in robot.links.items() if link.body is not None]
     if not bodies:
@@ -143,7 +143,7 @@ def total_body(robot: Robot, poses: Mapping[str, Array]) -> Bodies | None:
     placed = np.stack(np.broadcast_arrays(*(pose for _, pose in bodies)))
     turns = placed[..., :3, :3]
     masses = np.array([body.mass for body, _ in bodies])
-    centres = (turns @ np.stack([body.centre for body, _ in bodies])[:, None, :, None])[..., 0]
+    centres = (turns @ np.stack([body.center for body, _ in bodies])[:, None, :, None])[..., 0]
     centres = centres + placed[..., :3, 3]
     moments = turns @ np.stack([body.moments for body, _ in bodies])[:, None] @ turns.swapaxes(-1, -2)
     mass = float(masses.sum())

@@ -8,7 +8,7 @@ import numpy as np
 
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.robot.robot import Body
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.source.element import Element
 
 
@@ -16,7 +16,7 @@ class MeshError(ValueError):
     """A mesh that cannot be measured."""
 
 
-def mesh_body(mesh: Element, density: float) -> Body:
+def mesh_body(mesh: Element, density: float) -> MassProperties:
     """A ``mesh`` element filled with a density (kg/m³), in the frame of its file.
 
     Raises MeshError where the file is missing, cannot be read or is no closed surface,
@@ -45,7 +45,9 @@ def mesh_body(mesh: Element, density: float) -> Body:
     surface.density = density
     if not surface.volume > 0:
         raise MeshError(f"mesh `{uri}` has its inside out")
-    return Body(float(surface.mass), np.array(surface.center_mass), np.array(surface.moment_inertia))
+    return MassProperties(
+        float(surface.mass), np.array(surface.center_mass), np.array(surface.moment_inertia)
+    )
 
 
 def _scale(mesh: Element) -> tuple[float, ...]:

@@ -1,7 +1,7 @@
-"""A robot as physics sees it, whatever format it was read from.
+"""A model as physics sees it, as numbers: links and joints of the model and of all models in it by name.
 
 Lengths in m, angles in rad, masses in kg, moments in kg·m². Transforms are 4×4 arrays
-(:mod:`sdfcheck.robot.rotations`). The zero configuration is the one in which the file
+(:mod:`sdfcheck.robot.motion.rotations`). The zero configuration is the one in which the file
 places its links.
 """
 
@@ -10,44 +10,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-import numpy as np
-
-from sdfcheck.robot.rotations import Array
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.element import Element
-
-
-@dataclass(frozen=True, slots=True)
-class Body:
-    """Mass properties: the moments are about ``centre``, in the axes of the frame that ``centre`` is given in."""
-
-    mass: float
-    centre: Array
-    """Centre of mass, shape (3,)."""
-    moments: Array
-    """Inertia tensor about the centre of mass, shape (3, 3)."""
-
-    def seen_from(self, frame: Array) -> Body:
-        """The same body in an outer frame, in which this one's frame has the 4×4 pose ``frame``."""
-        turn = frame[:3, :3]
-        return Body(self.mass, turn @ self.centre + frame[:3, 3], turn @ self.moments @ turn.T)
-
-    def joined_with(self, other: Body) -> Body:
-        """Two bodies of one frame, rigidly joined."""
-        mass = self.mass + other.mass
-        if mass == 0:
-            return Body(0.0, self.centre, self.moments + other.moments)
-        centre = (self.mass * self.centre + other.mass * other.centre) / mass
-        moments = np.zeros((3, 3))
-        for body in (self, other):
-            offset = body.centre - centre
-            shift = float(offset @ offset) * np.eye(3) - np.outer(offset, offset)
-            moments += body.moments + body.mass * shift
-        return Body(mass, centre, moments)
-
-
-def default_body() -> Body:
-    """What simulators take for a link of an SDF model without ``inertial``: 1 kg and unit moments."""
-    return Body(1.0, np.zeros(3), np.eye(3))
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +37,7 @@ class Link:
     pose: Array
     """4×4, in the model's frame, at the zero configuration."""
     element: Element
-    body: Body | None = None
+    body: MassProperties | None = None
     """None where the file gives no mass properties."""
     geometries: list[Geometry] = field(default_factory=list)
 
@@ -123,7 +88,7 @@ class Joint:
 
 
 @dataclass(slots=True)
-class Robot:
+class Mechanism:
     """One model: links and joints by name, in document order, and named frames."""
 
     name: str

@@ -1,0 +1,239 @@
+"""Makes one mechanism of a model: nested and included models become names such as ``arm::hand``."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.motion import mechanism
+from sdfcheck.robot.motion.mass import of_link, urdf_number
+from sdfcheck.robot.motion.mechanism import Geometry, Mechanism, Mimic
+from sdfcheck.robot.motion.poses import numbers_of, origin_of
+from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.parts.axis import Axis
+from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.values import Number, is_true
+from sdfcheck.source.element import Element
+
+_FIVE, _SEVEN = Version(1, 5), Version(1, 7)
+_WITH_FILES = frozenset(("mesh", "heightmap", "image"))
+
+
+def mechanism_of(model: Model) -> Mechanism:
+    """The links and joints of a model and of all models in it, as numbers.
+
+    Raises DescriptionError where a pose, name or number cannot be worked out.
+    """
+    if not model.is_urdf:
+        return _Flattened(model).made
+    links: dict[str, mechanism.Link] = {}
+    for link in model.links:
+        if link.name not in links:
+            links[link.name] = _link(link, link.name, np.eye(4))
+    joints = {joint.name: _urdf_joint(joint) for joint in model.joints}
+    made = Mechanism(model.name, links, joints)
+    _place(made)
+    return made
+
+
+class _Flattened:
+    """An SDF model while its parts get their names from the top."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        nodes = list(model.all_nodes())
+        self.names: dict[Node, str] = {}
+        for name, node in nodes:
+            self.names.setdefault(node, name)
+        self.made = Mechanism(model.name, {}, {})
+        for name, node in nodes:
+            if isinstance(node, Link):
+                if node.is_urdf:
+                    raise DescriptionError("an included URDF model is to be converted first", node.element)
+                self.made.links[name] = _link(node, name, self.pose(node))
+        for name, node in nodes:
+            if isinstance(node, Joint):
+                self.made.joints[name] = self.joint(name, node)
+        for name, node in nodes:
+            if node.kind == "frame" and (link := self.carrier(node)) in self.made.links:
+                pose = inverse(self.made.links[link].pose) @ self.pose(node)
+                self.made.frames[name] = (link, pose)
+
+    def pose(self, node: Node) -> Array:
+        return self.model.root.poses.reached(self.model, node)
+
+    def joint(self, name: str, joint: Joint) -> mechanism.Joint:
+        parent, child = self.end(joint, "parent"), self.end(joint, "child")
+        kind = joint.type
+        given = () if kind in {"fixed", "ball"} else (joint.axis, joint.axis2)
+        axes = tuple(self.axis(axis) for axis in given if axis.is_given)
+        if kind == "revolute" and axes and math.isinf(axes[0].lower) and math.isinf(axes[0].upper):
+            kind = "continuous"
+        pose = self.pose(joint)
+        return mechanism.Joint(name, kind, parent, child, pose, joint.element, axes, _pitch(joint))
+
+    def end(self, joint: Joint, role: str) -> str:
+        element = joint.find(role)
+        if element is None:
+            raise DescriptionError(f"joint {joint.name} has no {role}", joint.element)
+        if element.content == "world" and role == "parent":
+            return "world"
+        found = joint.scope.resolve(element.content)
+        if found is None:
+            raise DescriptionError(f"{role} {element.content!r} of joint {joint.name} is unknown", element)
+        return self.carrier(found)
+
+    def carrier(self, node: Node) -> str:
+        """The name of the link that a node moves with."""
+        seen: set[Node] = set()
+        while node.kind != "link":
+            if node in seen:
+                raise DescriptionError(f"frame {node.name} is attached to itself", node.element)
+            seen.add(node)
+            onward = node.attachment
+            if onward is None:
+                raise DescriptionError(f"frame {node.name} leads to no link", node.element)
+            node = onward
+        return self.names.get(node, "")
+
+    def axis(self, axis: Axis) -> mechanism.Axis:
+        limit, dynamics, mimic = axis.limit, axis.dynamics, axis.mimic
+        for number in (limit.lower, limit.upper, limit.effort, limit.velocity):
+            _require(number)
+        lower, upper = limit.range
+        return mechanism.Axis(
+            direction_of(axis),
+            lower,
+            upper,
+            limit.greatest_effort,
+            limit.greatest_velocity,
+            _require(dynamics.damping),
+            _require(dynamics.friction),
+            None
+            if mimic is None
+            else Mimic(
+                self.prefixed(axis.joint, mimic.leader_name),
+                _require(mimic.multiplier),
+                _require(mimic.offset),
+                _require(mimic.reference),
+            ),
+        )
+
+    def prefixed(self, joint: Joint, name: str) -> str:
+        """A joint's name as it is called from the top of the mechanism."""
+        scope = joint.scope
+        return name if scope is self.model else f"{self.names[scope]}::{name}"
+
+
+def direction_of(axis: Axis) -> Array:
+    """An axis of SDFormat in its joint's frame, of length 1, shape (3,).
+
+    Raises DescriptionError if it has no direction, PoseError if its frame is unknown.
+    """
+    joint, numbers = axis.joint, axis.xyz
+    if len(numbers) < 3:
+        raise DescriptionError(f"the axis of joint {joint.name} is not 3 numbers", axis.element)
+    direction = np.array(numbers[:3])
+    length = math.hypot(*direction)
+    if length == 0:
+        raise DescriptionError(f"the axis of joint {joint.name} has no direction", axis.element)
+    direction /= length
+    poses = joint.root.poses
+    here = poses.in_scope(joint)[:3, :3]
+    version = survey(axis.document).version
+    if axis.expressed_in:
+        frame = poses.named(joint.scope, axis.expressed_in)[:3, :3]
+        return np.asarray(here.T @ frame @ direction)
+    if version < _SEVEN:
+        flag = axis.find("use_parent_model_frame")
+        in_model = version < _FIVE or (flag is not None and is_true(flag.content))
+        return here.T @ direction if in_model else direction
+    return direction
+
+
+def _require(number: Number) -> float:
+    if math.isnan(number):
+        name = number.value.element.name if number.value is not None else "value"
+        raise DescriptionError(f"{name} {number.text!r} is not a number", number.element)
+    return float(number)
+
+
+def _link(link: Link, name: str, pose: Array) -> mechanism.Link:
+    made = mechanism.Link(name, pose, link.element, of_link(link))
+    for shape in link.shapes:
+        geometry = shape.geometry
+        if geometry.shape:
+            at = link.root.poses.of_part(shape.element, link)
+            uri = geometry.uri if geometry.shape in _WITH_FILES else ""
+            made.geometries.append(
+                Geometry(shape.kind, geometry.shape, geometry.measures, at, shape.element, shape.name, uri)
+            )
+    return made
+
+
+def _pitch(joint: Joint) -> float:
+    """Of a screw, in m per radian; ``thread_pitch`` is in radians per m, and left-handed."""
+    if joint.screw_thread_pitch.is_given:
+        return joint.screw_thread_pitch / (2 * math.pi)
+    if joint.thread_pitch.is_given and float(joint.thread_pitch) != 0:
+        return -1.0 / joint.thread_pitch
+    return 0.0
+
+
+# URDF
+
+
+def _urdf_joint(joint: Joint) -> mechanism.Joint:
+    kind = joint.type.strip()
+    axes = () if kind in {"fixed", "floating"} else (_urdf_axis(joint, kind),)
+    ends = joint.parent_name, joint.child_name
+    return mechanism.Joint(joint.name, kind, *ends, origin_of(joint.element), joint.element, axes)
+
+
+def _urdf_axis(joint: Joint, kind: str) -> mechanism.Axis:
+    element = joint.find("axis")
+    numbers = numbers_of(element, "xyz", (1.0, 0.0, 0.0)) if element is not None else (1.0, 0.0, 0.0)
+    length = math.hypot(*numbers)
+    if length == 0 and kind in {"revolute", "continuous", "prismatic", "planar"}:
+        raise DescriptionError("the axis has no direction", joint.element)
+    limit, dynamics, mimic = joint.find("limit"), joint.find("dynamics"), joint.find("mimic")
+
+    def number(element: Element | None, name: str, default: float) -> float:
+        return default if element is None else urdf_number(element, name, default)
+
+    # A bound that a limit leaves out is 0; without any limit only Drake reads the joint, as unlimited.
+    bounded = kind in {"revolute", "prismatic"} and limit is not None
+    return mechanism.Axis(
+        np.array(numbers) / (length or 1.0),
+        number(limit, "lower", 0.0) if bounded else -math.inf,
+        number(limit, "upper", 0.0) if bounded else math.inf,
+        number(limit, "effort", math.inf),
+        number(limit, "velocity", math.inf),
+        number(dynamics, "damping", 0.0),
+        number(dynamics, "friction", 0.0),
+        None
+        if mimic is None
+        else Mimic(
+            mimic.attributes.get("joint", ""), number(mimic, "multiplier", 1.0), number(mimic, "offset", 0.0)
+        ),
+    )
+
+
+def _place(made: Mechanism) -> None:
+    """Turn joint poses, written in the parent link, into poses in the model, and give the links theirs."""
+    placed = {"world"}
+    for joint in made.tree():
+        parent = made.links.get(joint.parent)
+        joint.pose = (parent.pose if parent is not None else np.eye(4)) @ joint.pose
+        made.links[joint.child].pose = joint.pose
+        placed.add(joint.name)
+    for joint in made.joints.values():
+        if joint.name not in placed and (parent := made.links.get(joint.parent)) is not None:
+            joint.pose = parent.pose @ joint.pose
