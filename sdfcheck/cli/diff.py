@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import colored, configured
+from sdfcheck.cli.options import colored, configured, require_file
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.report.visible import visible
 from sdfcheck.source.record import NamedTuple
@@ -82,8 +82,7 @@ def _compare(request: Request) -> FileDifference:
     configuration = Configuration(request.config, isolated=request.isolated)
     documents = []
     for file in (request.a, request.b):
-        if not file.is_file():
-            raise WrongUsage(f"no such file: {file}")
+        require_file(file)
         documents.append(load(file, configuration.settings_for(file)))
     try:
         return compare_files(*documents, tolerance=request.tolerance)

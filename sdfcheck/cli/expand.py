@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.options import configured
+from sdfcheck.cli.options import configured, require_file
 from sdfcheck.cli.terminal import emit, pair, say
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -56,8 +56,7 @@ def expand(**given: Any) -> int:
     the project's files.
     """
     request = Request(**given)
-    if not request.file.is_file():
-        raise WrongUsage(f"no such file: {request.file}")
+    require_file(request.file)
     document, outcome = _expand(request)
     if outcome.document is None or outcome.text is None:
         _report(_explained(document, outcome.problems))
@@ -74,6 +73,7 @@ def expand(**given: Any) -> int:
 def _expand(request: Request) -> tuple[Document, Expansion]:
     """Expand with what the command line and the configuration say; the command line has the last word."""
     from sdfcheck.files.library import Library, SearchPaths
+    from sdfcheck.files.regular import read_regular
     from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.source.document import read
     from sdfcheck.xacro.expansion import Expander, Surroundings
@@ -86,7 +86,11 @@ def _expand(request: Request) -> tuple[Document, Expansion]:
     sets = settings.arguments_for(file)
     chosen = dict(sets[0]) if sets else {}
     chosen.update(pair(text, ":=", "name:=value") for text in request.arguments)
-    document = read(file.read_bytes(), file, Kind.XACRO)
+    try:
+        data = read_regular(file, settings.size_limit)
+    except OSError as error:
+        raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
+    document = read(data, file, Kind.XACRO)
     document.library = Library(SearchPaths((), paths, tuple(packages.items())))
     with Expander(Surroundings(packages, paths, request.variables)) as expander:
         return document, expander.expand(document, chosen)

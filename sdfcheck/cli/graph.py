@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.options import colored, configured
+from sdfcheck.cli.options import colored, configured, require_file
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.robot import graph_text
 from sdfcheck.robot.graphs import GraphKind, graph
@@ -45,8 +45,7 @@ def graph_command(kind: str, file: Path, form: str, config: Path | None, isolate
     """
     from sdfcheck.lint.config.configuration import Configuration
 
-    if not file.is_file():
-        raise WrongUsage(f"no such file: {file}")
+    require_file(file)
     settings = Configuration(config, isolated=isolated).settings_for(file)
     try:
         drawn = graph(load(file, settings), GraphKind(kind))
@@ -72,12 +71,14 @@ def load(file: Path, settings: Settings) -> Document:
         WrongUsage: it is none, cannot be read or expanded, or brings too many models.
     """
     from sdfcheck.files.library import Library, SearchPaths
+    from sdfcheck.files.regular import read_regular
     from sdfcheck.robot.multiplied import refuse_too_many
     from sdfcheck.source.sniff import sniff
 
-    library = Library(SearchPaths(settings.model_paths, settings.package_paths, settings.packages))
+    search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
+    library = Library(search, settings.size_limit)
     try:
-        kind = sniff(file.read_bytes(), file)
+        kind = sniff(read_regular(file, settings.size_limit), file)
     except OSError as error:
         raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
     document = library.document(file, None if kind is Kind.BROKEN_XML else kind)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import configured
+from sdfcheck.cli.options import configured, require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.report.visible import visible
 from sdfcheck.source.record import NamedTuple
@@ -64,8 +64,7 @@ def inertia(file: Path, form: str, name: str | None, config: Path | None, isolat
     """
     from sdfcheck.lint.config.configuration import Configuration
 
-    if not file.is_file():
-        raise WrongUsage(f"no such file: {file}")
+    require_file(file)
     settings = Configuration(config, isolated=isolated).settings_for(file)
     report = measure(load(file, settings))
     if name is not None:

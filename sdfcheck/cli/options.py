@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
+
+from sdfcheck.source.wrong_usage import WrongUsage
 
 PATH = click.Path(path_type=Path)
 F = TypeVar("F", bound=Callable[..., Any])
@@ -46,3 +49,15 @@ def path(flag: str, help: str) -> Callable[[Any], Any]:
 def folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
     """An option for a folder, which may be repeated."""
     return click.option(flag, name, multiple=True, type=PATH, metavar="FOLDER", help=help)
+
+
+def require_file(file: Path) -> None:
+    """Make sure that an input is a file.
+
+    Raises:
+        WrongUsage: there is none, or it is a folder, a pipe or a device.
+    """
+    if not file.is_file():
+        from sdfcheck.files.regular import oddity
+
+        raise WrongUsage(f"{file}: {oddity(file)}" if os.path.lexists(file) else f"no such file: {file}")

@@ -8,10 +8,9 @@ from typing import Any
 import click
 
 from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import configured
+from sdfcheck.cli.options import configured, require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Request(NamedTuple):
@@ -66,8 +65,7 @@ def print_command(**given: Any) -> int:
     from sdfcheck.lint.config.configuration import Configuration
 
     request = Request(**given)
-    if not request.file.is_file():
-        raise WrongUsage(f"no such file: {request.file}")
+    require_file(request.file)
     settings = Configuration(request.config, isolated=request.isolated).settings_for(request.file)
     style = CanonicalStyle(
         NumberStyle(request.degrees, request.snap, request.precision),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from sdfcheck.cli.options import configured
+from sdfcheck.cli.options import configured, require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -43,8 +43,7 @@ def targets_command(
     reject    it is not read to its end
     not read  the reader does not know the format
     """
-    if not file.is_file():
-        raise WrongUsage(f"no such file: {file}")
+    require_file(file)
     readers = tuple(Consumer(name) for name in target) or tuple(Consumer)
     rows = verdicts(file, readers, Configuration(config, isolated=isolated))
     if form == "json":

@@ -7,11 +7,12 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sdfcheck.files.regular import oddity
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.files.git import Listed
+    from sdfcheck.files.git import Listing
     from sdfcheck.files.gitignore import Ignores
 
 SUFFIXES = (".sdf", ".urdf", ".world", ".xacro")
@@ -35,12 +36,14 @@ class Found(NamedTuple):
     """What the given paths lead to: sorted, each file once.
 
     ``skipped`` are files and folders left out, with the reason; ``empty`` are the
-    given folders in which nothing was found.
+    given folders in which nothing was found, ``unreadable`` folders that could not be
+    looked into, with the reason.
     """
 
     files: tuple[DiscoveredFile, ...]
     skipped: tuple[tuple[Path, str], ...] = ()
     empty: tuple[Path, ...] = ()
+    unreadable: tuple[tuple[Path, str], ...] = ()
 
 
 def exclude_nothing(path: Path) -> bool:
@@ -65,28 +68,49 @@ def discover(
         WrongUsage: a path does not exist.
     """
     found: dict[str, DiscoveredFile] = {}
-    skipped: list[tuple[Path, str]] = []
+    left = _Left([], [])
     empty: list[Path] = []
     for path in paths:
         if os.path.isdir(path):
-            walked = list(_walk(path, respect_gitignore, skipped))
+            walked = list(_walk(path, respect_gitignore, left))
             if not walked:
                 empty.append(path)
             for file in walked:
                 if exclude(file):
-                    skipped.append((file, "excluded by the configuration"))
+                    left.skipped.append((file, "excluded by the configuration"))
                 else:
                     found.setdefault(os.path.abspath(file), DiscoveredFile(file, named=False))
         elif not os.path.exists(path):
             raise WrongUsage(f"no such file or folder: {path}")
         elif force_exclude and exclude(path):
-            skipped.append((path, "excluded by the configuration"))
+            left.skipped.append((path, "excluded by the configuration"))
         else:
             key = os.path.abspath(path)
             if key not in found or not found[key].named:
                 found[key] = DiscoveredFile(path, named=True)
     files = sorted(found.values(), key=lambda file: file.path.as_posix())
-    return Found(tuple(files), tuple(sorted(set(skipped))), tuple(empty))
+    return Found(tuple(files), _once(left.skipped), tuple(empty), _once(left.unreadable))
+
+
+def _once(entries: list[tuple[Path, str]]) -> tuple[tuple[Path, str], ...]:
+    return tuple(sorted(set(entries)))
+
+
+class _Left(NamedTuple):
+    """What a walk leaves out, with the reasons."""
+
+    skipped: list[tuple[Path, str]]
+    unreadable: list[tuple[Path, str]]
+
+    def is_fit(self, path: Path) -> bool:
+        """Whether a robot file that was met can be read; if not, it is noted."""
+        odd = oddity(path)
+        if odd:
+            self.skipped.append((path, odd))
+        return not odd
+
+    def not_read(self, folder: Path, why: str) -> None:
+        self.unreadable.append((folder, f"cannot be read: {why}"))
 
 
 def is_robot_file(name: str) -> bool:
@@ -95,25 +119,28 @@ def is_robot_file(name: str) -> bool:
     return folded.endswith(SUFFIXES) or folded == MODEL_CONFIG
 
 
-def _walk(top: Path, respect_gitignore: bool, skipped: list[tuple[Path, str]]) -> Iterator[Path]:
+def _walk(top: Path, respect_gitignore: bool, left: _Left) -> Iterator[Path]:
     if respect_gitignore:
         from sdfcheck.files.git import listed
 
-        names = listed(top)
-        if names is not None:
-            yield from _listed_files(top, names, skipped)
+        listing = listed(top)
+        if listing is not None:
+            yield from _listed_files(top, listing, left)
             return
         from sdfcheck.files.gitignore import Ignores
 
-        yield from _descend(top, Ignores.above(top), skipped)
+        yield from _descend(top, Ignores.above(top), left)
     else:
-        yield from _descend(top, None, skipped)
+        yield from _descend(top, None, left)
 
 
-def _listed_files(top: Path, names: list[Listed], skipped: list[tuple[Path, str]]) -> Iterator[Path]:
+def _listed_files(top: Path, listing: Listing, left: _Left) -> Iterator[Path]:
     """The robot files among those that git lists, and those of repositories inside this one."""
     foreign: dict[str, bool] = {"": False}
-    for name, is_repository in names:
+    for name, why in listing.unread:
+        if not _below_foreign(top, name, foreign):
+            left.not_read(top / name, why)
+    for name, is_repository in listing.names:
         folder, _, base = name.rpartition("/")
         if not is_repository and not is_robot_file(base):
             continue
@@ -121,8 +148,9 @@ def _listed_files(top: Path, names: list[Listed], skipped: list[tuple[Path, str]
         if _below_foreign(top, name if is_repository else folder, foreign):
             continue
         if is_repository:
-            yield from _walk(path, True, skipped)
-        elif path.is_file():
+            yield from _walk(path, True, left)
+        # Git lists what was deleted, and what lies in folders that nobody may enter.
+        elif os.path.lexists(path) and not os.path.isdir(path) and left.is_fit(path):
             yield path
 
 
@@ -141,7 +169,7 @@ def _is_foreign(folder: Path) -> bool:
     return name in _BUILD_FOLDERS and any((folder / mark).exists() for mark in _BUILD_MARKS)
 
 
-def _descend(folder: Path, ignores: Ignores | None, skipped: list[tuple[Path, str]]) -> Iterator[Path]:
+def _descend(folder: Path, ignores: Ignores | None, left: _Left) -> Iterator[Path]:
     """Walk without git's help."""
     if ignores is not None:
         ignores = ignores.entering(folder)
@@ -149,16 +177,16 @@ def _descend(folder: Path, ignores: Ignores | None, skipped: list[tuple[Path, st
         with os.scandir(folder) as listing:
             entries = sorted(listing, key=lambda entry: entry.name)
     except OSError as error:
-        skipped.append((folder, f"cannot be read: {error.strerror}"))
+        left.not_read(folder, error.strerror or str(error))
         return
     for entry in entries:
         path = folder / entry.name
         is_folder = entry.is_dir(follow_symlinks=False)
-        if _is_foreign(path) if is_folder else not (is_robot_file(entry.name) and entry.is_file()):
+        if _is_foreign(path) if is_folder else not is_robot_file(entry.name):
             continue
         if ignores is not None and ignores.ignore(path, folder=is_folder):
             continue
         if is_folder:
-            yield from _descend(path, ignores, skipped)
-        else:
+            yield from _descend(path, ignores, left)
+        elif not os.path.isdir(path) and left.is_fit(path):
             yield path

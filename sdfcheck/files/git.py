@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
 
 # Set while git runs a hook; they would point at that repository, whichever folder is asked about.
 _HOOK_VARIABLES = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX")
+_UNREAD = re.compile(rb"^warning: could not open directory '([^\n]*)': ([^\n]*)$", re.MULTILINE)
+
+TIMEOUT = 5.0
+"""So many seconds git may take: what it reads may be a pipe into which nobody writes."""
 
 
 def work_tree(folder: Path) -> Path | None:
@@ -24,21 +29,41 @@ class Listed(NamedTuple):
     is_repository: bool
 
 
-def listed(folder: Path) -> list[Listed] | None:
+class Listing(NamedTuple):
+    """What git lists, sorted, and the folders that it could not read, with the reasons; relative to the folder."""
+
+    names: tuple[Listed, ...]
+    unread: tuple[tuple[str, str], ...] = ()
+
+
+def listed(folder: Path) -> Listing | None:
     """Tracked and untracked files below ``folder`` that are not ignored, relative to it.
 
     None if git cannot tell: it is missing, this is no repository, or the folder is
     itself ignored.
     """
-    if work_tree(folder) is None:
+    root = work_tree(folder)
+    if root is None or _has_odd_ignores(folder, root):
         return None
-    output = _git(folder, "ls-files", "-z", "--stage", "--cached", "--others", "--exclude-standard")
-    if output is None:
+    done = _git(folder, "ls-files", "-z", "--stage", "--cached", "--others", "--exclude-standard")
+    if done is None:
         return None
-    names = {_parse(os.fsdecode(line)) for line in output.split(b"\0") if line}
+    names = {_parse(os.fsdecode(line)) for line in done.output.split(b"\0") if line}
     if not names and _git(folder, "check-ignore", "--quiet", ".") is not None:
         return None
-    return sorted(names)
+    unread = [
+        (os.path.relpath(root / os.fsdecode(name), folder), os.fsdecode(why))
+        for name, why in _UNREAD.findall(done.complaints)
+    ]
+    return Listing(tuple(sorted(names)), tuple(unread))
+
+
+def _has_odd_ignores(folder: Path, root: Path) -> bool:
+    """Whether a ``.gitignore`` from ``folder`` up to ``root`` is no file: git would wait for a pipe's end."""
+    absolute = Path(os.path.abspath(folder))
+    above = [place for place in (absolute, *absolute.parents) if place == root or root in place.parents]
+    files = [*(place / ".gitignore" for place in above), root / ".git" / "info" / "exclude"]
+    return any(os.path.exists(file) and not os.path.isfile(file) for file in files)
 
 
 def _parse(line: str) -> Listed:
@@ -49,20 +74,28 @@ def _parse(line: str) -> Listed:
     return Listed(line.rstrip("/"), line.endswith("/"))
 
 
-def _git(folder: Path, *arguments: str) -> bytes | None:
-    """The output of a git command; None if it fails."""
+class _Done(NamedTuple):
+    output: bytes
+    complaints: bytes
+
+
+def _git(folder: Path, *arguments: str) -> _Done | None:
+    """What a git command says; None if it fails."""
     import subprocess
 
     environment = {name: value for name, value in os.environ.items() if name not in _HOOK_VARIABLES}
+    environment["LC_ALL"] = "C"
     try:
         done = subprocess.run(
-            ["git", *arguments],
+            # A repository may name a program here, which would run.
+            ["git", "-c", "core.fsmonitor=false", *arguments],
             cwd=folder,
             env=environment,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             check=True,
+            timeout=TIMEOUT,
         )
-    except (OSError, subprocess.CalledProcessError):
+    except (OSError, subprocess.SubprocessError):
         return None
-    return done.stdout
+    return _Done(done.stdout, done.stderr)

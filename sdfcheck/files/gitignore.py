@@ -7,9 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.git import work_tree
+from sdfcheck.files.regular import MEGABYTE, read_regular
 
 if TYPE_CHECKING:
     from pathspec import GitIgnoreSpec
+
+SIZE_LIMIT = MEGABYTE
+"""Larger files of patterns are not read."""
 
 
 class Ignores:
@@ -52,7 +56,7 @@ class Ignores:
 
     def _reading(self, folder: Path, name: str) -> Ignores:
         try:
-            lines = (folder / name).read_text("utf-8", "replace").splitlines()
+            lines = read_regular(folder / name, SIZE_LIMIT).decode("utf-8", "replace").splitlines()
         except OSError:
             return self
         return Ignores((*self._layers, (os.path.abspath(folder), _compile(lines))))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.disk import Disk
+from sdfcheck.files.regular import SIZE_LIMIT, read_regular
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -24,9 +24,6 @@ MODEL_PATH_VARIABLES = (
     "GAZEBO_RESOURCE_PATH",
 )
 """Environment variables in which Gazebo's generations and libsdformat look for models."""
-
-SIZE_LIMIT = 64 * 1024 * 1024
-"""Larger files are not read as a part of another one."""
 
 
 class SearchPaths(NamedTuple):
@@ -53,13 +50,27 @@ def library_of(document: Document) -> Library | None:
 
 
 class Library:
-    """Reads the files that documents refer to, each once, and remembers them for the run."""
+    """Reads the files that documents refer to, each once, and remembers them for the run.
 
-    __slots__ = ("_documents", "_hashes", "_packages", "_roots", "_unseen", "disk", "model_folders", "search")
+    Files of more than ``limit`` bytes are not read.
+    """
 
-    def __init__(self, search: SearchPaths | None = None) -> None:
+    __slots__ = (
+        "_documents",
+        "_hashes",
+        "_limit",
+        "_packages",
+        "_roots",
+        "_unseen",
+        "disk",
+        "model_folders",
+        "search",
+    )
+
+    def __init__(self, search: SearchPaths | None = None, limit: int = SIZE_LIMIT) -> None:
         self.search = search or SearchPaths()
         self.disk = Disk()
+        self._limit = limit
         self.model_folders = tuple(dict.fromkeys(self.search.model_folders))
         self._documents: dict[str, Document | None] = {}
         self._hashes: dict[str, int] = {}
@@ -107,11 +118,7 @@ class Library:
         from sdfcheck.source.document import read
 
         try:
-            status = path.stat()
-            # A device or a pipe has no end, or none that would come.
-            if not stat.S_ISREG(status.st_mode) or status.st_size > SIZE_LIMIT:
-                return None
-            data = path.read_bytes()
+            data = read_regular(path, self._limit)
         except OSError:
             return None
         plain = os.path.normpath(path)

@@ -7,8 +7,7 @@ import stat
 import sys
 from pathlib import Path
 
-_LONGEST_CHAIN = 40
-"""So many symbolic links are followed, as by Linux."""
+from sdfcheck.files.descriptor import descriptor
 
 
 def overwrite(path: Path, data: bytes) -> None:
@@ -20,9 +19,9 @@ def overwrite(path: Path, data: bytes) -> None:
 
     Raises OSError.
     """
-    descriptor = _descriptor(path)
-    if descriptor is not None:
-        _write_to(os.dup(descriptor), data)
+    own = descriptor(path)
+    if own is not None:
+        _write_to(os.dup(own), data)
         return
     try:
         status = os.stat(path)
@@ -73,24 +72,6 @@ def _keep_owner(name: str, old: os.stat_result) -> None:
         os.chown(name, uid, old.st_gid)
     except OSError:
         raise PermissionError(1, "its owner and group cannot be kept") from None
-
-
-def _descriptor(path: Path) -> int | None:
-    """The number of the open file that a path such as ``/dev/stdout`` names in this process."""
-    at = os.path.abspath(path)
-    for _ in range(_LONGEST_CHAIN):
-        folder, name = os.path.split(at)
-        if name.isascii() and name.isdigit() and os.path.realpath(folder) in _folders_of_descriptors():
-            return int(name)
-        if not os.path.islink(at):
-            return None
-        at = os.path.normpath(os.path.join(os.path.realpath(folder), os.readlink(at)))
-    return None
-
-
-def _folders_of_descriptors() -> tuple[str, ...]:
-    folders = ("/dev/fd",) if sys.platform == "darwin" else ("/dev/fd", "/proc/self/fd")
-    return tuple(os.path.realpath(folder) for folder in folders)
 
 
 def _write_to(handle: int, data: bytes) -> None:

@@ -74,7 +74,7 @@ class Shelves:
     def library(self, settings: Settings) -> Library:
         search = _search(settings)
         if search not in self._libraries:
-            self._libraries[search] = Library(search)
+            self._libraries[search] = Library(search, settings.size_limit)
         return self._libraries[search]
 
     def included(self, files: Sequence[Path]) -> Iterator[Document]:

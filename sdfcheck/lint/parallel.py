@@ -77,7 +77,7 @@ def _portions(found: Found, number: int) -> list[Found]:
     """About so many portions of what was found; neighbours stay together, as they refer to one another."""
     size = -(-len(found.files) // number)
     portions = [Found(found.files[at : at + size]) for at in range(0, len(found.files), size)]
-    portions[0] = portions[0]._replace(skipped=found.skipped, empty=found.empty)
+    portions[0] = found._replace(files=portions[0].files)
     return portions
 
 

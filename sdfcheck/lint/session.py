@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.discover import DiscoveredFile, Found, discover
 from sdfcheck.files.disk import Disk
 from sdfcheck.files.library import SearchPaths
+from sdfcheck.files.regular import open_regular, read_on
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.fold import said_once
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
@@ -232,6 +233,9 @@ def selected(
     for folder in found.empty:
         text = f"no SDFormat, URDF, xacro or model.config file in {folder}"
         notify(Notice(Level.WARNING, text))
+    for folder, reason in found.unreadable:
+        notify(Notice(Level.FAILURE, f"{folder}: {reason}"))
+        skipped.append((folder, reason))
     for number, file in enumerate(found.files):
         if progress is not None:
             progress(number, len(found.files), file.path)
@@ -252,11 +256,12 @@ def _look(file: DiscoveredFile, options: Options, notify: Notify) -> Selected | 
     """The file's content if it is to be linted, else only what it is."""
     if options.stdin is not None and file.path == options.stdin_path:
         return _judge(file, options.stdin, options, notify)
-    with file.path.open("rb") as stream:
+    limit = options.configuration.settings_for(file.path).size_limit
+    with open_regular(file.path, limit) as stream:
         head = stream.read(HEAD)
         taken = _judge(file, head, options, notify)
         if len(head) == HEAD and isinstance(taken, Selected):
-            return taken._replace(data=head + stream.read())
+            return taken._replace(data=head + read_on(stream, file.path, limit))
         return taken
 
 

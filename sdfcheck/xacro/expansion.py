@@ -9,6 +9,7 @@ from types import TracebackType
 from typing import Any
 
 from sdfcheck.files.packages import Packages, project_root
+from sdfcheck.files.regular import read_regular
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -135,7 +136,7 @@ def expand(
     Raises:
         OSError: the file cannot be read.
     """
-    document = what if isinstance(what, Document) else read(what.read_bytes(), what, Kind.XACRO)
+    document = what if isinstance(what, Document) else read(read_regular(what), what, Kind.XACRO)
     with Expander(surroundings) as expander:
         return expander.expand(document, arguments)
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from lxml import etree
 
+from sdfcheck.files.regular import read_regular
 from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -74,7 +75,7 @@ class Sources:
         source = self._known.get(key)
         if source is None:
             try:
-                data = Path(key).read_bytes()
+                data = read_regular(Path(key))
             except OSError:
                 data = b""
             source = self._known[key] = decode(data, shown(path))[0]

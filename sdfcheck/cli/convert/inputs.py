@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.cli.terminal import pair
 from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
@@ -72,9 +73,9 @@ class Reader:
         settings = self._configuration.settings_for(file)
         search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
         # Shared, so that what lies around the files is looked up once.
-        library = self._libraries.setdefault(search, Library(search))
+        library = self._libraries.setdefault(search, Library(search, settings.size_limit))
         try:
-            data = file.read_bytes()
+            data = read_regular(file, settings.size_limit)
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         kind = sniff(data, file)

@@ -11,6 +11,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, read_regular
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.select import Choice
 from sdfcheck.source.record import NamedTuple
@@ -46,7 +47,13 @@ class Settings(NamedTuple):
     package_paths: tuple[Path, ...] = ()
     packages: tuple[tuple[str, Path], ...] = ()
     xacro: tuple[tuple[Pattern, tuple[ArgumentSet, ...]], ...] = ()
+    max_file_size: float = SIZE_LIMIT / MEGABYTE
     files: tuple[ConfigFile, ...] = ()
+
+    @property
+    def size_limit(self) -> int:
+        """The size up to which files are read, in bytes."""
+        return int(self.max_file_size * MEGABYTE)
 
     @property
     def choice(self) -> Choice:
@@ -129,13 +136,11 @@ def _settings_of(folder: Path) -> Settings | None:
 
 def _mentions_us(pyproject: str) -> bool:
     """Whether a ``pyproject.toml`` configures sdfcheck; most do not, and need no parsing to tell."""
-    with open(pyproject, "rb") as file:
-        data = file.read()
-    if b"sdfcheck" not in data:
+    path = Path(pyproject)
+    if b"sdfcheck" not in _bytes(path):
         return False
     from sdfcheck.lint.config.reading import parse_toml
 
-    path = Path(pyproject)
     return "sdfcheck" in _tool(parse_toml(path, _text(path)))
 
 
@@ -170,13 +175,20 @@ def _tool(table: dict[str, Any]) -> dict[str, Any]:
     return tool if isinstance(tool, dict) else {}
 
 
+def _bytes(path: Path) -> bytes:
+    try:
+        return read_regular(path)
+    except OSError as error:
+        from sdfcheck.lint.config.reading import shown
+
+        raise WrongUsage(f"cannot read {shown(path)}: {error.strerror}") from None
+
+
 def _text(path: Path) -> str:
     from sdfcheck.lint.config.reading import shown
 
     try:
-        return path.read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise WrongUsage(f"cannot read {shown(path)}: {error.strerror}") from None
+        return _bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         raise WrongUsage(f"{shown(path)}:{line}: not UTF-8") from None

@@ -17,6 +17,7 @@ class Shape(Enum):
     PATHS = "a list of paths"
     PATH = "a path"
     FLAG = "true or false"
+    MEGABYTES = "a number of megabytes"
     SEVERITY = "a severity"
     SEVERITIES = "a table of severities"
     IGNORES = "a table of lists of rule codes, names or families"
@@ -56,6 +57,7 @@ FIELDS = (
     Field("model-paths", Shape.PATHS, "[]", "Folders in which `model://` is looked up."),
     Field("package-paths", Shape.PATHS, "[]", "Folders below which `package.xml` files are looked for."),
     Field("packages", Shape.PLACES, "{}", "Package name → its folder."),
+    Field("max-file-size", Shape.MEGABYTES, "256", "The size, in MB, from which on files are not read."),
     Field("xacro", Shape.ARGUMENTS, "{}", "File pattern → table of arguments, or a list of such tables."),
 )
 """Every key, in the order in which it is documented."""

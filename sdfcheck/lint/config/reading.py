@@ -18,6 +18,9 @@ ArgumentSet = tuple[tuple[str, str], ...]
 """Names and values of xacro arguments."""
 
 
+_MOST_MEGABYTES = 1e9
+
+
 class Pattern:
     """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is none."""
 
@@ -87,6 +90,8 @@ def parse_toml(path: Path, text: str) -> dict[str, Any]:
         import tomli as tomllib
     try:
         table: dict[str, Any] = tomllib.loads(text)
+    except RecursionError:
+        raise WrongUsage(f"{shown(path)}: tables and lists are nested too deeply") from None
     except tomllib.TOMLDecodeError as error:
         message, line = str(error), text.count("\n") + 1
         place = re.search(r" \(at line (\d+), column \d+\)$", message)
@@ -172,6 +177,12 @@ def _flag(file: ConfigFile, field: Field, value: object) -> bool:
     return value
 
 
+def _megabytes(file: ConfigFile, field: Field, value: object) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < _MOST_MEGABYTES:
+        raise _mismatch(file, field)
+    return value
+
+
 def _severity(file: ConfigFile, field: Field, value: object, *keys: str) -> Severity:
     try:
         return Severity(value)
@@ -225,6 +236,7 @@ _READERS: Mapping[Shape, Callable[[ConfigFile, Field, object], Any]] = {
     Shape.PATHS: _paths,
     Shape.PATH: _path,
     Shape.FLAG: _flag,
+    Shape.MEGABYTES: _megabytes,
     Shape.SEVERITY: _severity,
     Shape.SEVERITIES: _severities,
     Shape.IGNORES: _ignores,

@@ -50,6 +50,7 @@ def _shapes() -> Mapping[Shape, dict[str, Any]]:
         Shape.PATHS: _STRINGS,
         Shape.PATH: _STRING,
         Shape.FLAG: {"type": "boolean"},
+        Shape.MEGABYTES: {"type": "number", "exclusiveMinimum": 0},
         Shape.SEVERITY: {"enum": _LEVELS},
         Shape.SEVERITIES: {
             "type": "object",

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from sdfcheck.files.regular import oddity
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.motion.mass import MassProperties
@@ -33,6 +34,8 @@ def mesh_body(mesh: Element, density: float) -> MassProperties:
     path = locate(mesh.document, uri).path if uri else None
     if path is None:
         raise MeshError(f"there is no mesh `{uri}`")
+    if why := oddity(path):
+        raise MeshError(f"mesh `{uri}` is {why}")
     try:
         surface: Any = trimesh.load(path, force="mesh")
     except Exception as error:  # trimesh and its readers raise whatever comes up

@@ -7,12 +7,15 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
+from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.effort import Effort
 from sdfcheck.source.scanner.evidence import alike
 
 FILE_LIMIT = 1000
 """So many files of a project are looked through for definitions, no more."""
+SIZE_LIMIT = 16 * MEGABYTE
+"""Larger files are not searched for names."""
 
 _DEFINED = re.compile(r"<xacro:(?:property|macro)\b[^>]*?\sname\s*=\s*[\"']([^\"']+)")
 _PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
@@ -97,6 +100,6 @@ def _project_names(document: Document) -> frozenset[str]:
 def text_of(path: Path) -> str:
     """A file's text, empty if it cannot be read."""
     try:
-        return path.read_text(encoding="utf-8", errors="replace")
+        return read_regular(path, SIZE_LIMIT).decode("utf-8", "replace")
     except OSError:
         return ""

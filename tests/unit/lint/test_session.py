@@ -3,6 +3,8 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files import regular
+from sdfcheck.lint import session
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.select import Choice
@@ -170,14 +172,14 @@ def test_unreadable_files_do_not_stop_the_others(seen: list[Seen]) -> None:
 
 def test_vanished_files_do_not_stop_the_others(seen: list[Seen], monkeypatch: pytest.MonkeyPatch) -> None:
     a, b = plant(a_sdf=SDF, b_sdf=SDF.format("!"))
-    opened = Path.open
+    opened = regular.open_regular
 
-    def vanishing(path: Path, mode: str) -> object:
+    def vanishing(path: Path, limit: int) -> object:
         if path == a:
             raise FileNotFoundError(2, "No such file or directory")
-        return opened(path, mode)
+        return opened(path, limit)
 
-    monkeypatch.setattr(Path, "open", vanishing)
+    monkeypatch.setattr(session, "open_regular", vanishing)
     check_that_only_b_is_linted(a, b, "No such file or directory")
 
 

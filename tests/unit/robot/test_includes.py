@@ -131,7 +131,7 @@ def test_files_that_are_no_xml_are_told_there(tmp_path: Path, text: str) -> None
 def test_what_has_no_end_is_not_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     with (tmp_path / "huge.sdf").open("wb") as file:
-        file.truncate(65 * 1024 * 1024)
+        file.truncate(257 * 1024 * 1024)
     for uri in ("pipe", "huge.sdf"):
         (problem,) = problems(document(tmp_path, WORLD.format(include(uri))))
         assert isinstance(problem, UnusableInclude)

@@ -111,7 +111,7 @@ def test_submodules_are_entered(tmp_path: Path) -> None:
         ["git", *identity, "commit", "-qm", "m", "--allow-empty"], cwd=tmp_path / "mod", check=True
     )
     subprocess.run(["git", "add", "mod"], cwd=tmp_path, check=True, capture_output=True)
-    assert git.listed(tmp_path) == [git.Listed("mod", is_repository=True)]
+    assert git.listed(tmp_path) == git.Listing((git.Listed("mod", is_repository=True),))
     assert names(tmp_path) == ["mod/b.sdf"]
 
 
@@ -167,3 +167,90 @@ def test_barren_folder_is_reported(tmp_path: Path) -> None:
 def test_missing_path_is_wrong_usage(tmp_path: Path) -> None:
     with pytest.raises(WrongUsage, match=r"no such file or folder: .*gone\.sdf"):
         discover([tmp_path / "gone.sdf"])
+
+
+def test_what_is_no_file_is_skipped_with_the_reason(tmp_path: Path) -> None:
+    plant(tmp_path, "a.sdf")
+    os.mkfifo(tmp_path / "pipe.sdf")
+    (tmp_path / "zero.urdf").symlink_to("/dev/zero")
+    (tmp_path / "loop.sdf").symlink_to("loop.sdf")
+    (tmp_path / "gone.world").symlink_to("nothing.world")
+    (tmp_path / "folder.sdf").mkdir()
+    (tmp_path / "link.sdf").symlink_to("folder.sdf", target_is_directory=True)
+    found = discover([tmp_path])
+    assert [file.path.name for file in found.files] == ["a.sdf"]
+    assert {path.name: reason for path, reason in found.skipped} == {
+        "gone.world": "a link that leads nowhere",
+        "loop.sdf": "a loop of links",
+        "pipe.sdf": "a pipe, not a file",
+        "zero.urdf": "a device, not a file",
+    }
+
+
+def test_so_it_is_where_git_lists_it(tmp_path: Path) -> None:
+    make_repository(tmp_path)
+    plant(tmp_path, "a.sdf")
+    (tmp_path / "loop.sdf").symlink_to("loop.sdf")
+    (tmp_path / "zero.urdf").symlink_to("/dev/zero")
+    found = discover([tmp_path])
+    assert [file.path.name for file in found.files] == ["a.sdf"]
+    assert [path.name for path, _ in found.skipped] == ["loop.sdf", "zero.urdf"]
+
+
+@pytest.mark.parametrize("place", [".gitignore", "sub/.gitignore"])
+def test_an_ignore_file_that_is_a_pipe_is_not_read(
+    tree: Path, place: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plant(tree, "a.sdf", "sub/b.sdf")
+    os.mkfifo(tree / place)
+    monkeypatch.setattr(git, "TIMEOUT", 0.3)
+    assert names(tree) == ["a.sdf", "sub/b.sdf"]
+
+
+def test_git_runs_no_program_that_a_repository_names(tmp_path: Path) -> None:
+    make_repository(tmp_path)
+    plant(tmp_path, "a.sdf")
+    program = tmp_path / "program"
+    program.write_text(f"#!/bin/sh\ntouch {tmp_path}/ran\n")
+    program.chmod(0o755)
+    subprocess.run(["git", "config", "core.fsmonitor", str(program)], cwd=tmp_path, check=True)
+    assert names(tmp_path) == ["a.sdf"]
+    assert not (tmp_path / "ran").exists()
+
+
+def test_folders_that_cannot_be_read_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    plant(tmp_path, "a.sdf", "closed/b.sdf", "open/c.sdf")
+    known = os.scandir
+
+    def scandir(folder: Path) -> object:
+        if folder == tmp_path / "closed":
+            raise PermissionError(13, "Permission denied")
+        return known(folder)
+
+    monkeypatch.setattr(os, "scandir", scandir)
+    found = discover([tmp_path])
+    assert [file.path.name for file in found.files] == ["a.sdf", "c.sdf"]
+    assert found.unreadable == ((tmp_path / "closed", "cannot be read: Permission denied"),)
+
+
+def test_so_are_those_that_git_cannot_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    make_repository(tmp_path)
+    plant(tmp_path, "robots/a.sdf")
+    known = git._git
+
+    def complaining(folder: Path, *arguments: str) -> object:
+        done = known(folder, *arguments)
+        assert done is not None
+        lines = [
+            b"warning: something else",
+            b"warning: could not open directory 'robots/closed/': Permission denied",
+            b"warning: could not open directory 'robots/.cache/': Permission denied",
+        ]
+        return done._replace(complaints=b"\n".join(lines) + b"\n")
+
+    monkeypatch.setattr(git, "_git", complaining)
+    closed = tmp_path / "robots" / "closed", "cannot be read: Permission denied"
+    for place in (tmp_path, tmp_path / "robots"):
+        found = discover([place])
+        assert [file.path.name for file in found.files] == ["a.sdf"]
+        assert found.unreadable == (closed,)
