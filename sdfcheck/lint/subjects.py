@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from importlib import import_module
 
 from lxml import etree
 
@@ -18,9 +17,11 @@ def subjects(document: Document, looks_at: Iterable[str], selects: Iterable[str]
     if document.root is None:
         return found
     if document.kind in (Kind.SDF, Kind.URDF):
+        from sdfcheck.robot.root import root_of
+
         for name in looks_at:
             if name != Element.__name__:
-                found += import_module("sdfcheck.robot.root").root_of(document).each(name)
+                found += root_of(document).each(name)
     for selector in selects:
         found += _selected(document, selector)
     return found
