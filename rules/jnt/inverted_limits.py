@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from math import inf
 
 from sdfcheck import (
     IN_JOINT,
@@ -9,12 +10,15 @@ from sdfcheck import (
     Diagnostic,
     Edit,
     Good,
+    Limit,
     Rule,
     Severity,
     edit,
-    problems,
     warns,
 )
+
+BOUNDED = frozenset(("prismatic", "revolute"))
+"""The types of joint for which URDF has limits."""
 
 
 class InvertedLimits(Rule):
@@ -33,7 +37,7 @@ class InvertedLimits(Rule):
         Consumer.URDFDOM: warns("takes them as they are"),
         Consumer.MUJOCO: warns("drops the limits"),
     }
-    explains = (problems.InvertedLimits,)
+    looks_at = (Limit,)
     scaffold = IN_JOINT
 
     bad = (
@@ -59,9 +63,17 @@ class InvertedLimits(Rule):
         Good('<limit lower="-1" upper="1" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT),
     )
 
-    def check(self, problem: problems.InvertedLimits) -> Iterator[Diagnostic]:
-        lower, upper = problem.lower, problem.upper
-        low, high = lower.text.strip(), upper.text.strip()
-        fix = edit("exchange them", (Edit(lower.span, high), Edit(upper.span, low)), unsafe=True)
-        message = f"lower limit {low} is above upper limit {high}"
+    @staticmethod
+    def applies(limit: Limit) -> bool:
+        lower, upper = limit.lower, limit.upper
+        if not lower.number > upper.number or not (lower.is_given and upper.is_given):
+            return False
+        if limit.is_urdf and not (limit.joint.type in BOUNDED and inf > lower.number and upper.number > -inf):
+            return False
+        return limit.joint.element.name == "joint" and limit.axis.limit is limit
+
+    def check(self, limit: Limit) -> Iterator[Diagnostic]:
+        lower, upper = limit.lower, limit.upper
+        fix = edit("exchange them", (Edit(lower.span, upper.text), Edit(upper.span, lower.text)), unsafe=True)
+        message = f"lower limit {lower.text} is above upper limit {upper.text}"
         yield self.diagnostic(lower, message, labels={upper: "the upper limit"}, fix=fix)

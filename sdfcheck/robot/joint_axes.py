@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.joint_problems import (
-    InvertedLimits,
     MissingAxis,
     NegativeLimit,
     NonUnitAxis,
@@ -91,9 +90,8 @@ def _limits(joint: Element, axis: Element, kind: str) -> Iterator[Problem]:
 
 def _range(joint: Element, limit: Element, kind: str) -> Iterator[Problem]:
     lower, upper = limit.number("lower"), limit.number("upper")
-    if lower and upper and lower.number > upper.number:
-        yield InvertedLimits(lower, upper, joint)
-    elif kind == "continuous":
+    inverted = lower and upper and lower.number > upper.number
+    if kind == "continuous" and not inverted:
         useless: list[Value] = [v for v in (lower, upper) if v is not None and abs(v.number) < _UNLIMITED]
         if useless:
             yield UselessLimit(useless[0], tuple(useless[1:]), kind, joint)

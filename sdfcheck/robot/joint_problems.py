@@ -64,14 +64,6 @@ class MissingAxis(Record):
     default: str | None = None
 
 
-class InvertedLimits(Record):
-    """``lower`` above ``upper``."""
-
-    lower: Value
-    upper: Value
-    joint: Element
-
-
 class ZeroAxis(Record):
     """An axis that points nowhere: ``0 0 0``."""
 
@@ -155,7 +147,6 @@ Problem = (
     | SelfJoint
     | WorldAsChild
     | MissingAxis
-    | InvertedLimits
     | ZeroAxis
     | NonUnitAxis
     | SeveralParents

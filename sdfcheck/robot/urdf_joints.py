@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import inf, pi, sqrt
+from math import pi, sqrt
 
 from sdfcheck.formats.sdf.problems import MissingAttribute
 from sdfcheck.formats.sdf.values import floats
@@ -126,8 +126,6 @@ def _bounds(limit: Element, joint: UrdfJoint) -> Iterator[object]:
             yield kinds.UselessLimit(useless[0], tuple(useless[1:]), joint.type, joint.element)
     elif lower is None and upper is None:
         yield LockedByDefault(limit, joint.element, joint.type)
-    elif lower is not None and upper is not None and inf > lower.number > upper.number > -inf:
-        yield kinds.InvertedLimits(lower, upper, joint.element)
 
 
 def _whole_turn(lower: Value | None, upper: Value | None) -> bool:

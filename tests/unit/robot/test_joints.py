@@ -172,7 +172,6 @@ def test_the_direction_of_unit_length() -> None:
 @pytest.mark.parametrize(
     ("limits", "type", "kind"),
     [
-        ("<lower>1</lower><upper>-1</upper>", "revolute", kinds.InvertedLimits),
         ("<lower>1</lower><upper>1</upper>", "revolute", None),
         ("<lower>high</lower><upper>-1</upper>", "revolute", None),
         ("<lower>-1</lower><upper>1</upper>", "continuous", kinds.UselessLimit),

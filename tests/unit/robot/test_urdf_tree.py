@@ -124,7 +124,6 @@ LIMIT = '<limit lower="{}" upper="{}" effort="1" velocity="1"/>'
         ("revolute", "", ["MissingLimit"]),
         ("revolute", '<limti lower="0" upper="1" effort="1" velocity="1"/>', []),
         ("revolute", '<limit effort="1" velocity="1"/>', ["LockedByDefault"]),
-        ("revolute", LIMIT.format(1, -1), ["InvertedLimits"]),
         ("revolute", LIMIT.format(0, 0), []),
         ("revolute", LIMIT.format("high", 0), []),
         ("continuous", LIMIT.format(-1, 1), ["UselessLimit"]),
