@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
 
 _ENDS = "<parent>base</parent><child>arm</child>"
 
@@ -16,7 +16,7 @@ class MissingAxis(Rule):
     name = "missing-axis"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: warns("takes a default"), Consumer.DRAKE: REFUSES}
-    explains = (problems.MissingAxis,)
+    looks_at = (Joint,)
     scaffold = IN_MODEL
 
     bad = (
@@ -35,8 +35,15 @@ class MissingAxis(Rule):
         Good(f'<link name="arm"/><joint name="j" type="fixed">{_ENDS}</joint>'),
     )
 
-    def check(self, problem: problems.MissingAxis) -> Iterator[Diagnostic]:
-        joint = problem.joint
-        message = f"{joint.title} of type {problem.type} has no `{problem.axis}`"
-        taken = None if problem.default is None else f"some readers take {problem.default} instead"
-        yield self.diagnostic(joint, message, help=taken)
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        return not joint.is_urdf and any(
+            not axis.is_given and not joint.misspells(name)
+            for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False)
+        )
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False):
+            if not axis.is_given and not joint.misspells(name):
+                message = f"{joint.title} of type {joint.type} has no `{name}`"
+                yield self.diagnostic(joint, message, help="some readers take 0 0 1 instead")

@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from math import inf
 
 from sdfcheck import (
     IN_JOINT,
@@ -6,13 +7,18 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Dynamics,
     Good,
+    Limit,
+    Number,
     Rule,
     Severity,
-    problems,
     refuses,
     warns,
 )
+
+NO_LIMIT = (-1.0, -inf)
+"""The customary ways to write an effort or a velocity without limit."""
 
 
 class NegativeLimit(Rule):
@@ -32,7 +38,7 @@ class NegativeLimit(Rule):
         Consumer.URDFDOM: warns("takes it as it is"),
         Consumer.MUJOCO: warns("takes it as it is"),
     }
-    explains = (problems.NegativeLimit,)
+    looks_at = (Limit, Dynamics)
     scaffold = IN_JOINT
 
     bad = (
@@ -58,12 +64,27 @@ class NegativeLimit(Rule):
         Good("<axis><xyz>0 0 1</xyz><limit><lower>-2</lower><upper>-1</upper></limit></axis>"),
     )
 
-    def check(self, problem: problems.NegativeLimit) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"{problem.quantity} {value.text.strip()} of {problem.joint.title} is negative"
-        affects = {}
-        if problem.quantity == "velocity" and value.attribute is not None:
-            affects = {Consumer.DRAKE: refuses("aborts")}
-        elif problem.quantity != "damping":
-            affects = {Consumer.DRAKE: warns("takes it as no limit")}
-        yield self.diagnostic(value, message, affects=affects)
+    @staticmethod
+    def applies(part: Limit | Dynamics) -> bool:
+        return bool(_negative(part)) and part in (part.axis.limit, part.axis.dynamics)
+
+    def check(self, part: Limit | Dynamics) -> Iterator[Diagnostic]:
+        for quantity, number in _negative(part):
+            affects = {}
+            if quantity == "velocity" and part.is_urdf:
+                affects = {Consumer.DRAKE: refuses("aborts")}
+            elif quantity != "damping":
+                affects = {Consumer.DRAKE: warns("takes it as no limit")}
+            message = f"{quantity} {number.text} of {part.joint.title} is negative"
+            yield self.diagnostic(number, message, affects=affects)
+
+
+def _negative(part: Limit | Dynamics) -> list[tuple[str, Number]]:
+    """The numbers below 0, with what they are the number of."""
+    is_limit = part.kind == "limit"
+    names = ("effort", "velocity") if is_limit else ("damping", "friction")
+    numbers: list[tuple[str, Number]] = [(name, getattr(part, name)) for name in names]
+    found = [(name, number) for name, number in numbers if number.number < 0]
+    if not found or (is_limit and part.is_urdf and not part.joint.moves):
+        return []
+    return [(name, number) for name, number in found if not is_limit or number.number not in NO_LIMIT]

@@ -1,6 +1,10 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Axis, Bad, Diagnostic, Good, Rule, Severity, replace
+from sdfcheck_rules.jnt.directions import has_no_length, is_used
+
+ROUNDING = 1e-3
+"""How far from 1 the length may be where the numbers are rounded."""
 
 
 class NonUnitAxis(Rule):
@@ -13,7 +17,7 @@ class NonUnitAxis(Rule):
     code = "JNT013"
     name = "non-unit-axis"
     severity = Severity.INFO
-    explains = (problems.NonUnitAxis,)
+    looks_at = (Axis,)
     scaffold = IN_JOINT
 
     bad = (
@@ -31,7 +35,13 @@ class NonUnitAxis(Rule):
     )
     good = (Good("<axis><xyz>0.577 0.577 0.577</xyz></axis>", why="rounded"),)
 
-    def check(self, problem: problems.NonUnitAxis) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"the axis of {problem.joint.title} has the length {problem.length:.3g}, not 1"
-        yield self.diagnostic(value, message, fix=replace(value, problem.normalized, "make its length 1"))
+    @staticmethod
+    def applies(axis: Axis) -> bool:
+        return abs(axis.length - 1) > ROUNDING and not has_no_length(axis) and is_used(axis)
+
+    def check(self, axis: Axis) -> Iterator[Diagnostic]:
+        length = axis.length
+        # Adding zero takes the sign from a negative one.
+        unit = " ".join(f"{number / length + 0.0:.12g}" for number in axis.xyz)
+        message = f"the axis of {axis.joint.title} has the length {length:.3g}, not 1"
+        yield self.diagnostic(axis.xyz, message, fix=replace(axis.xyz, unit, "make its length 1"))

@@ -1,9 +1,16 @@
 from collections.abc import Iterator
+from math import pi
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Limit, Number, Rule, Severity, warns
 
 _ENDS = "<parent>base</parent><child>arm</child>"
 _URDF_ENDS = '<parent link="base"/><child link="arm"/>'
+
+ENDLESS_TYPES = frozenset(("continuous", "floating", "planar"))
+ROUNDING = 1e-3
+"""A whole turn may be this much smaller than 2π."""
+UNLIMITED = 1e15
+"""SDFormat writes 1e16 where there is no limit."""
 
 
 class UselessLimit(Rule):
@@ -17,7 +24,7 @@ class UselessLimit(Rule):
     name = "useless-limit"
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("has a joint that cannot be driven"))
-    explains = (problems.UselessLimit,)
+    looks_at = (Limit,)
     scaffold = IN_MODEL
 
     bad = (
@@ -41,10 +48,28 @@ class UselessLimit(Rule):
         ),
     )
 
-    def check(self, problem: problems.UselessLimit) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = (
-            f"{problem.joint.title} of type {problem.type} has no use for the limit {value.text.strip()}"
-        )
-        labels = dict.fromkeys(problem.others, "nor for this one")
-        yield self.diagnostic(value, message, labels=labels)
+    @staticmethod
+    def applies(limit: Limit) -> bool:
+        return bool(_useless(limit)) and limit.axis.limit is limit
+
+    def check(self, limit: Limit) -> Iterator[Diagnostic]:
+        first, *others = _useless(limit)
+        joint = limit.joint
+        message = f"{joint.title} of type {joint.type} has no use for the limit {first.text}"
+        labels = {other.span: "nor for this one" for other in others}
+        yield self.diagnostic(first, message, labels=labels)
+
+
+def _useless(limit: Limit) -> list[Number]:
+    """The position limits that exclude positions which the joint can have."""
+    lower, upper = limit.lower, limit.upper
+    if not (lower.is_given or upper.is_given) or limit.joint.type not in ENDLESS_TYPES:
+        return []
+    if limit.is_urdf:
+        # What is not written is 0 there, and whole turns exclude nothing.
+        if lower.is_given and upper.is_given and upper.number - lower.number > 2 * pi - ROUNDING:
+            return []
+        return [value for value in (lower, upper) if value.is_given and abs(value.number) > 0]
+    if lower.number > upper.number:
+        return []  # the business of inverted-limits
+    return [value for value in (lower, upper) if value.is_given and abs(value.number) < UNLIMITED]

@@ -4,15 +4,16 @@ from sdfcheck import (
     IN_JOINT,
     IN_URDF_JOINT,
     REFUSES,
+    Axis,
     Bad,
     Consumer,
     Diagnostic,
     Good,
     Rule,
     Severity,
-    problems,
     warns,
 )
+from sdfcheck_rules.jnt.directions import has_no_length, is_used
 
 
 class ZeroAxis(Rule):
@@ -30,7 +31,7 @@ class ZeroAxis(Rule):
         Consumer.URDFDOM: warns("takes it as it is"),
         Consumer.MUJOCO: REFUSES,
     }
-    explains = (problems.ZeroAxis,)
+    looks_at = (Axis,)
     scaffold = IN_JOINT
 
     bad = (
@@ -46,5 +47,9 @@ class ZeroAxis(Rule):
         Good("<axis><xyz>0 0 0.001</xyz></axis>", why="it has a direction"),
     )
 
-    def check(self, problem: problems.ZeroAxis) -> Iterator[Diagnostic]:
-        yield self.diagnostic(problem.value, f"the axis of {problem.joint.title} has no length")
+    @staticmethod
+    def applies(axis: Axis) -> bool:
+        return has_no_length(axis) and is_used(axis)
+
+    def check(self, axis: Axis) -> Iterator[Diagnostic]:
+        yield self.diagnostic(axis.xyz, f"the axis of {axis.joint.title} has no length")

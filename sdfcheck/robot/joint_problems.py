@@ -52,34 +52,6 @@ class WorldAsChild(Record):
     joint: Element
 
 
-class MissingAxis(Record):
-    """A joint of a type that moves along or about ``axis`` (``axis``, ``axis2``), and has none.
-
-    ``default`` is what a reader takes instead; None: it refuses the file.
-    """
-
-    joint: Element
-    type: str
-    axis: str = "axis"
-    default: str | None = None
-
-
-class ZeroAxis(Record):
-    """An axis that points nowhere: ``0 0 0``."""
-
-    value: Value
-    joint: Element
-
-
-class NonUnitAxis(Record):
-    """An axis whose length is not 1; readers make it so. ``normalized`` is the same direction as text."""
-
-    value: Value
-    joint: Element
-    length: float
-    normalized: str
-
-
 class SeveralParents(Record):
     """A link that is child of more than one joint; ``child`` is where the later joint names it."""
 
@@ -121,38 +93,13 @@ class MimicCycle(Record):
     joints: tuple[str, ...]
 
 
-class NegativeLimit(Record):
-    """A quantity of a joint that cannot be negative.
-
-    ``quantity``: effort, velocity, damping, friction …
-    """
-
-    value: Value
-    quantity: str
-    joint: Element
-
-
-class UselessLimit(Record):
-    """A limit that the joint's type ignores; ``others`` are further ones on the same joint."""
-
-    value: Value
-    others: tuple[Value, ...]
-    type: str
-    joint: Element
-
-
 Problem = (
     UnknownJointEnd
     | DetachedFrame
     | SelfJoint
     | WorldAsChild
-    | MissingAxis
-    | ZeroAxis
-    | NonUnitAxis
     | SeveralParents
     | JointLoop
     | UnknownMimicLeader
     | MimicCycle
-    | NegativeLimit
-    | UselessLimit
 )

@@ -1,4 +1,4 @@
-"""Joints of SDF models: their ends, axes, limits and leaders."""
+"""Joints of SDF models: their ends and leaders."""
 
 from __future__ import annotations
 
@@ -17,12 +17,9 @@ def problems(document: Document) -> list[Problem]:
     joints = index.get("joint")
     if not joints:
         return []
-    from sdfcheck.robot.joint_axes import axis_problems
     from sdfcheck.robot.joint_ends import end_problems
 
     found = list(end_problems(document, joints))
-    for joint in joints:
-        found += axis_problems(joint)
     if index.get("mimic"):
         from sdfcheck.robot.mimics import mimic_problems
 

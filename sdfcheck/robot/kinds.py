@@ -51,18 +51,24 @@ _ELSEWHERE = {
     "model": frozenset(("sdf", "world", "model", "gazebo")),
     "joint": frozenset(("model", "world", "robot", "gazebo")),
     "frame": frozenset(("model", "world")),
-    "limit": frozenset(("axis", "axis2", "joint", "drake:joint")),
     "material": frozenset(("visual", "robot", "collision")),
-    "mimic": frozenset(("axis", "axis2", "joint")),
-    "dynamics": frozenset(("axis", "axis2", "joint", "drake:joint")),
     "physics": frozenset(("world",)),
     "plugin": frozenset(("world", "model", "sensor", "visual", "gui", "actor", "light", "gazebo")),
 }
 """Names that mean something else elsewhere → the elements in which they mean this."""
 
+_OF_JOINTS = {
+    "axis": frozenset(("joint",)),
+    "axis2": frozenset(("joint",)),
+    "limit": frozenset(("axis", "joint")),
+    "mimic": frozenset(("axis", "joint")),
+    "dynamics": frozenset(("axis", "joint")),
+}
+"""Names that mean this only in a joint, or in an axis of one → the kinds of part."""
+
 CLASSES = {
     name: home
-    for home in {*_HOMES.values(), "custom:Custom", "part:Part", "setting:Setting"}
+    for home in {*_HOMES.values(), "custom:Custom", "part:Part", "parts.setting:Setting"}
     for name in (home.partition(":")[2],)
 }
 """Class → where it is."""
@@ -79,8 +85,10 @@ def part_class(holder: Part, element: Element) -> type[Part]:
     name = element.name
     home = _HOMES.get(name)
     if home is not None:
-        wanted = _ELSEWHERE.get(name)
-        if wanted is None or holder.element.name in wanted:
+        wanted = _OF_JOINTS.get(name)
+        at = holder.element.name if wanted is None else holder.kind
+        wanted = wanted or _ELSEWHERE.get(name)
+        if wanted is None or at in wanted:
             return class_named(home.partition(":")[2])
     return class_named("Custom" if ":" in name else "Setting")
 

@@ -106,6 +106,18 @@ class Part:
         """Is there a child element of that name, prefix included?"""
         return self.is_given and self.element.has(name)
 
+    def misspells(self, name: str) -> bool:
+        """Does it lack a child or attribute of that name only because it is misspelled?"""
+        if not self.is_given:
+            return False
+        if self.is_urdf:
+            from sdfcheck.formats.suggest import suggest
+
+            return any(suggest(child.name, (name,)) == name for child in self.children())
+        from sdfcheck.formats.sdf.survey import survey
+
+        return (self.element, name) in survey(self.document).misspelled
+
     def find(self, name: str) -> Element | None:
         """The first child element of that name, prefix included."""
         return self.element.find(name) if self.is_given else None

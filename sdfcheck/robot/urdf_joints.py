@@ -1,25 +1,20 @@
-"""Joints of a URDF robot: their ends, axes, limits, and whom they follow."""
+"""Joints of a URDF robot: their ends and limits, and whom they follow."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi, sqrt
 
 from sdfcheck.formats.sdf.problems import MissingAttribute
-from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.suggest import suggest, suggest_in
 from sdfcheck.formats.urdf.problems import LockedByDefault, MissingLimit
 from sdfcheck.robot import joint_problems as kinds
 from sdfcheck.robot.robot_problems import MimicOfFixedJoint, UnconvertedJoint
-from sdfcheck.robot.urdf_tree import MOVING, UrdfJoint, UrdfTree, tree
+from sdfcheck.robot.urdf_tree import UrdfJoint, UrdfTree, tree
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 
 _BOUNDED = frozenset({"revolute", "prismatic"})
-_WITH_AXIS = frozenset({"revolute", "continuous", "prismatic", "planar"})
 _UNCONVERTED = frozenset({"floating", "planar"})
-_UNIT = 1e-3
-"""How far from 1 the length of an axis may be by rounding its numbers."""
 
 
 def problems(document: Document) -> Iterator[object]:
@@ -35,7 +30,6 @@ def problems(document: Document) -> Iterator[object]:
             yield from _world_as_child(robot, joint)
         if joint.type in _UNCONVERTED and (kind := joint.element.attribute("type")) is not None:
             yield UnconvertedJoint(kind, joint.element)
-        yield from _axis(joint)
         yield from _limits(joint)
         yield from _mimic(robot, joint)
     for name, (first, *others) in unknown.items():
@@ -83,61 +77,23 @@ def _loop(robot: UrdfTree, loop: list[UrdfJoint]) -> kinds.JointLoop:
     return kinds.JointLoop(tuple(ends), tuple(end.text for end in ends), refused=True)
 
 
-def _axis(joint: UrdfJoint) -> Iterator[object]:
-    axis = joint.element.find("axis") if joint.type in _WITH_AXIS else None
-    value = axis.attribute("xyz") if axis is not None else None
-    numbers = floats(value.text) if value is not None else None
-    if value is None or numbers is None or len(numbers) != 3:
-        return
-    length = sqrt(sum(number * number for number in numbers))
-    if length == 0:
-        yield kinds.ZeroAxis(value, joint.element)
-    elif abs(length - 1) > _UNIT:
-        normalized = " ".join(f"{number / length:.12g}" for number in numbers)
-        yield kinds.NonUnitAxis(value, joint.element, length, normalized)
-
-
 def _limits(joint: UrdfJoint) -> Iterator[object]:
     element = joint.element
     limit, dynamics = element.find("limit"), element.find("dynamics")
-    if limit is None and joint.type in _BOUNDED and not _is_misspelt(element, "limit"):
-        yield MissingLimit(element, None, joint.type, ())
-    if limit is not None and joint.type in MOVING:
-        yield from _negative(limit, "effort", joint)
-        yield from _negative(limit, "velocity", joint)
-        yield from _bounds(limit, joint)
-    if dynamics is not None:
-        if not any(suggest(name, ("damping", "friction")) for name in dynamics.attributes):
-            yield MissingAttribute(dynamics, "damping", empty=False)
-        yield from _negative(dynamics, "damping", joint)
-        yield from _negative(dynamics, "friction", joint)
+    if joint.type in _BOUNDED:
+        if limit is None and not _is_misspelt(element, "limit"):
+            yield MissingLimit(element, None, joint.type, ())
+        elif limit is not None and limit.attribute("lower") is limit.attribute("upper") is None:
+            yield LockedByDefault(limit, element, joint.type)
+    if dynamics is not None and not any(
+        suggest(name, ("damping", "friction")) for name in dynamics.attributes
+    ):
+        yield MissingAttribute(dynamics, "damping", empty=False)
 
 
 def _is_misspelt(element: Element, name: str) -> bool:
     """Whether another child was meant to be the one of that name."""
     return any(suggest(child.name, (name,)) for child in element.children())
-
-
-def _bounds(limit: Element, joint: UrdfJoint) -> Iterator[object]:
-    lower, upper = limit.attribute("lower"), limit.attribute("upper")
-    if joint.type not in _BOUNDED:
-        useless = [value for value in (lower, upper) if value is not None and value.number]
-        if useless and not _whole_turn(lower, upper):
-            yield kinds.UselessLimit(useless[0], tuple(useless[1:]), joint.type, joint.element)
-    elif lower is None and upper is None:
-        yield LockedByDefault(limit, joint.element, joint.type)
-
-
-def _whole_turn(lower: Value | None, upper: Value | None) -> bool:
-    """Whether the limits leave out no position of a joint that turns, and so are true."""
-    return lower is not None and upper is not None and upper.number - lower.number > 2 * pi - _UNIT
-
-
-def _negative(owner: Element, quantity: str, joint: UrdfJoint) -> Iterator[object]:
-    value = owner.attribute(quantity)
-    # -1 for an effort or a velocity is the customary word for none.
-    if value is not None and value.number < 0 and (value.number != -1 or owner.tag != "limit"):
-        yield kinds.NegativeLimit(value, quantity, joint.element)
 
 
 def _leader(joint: UrdfJoint) -> Value | None:

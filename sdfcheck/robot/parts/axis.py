@@ -58,6 +58,13 @@ class Axis(Part):
         return self._vector("xyz", (1.0, 0.0, 0.0) if self.is_urdf else (0.0, 0.0, 1.0))
 
     @property
+    def length(self) -> float:
+        """The length of the direction as written; nan where that is not three finite numbers."""
+        xyz = self.xyz
+        length = math.hypot(*xyz) if len(xyz) == 3 else math.nan
+        return length if length < math.inf else math.nan
+
+    @property
     def expressed_in(self) -> str:
         """The name of the frame in which the direction is written; empty: that of the joint."""
         xyz = self.find("xyz") if not self.is_urdf else None

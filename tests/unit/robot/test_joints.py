@@ -1,4 +1,4 @@
-"""Joints: their ends, axes, limits and leaders, and the tree that they make."""
+"""Joints: their ends and leaders, and the tree that they make."""
 
 from __future__ import annotations
 
@@ -23,10 +23,6 @@ def found(text: str, *, world: bool = False) -> list[kinds.Problem]:
 def joint(parent: str, child: str, name: str = "j", type: str = "fixed", more: str = "") -> str:
     ends = f"<parent>{parent}</parent><child>{child}</child>"
     return f'<joint name="{name}" type="{type}">{ends}{more}</joint>'
-
-
-def with_axis(axis: str, type: str = "revolute") -> list[kinds.Problem]:
-    return found('<link name="l"/>' + joint("base", "l", type=type, more=axis))
 
 
 @pytest.mark.parametrize(
@@ -127,72 +123,6 @@ def test_joints_of_a_world_and_of_its_models_make_one_tree() -> None:
     model = '<model name="m"><link name="a"/><link name="b"/>' + joint("a", "b") + "</model>"
     (problem,) = found(model + joint("world", "m::b"), world=True)
     assert isinstance(problem, kinds.SeveralParents)
-
-
-@pytest.mark.parametrize(
-    ("type", "given", "missing"),
-    [
-        ("revolute", "", ["axis"]),
-        ("Prismatic", "", ["axis"]),
-        ("universal", AXIS, ["axis2"]),
-        ("universal", "", ["axis", "axis2"]),
-        ("ball", "", []),
-        ("fixed", "", []),
-        ("no_such_type", "", []),
-    ],
-)
-def test_missing_axes(type: str, given: str, missing: list[str]) -> None:
-    told = [problem.axis for problem in with_axis(given, type) if isinstance(problem, kinds.MissingAxis)]
-    assert told == missing
-
-
-@pytest.mark.parametrize(
-    ("xyz", "kind"),
-    [
-        ("0 0 0", kinds.ZeroAxis),
-        ("0 0 1e-7", kinds.ZeroAxis),
-        ("0 0 2", kinds.NonUnitAxis),
-        ("0.577 0.577 0.577", None),
-        ("0 0 nan", None),
-        ("0 0", None),
-        ("a b c", None),
-    ],
-)
-def test_directions(xyz: str, kind: type | None) -> None:
-    told = with_axis(f"<axis><xyz>{xyz}</xyz></axis>")
-    assert [type(problem) for problem in told] == ([kind] if kind else [])
-
-
-def test_the_direction_of_unit_length() -> None:
-    (problem,) = with_axis("<axis><xyz>-0 -3 4</xyz></axis>")
-    assert isinstance(problem, kinds.NonUnitAxis)
-    assert problem.normalized == "0 -0.6 0.8"
-
-
-@pytest.mark.parametrize(
-    ("limits", "type", "kind"),
-    [
-        ("<lower>1</lower><upper>1</upper>", "revolute", None),
-        ("<lower>high</lower><upper>-1</upper>", "revolute", None),
-        ("<lower>-1</lower><upper>1</upper>", "continuous", kinds.UselessLimit),
-        ("<lower>-1e16</lower><upper>inf</upper>", "continuous", None),
-        ("<effort>-1</effort><velocity>-inf</velocity>", "revolute", None),
-        ("<effort>-2</effort>", "revolute", kinds.NegativeLimit),
-        ("<velocity>-0.5</velocity>", "revolute", kinds.NegativeLimit),
-    ],
-)
-def test_limits(limits: str, type: str, kind: type | None) -> None:
-    told = with_axis(f"<axis><xyz>0 0 1</xyz><limit>{limits}</limit></axis>", type)
-    assert [each.__class__ for each in told] == ([kind] if kind else [])
-
-
-def test_negative_dynamics() -> None:
-    dynamics = "<dynamics><damping>-0.1</damping><friction>-1</friction></dynamics>"
-    told = with_axis(f"<axis><xyz>0 0 1</xyz>{dynamics}</axis>")
-    assert [each.quantity for each in told if isinstance(each, kinds.NegativeLimit)] == [
-        "damping",
-        "friction",
-    ]
 
 
 def chain(*leaders: str) -> list[kinds.Problem]:
