@@ -10,14 +10,14 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.fix.fixer import Mended, applicable, mend_file
 from sdfcheck.lint.one_file import Selected
-from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.trial import Trial
 from sdfcheck.source.sniff import Kind, sniff
-from tests.test_rules import examples, lint
+from tests.test_rules import BENCH, TRIALS
 
 
 def mended(data: bytes, path: Path, example: Bad, folder: Path) -> Mended:
     def again(file: Selected) -> list[Diagnostic]:
-        return lint(file.data.decode(), example, folder)
+        return BENCH.lint(file.data.decode(), example, folder)
 
     # What is broken may be anything; the parser tells.
     kind = sniff(data, path)
@@ -25,8 +25,10 @@ def mended(data: bytes, path: Path, example: Bad, folder: Path) -> Mended:
     return mend_file(Selected(path, data, kind if kind in known else Kind.BROKEN_XML), again, unsafe=True)
 
 
-@pytest.mark.parametrize(("rule", "example"), examples("bad"))
-def test_fixing_comes_to_rest(rule: type[Rule], example: Bad, tmp_path: Path) -> None:
+@pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
+def test_fixing_comes_to_rest(trial: Trial, tmp_path: Path) -> None:
+    rule, example = trial.rule, trial.example
+    assert isinstance(example, Bad)
     data = unmark(fill(rule.scaffold, example))[0].encode()
     path = Path(example.file or "example")
     if example.files is not None:
@@ -35,7 +37,7 @@ def test_fixing_comes_to_rest(rule: type[Rule], example: Bad, tmp_path: Path) ->
     assert not once.refusal
     assert (once.after != data) is (once.fixed > 0)
     assert once.fixed or example.fixed is None
-    left = lint(once.after.decode(), example, tmp_path)
+    left = BENCH.lint(once.after.decode(), example, tmp_path)
     assert applicable(left, path, unsafe=True) == []
     if example.fixed is not None:
         assert [d.message for d in left if d.code == rule.code] == []

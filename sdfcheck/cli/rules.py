@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from sdfcheck.cli.terminal import emit
+from sdfcheck.cli.terminal import emit, say
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.manual import facts_record, markdown
@@ -14,6 +14,8 @@ from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import SILENT, covered
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
 """Of the JSON that ``rules`` and ``rule`` write."""
@@ -24,10 +26,19 @@ VERSION = 1
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to list.")
 @click.option("--config", type=click.Path(path_type=Path), metavar="FILE", help="Take plugins from there.")
 @click.option("--isolated", is_flag=True, help="Use no configuration file, so no plugins.")
-def rules(selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool) -> None:
+@click.option(
+    "--test", "pack", metavar="PACK", help="Run the examples of a pack: a folder, entry point or import name."
+)
+def rules(
+    selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool, pack: str | None
+) -> int:
     """List the rules, or those that the codes, names or families RULES cover."""
-    _, known = loaded(config, isolated=isolated)
-    chosen = narrowed(known, selectors)
+    if pack is not None:
+        if output_format == "json":
+            raise WrongUsage("--test writes text only")
+        return test(pack, selectors)
+    loaded = load(config, isolated=isolated)
+    chosen = narrowed(loaded.facts, selectors)
     if output_format == "json":
         import json
 
@@ -35,16 +46,55 @@ def rules(selectors: tuple[str, ...], output_format: str, config: Path | None, i
         emit(json.dumps({"version": VERSION, "rules": listed}, indent=2) + "\n")
     else:
         emit(table(chosen))
+    return loaded.exit_code
 
 
-def loaded(config: Path | None, *, isolated: bool) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
-    """The packs, and the facts of all rules, under the configuration of the current folder.
+class LoadedRules(NamedTuple):
+    """The packs, the facts of all rules, and the exit code: 2 if some could not be loaded."""
 
-    What conversions report is told with them."""
+    packs: RuleIndex
+    facts: tuple[RuleFacts, ...]
+    exit_code: int
+
+
+def load(config: Path | None, *, isolated: bool) -> LoadedRules:
+    """The rules under the configuration of the current folder; what conversions report is among them."""
     settings = Configuration(config, isolated=isolated).settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
+    index, facts = book.index(settings), book.rules(settings)
+    for fault in index.faults:
+        say(f"error: {fault}")
     losses = tuple(kind.facts for kind in LossKind)
-    return book.index(settings), (*book.rules(settings), *losses)
+    return LoadedRules(index, (*facts, *losses), 2 if index.faults else 0)
+
+
+def test(pack: str, selectors: tuple[str, ...]) -> int:
+    """Run the examples of a pack's rules and write a line for each that fails; the exit code.
+
+    Raises:
+        WrongUsage: the pack cannot be loaded, or a selector covers none of its rules.
+    """
+    from sdfcheck.lint.pack import PackError
+    from sdfcheck.lint.trial import Bench
+
+    try:
+        bench = Bench(Path(pack) if Path(pack).is_dir() else pack)
+    except PackError as error:
+        raise WrongUsage(str(error)) from None
+    codes = {facts.code for facts in narrowed(bench.facts, selectors)}
+    trials = [trial for trial in bench.trials if trial.rule.code in codes]
+    faults = () if selectors else bench.faults
+    lines = [*map(str, faults), *filter(None, (trial.failure() for trial in trials))]
+    counts = f"{_counted(len(trials), 'example')} of {_counted(len(codes), 'rule')}"
+    failed = len(lines) - len(faults)
+    outcome = f"{counts}: {failed} failed" if failed else f"{counts}: all as expected"
+    left_out = f"; {_counted(len(faults), 'fault')} in the pack" if faults else ""
+    emit("".join(f"{line}\n" for line in (*lines, f"{outcome}{left_out}")))
+    return 1 if lines else 0
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[RuleFacts]:

@@ -14,7 +14,9 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from sdfcheck.lint.packs import BUILT_IN, CONDITIONS, Pack, PackError, find_pack, import_pack, rule_classes
+from sdfcheck.lint.pack import BUILT_IN, CONDITIONS, Pack, PackError, rule_classes
+from sdfcheck.lint.plugins.find import find_pack
+from sdfcheck.lint.plugins.load import import_pack
 from sdfcheck.lint.rule import Rule
 
 _HEAD = '''"""The conditions of the rules, so that a clean file loads one module; written by ``make generate``."""
@@ -198,7 +200,10 @@ def _is_constant(node: ast.stmt | None) -> bool:
 def render(pack: Pack) -> str:
     """The module of the conditions of a pack; raises PackError for what cannot be copied."""
     conditions = _Conditions(pack)
-    rules = [rule for module in import_pack(pack) for rule in rule_classes(module)]
+    modules, faults = import_pack(pack)
+    if faults:
+        raise PackError(str(faults[0]))
+    rules = [rule for module in modules for rule in rule_classes(module)]
     for rule in sorted(rules, key=lambda rule: rule.code):
         if rule.applies is not Rule.applies:
             conditions.add(rule)

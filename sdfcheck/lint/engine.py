@@ -221,7 +221,9 @@ def _check(
     try:
         for subject in subjects:
             diagnostics += dispatch.index.rule(facts).check(subject)
-    except Exception as error:
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # also `sys.exit`
         failure.append(_internal_error(facts, error, document))
     return [*_adapted(diagnostics, facts, document, dispatch), *failure]
 
@@ -243,12 +245,24 @@ def _adapted(
     return diagnostics
 
 
-def _internal_error(facts: RuleFacts, error: Exception, document: Document) -> Diagnostic:
+def _internal_error(facts: RuleFacts, error: BaseException, document: Document) -> Diagnostic:
+    """What failed, and where; for each document the first failure of a rule counts."""
     import os
 
     if os.environ.get("SDFCHECK_DEBUG"):
         raise error
-    message = f"rule {facts.code} {facts.name} failed: {type(error).__name__}: {error}"
-    return Diagnostic(
-        INTERNAL_ERROR.code, INTERNAL_ERROR.name, Severity.ERROR, message, document.source.span(0, 0)
-    )
+    failures = document.view(_failures)
+    if facts.code not in failures:
+        from sdfcheck.lint.plugins.place import failure
+
+        message, advice = failure(facts, error)
+        place = document.source.span(0, 0)
+        failures[facts.code] = Diagnostic(
+            INTERNAL_ERROR.code, INTERNAL_ERROR.name, Severity.ERROR, message, place, help=advice
+        )
+    return failures[facts.code]
+
+
+def _failures(document: Document) -> dict[str, Diagnostic]:
+    """Code → the failure of the rule."""
+    return {}

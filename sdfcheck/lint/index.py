@@ -4,16 +4,9 @@ from __future__ import annotations
 
 import sys
 
-from sdfcheck.lint.packs import (
-    BUILT_IN,
-    INDEX,
-    Pack,
-    describe,
-    find_pack,
-    import_pack,
-    rule_classes,
-    to_record,
-)
+from sdfcheck.lint.pack import BUILT_IN, INDEX, Pack, PackError, describe, to_record
+from sdfcheck.lint.plugins.find import find_pack
+from sdfcheck.lint.plugins.load import load_rules
 
 _HEAD = '''"""What can be known of the rules without importing them; written by ``make generate``."""
 
@@ -24,8 +17,15 @@ RULES: tuple[dict[str, object], ...] = (
 
 
 def render(pack: Pack) -> str:
-    """The index of a pack, made from its rules: a Python module, which loads fastest."""
-    facts = sorted(describe(rule) for module in import_pack(pack) for rule in rule_classes(module))
+    """The index of a pack, made from its rules: a Python module, which loads fastest.
+
+    Raises:
+        PackError: one of its rules is faulty.
+    """
+    rules, faults = load_rules(pack)
+    if faults:
+        raise PackError(str(faults[0]), pack.name)
+    facts = sorted(map(describe, rules))
     return "".join((_HEAD, *(f"    {to_record(fact)!r},\n" for fact in facts), ")\n"))
 
 
@@ -45,4 +45,7 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except PackError as error:
+        sys.exit(f"error: {error}")

@@ -12,6 +12,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.engine import Dispatch
+    from sdfcheck.lint.pack import Fault
     from sdfcheck.lint.packs import RuleIndex
 
 
@@ -38,6 +39,10 @@ class RuleBook:
     def index(self, settings: Settings) -> RuleIndex:
         """The rules of the packs."""
         return self._loaded(settings)[0]
+
+    def faults(self, settings: Settings) -> tuple[Fault, ...]:
+        """What keeps rules of the plugins from being loaded."""
+        return self._loaded(settings)[0].faults
 
     def active(self, settings: Settings, path: Path) -> ActiveRules:
         """The rules that run on a file.
@@ -67,8 +72,13 @@ class RuleBook:
     def _chosen(self, settings: Settings) -> ActiveRules:
         rules = self.rules(settings)
         given = self._choice
-        for selector in (*(given.select or ()), *given.extend_select, *given.ignore):
-            covered(selector, rules)
+        # A rule that is not there may be one that could not be loaded.
+        faults = "".join(f"; {fault}" for fault in self.faults(settings))
+        try:
+            for selector in (*(given.select or ()), *given.extend_select, *given.ignore):
+                covered(selector, rules)
+        except UnknownSelector as error:
+            raise WrongUsage(f"{error}{faults}") from None
         target = settings.target if self._target is None else self._target
         try:
             for _, selectors in settings.per_file_ignores:
@@ -76,17 +86,18 @@ class RuleBook:
                     covered(selector, rules)
             return select(rules, settings.choice, given, severity=settings.severity, targets=target)
         except UnknownSelector as error:
-            raise settings.misplaced(error.selector, str(error)) from None
+            raise settings.misplaced(error.selector, f"{error}{faults}") from None
 
     def _loaded(self, settings: Settings) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
         if settings.plugins not in self._indexes:
             from sdfcheck.lint.engine import INTERNAL_ERROR
-            from sdfcheck.lint.packs import PackError, load_index
+            from sdfcheck.lint.pack import PackError
+            from sdfcheck.lint.packs import load_index
             from sdfcheck.lint.suppress.rules import FACTS
 
             try:
                 index = load_index(settings.plugins)
             except PackError as error:
-                raise WrongUsage(str(error)) from None
+                raise settings.misplaced(Path(error.plugin).name, str(error)) from None
             self._indexes[settings.plugins] = index, (*index.facts, *FACTS, INTERNAL_ERROR)
         return self._indexes[settings.plugins]

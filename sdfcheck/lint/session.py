@@ -25,6 +25,7 @@ from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.lint.pack import Fault
 
 Progress = Callable[[int, int, Path], None]
 """Told before each file: how many are done, how many there are, and which comes now."""
@@ -158,6 +159,7 @@ class Linter:
                 part.diagnostics.extend(kept)
                 suppressed += silenced
             if active is not seen:
+                _tell_faults(book.faults(settings), notify)
                 part.rules.update((facts.code, facts) for facts in active.facts)
                 seen = active
         for document in self._shelves.included(part.files):
@@ -165,6 +167,15 @@ class Linter:
                 told = lint_included(document, book, options.configuration)
                 part.foreign[os.path.realpath(document.path)] = told
         return part._replace(suppressed=suppressed)
+
+
+def _tell_faults(faults: Sequence[Fault], notify: Notify | None) -> None:
+    """Report the rules of plugins that could not be loaded."""
+    if faults and notify is None:
+        raise WrongUsage("; ".join(map(str, faults)))
+    for fault in faults:
+        assert notify is not None
+        notify(Notice(Level.FAILURE, str(fault)))
 
 
 def joined(parts: Sequence[Part]) -> Run:

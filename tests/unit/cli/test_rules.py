@@ -21,6 +21,9 @@ class OddFlaw(Rule):
     selects = ("sdf:model",)
     bad = (Bad("<model «odd»/>", fixed="<model/>"), Bad("<a/>"))
     good = (Good("<model/>", why="even"),)
+
+    def check(self, model):
+        return ()
 """
 
 

@@ -12,7 +12,8 @@ import pytest
 from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import FileResult
-from sdfcheck.lint.packs import PackError, RuleIndex
+from sdfcheck.lint.pack import PackError
+from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.lint.suppress.comments import Comment
@@ -54,7 +55,7 @@ class Seen(NamedTuple):
 
 def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
     if plugins:
-        raise PackError(f"plugin {plugins[0]}: not there")
+        raise PackError("not there", str(plugins[0]))
     return RuleIndex(RULES)
 
 

@@ -10,7 +10,9 @@ from types import ModuleType
 import pytest
 
 from sdfcheck.lint.conditions import main, render
-from sdfcheck.lint.packs import PackError, find_pack, load_index
+from sdfcheck.lint.pack import PackError
+from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.plugins.find import find_pack
 
 LIMITS = """
 import math

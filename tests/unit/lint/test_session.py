@@ -102,7 +102,7 @@ def test_excluded_files_are_left_out(seen: list[Seen]) -> None:
         ('\nignore = ["loud-flow"]', "sdfcheck.toml:2: unknown rule `loud-flow`, did you mean `loud-flaw`?"),
         ('[per-file-ignores]\n"never" = ["XYZ"]', "sdfcheck.toml:2: unknown rule `XYZ`"),
         ('[severity]\nXYZ001 = "off"', "sdfcheck.toml:2: unknown rule `XYZ001`"),
-        ('plugins = ["gone"]', "plugin gone: not there"),
+        ('plugins = ["gone"]', "sdfcheck.toml:1: plugin gone: not there"),
     ],
 )
 def test_mistakes_in_the_configuration_stop_the_run(seen: list[Seen], text: str, complaint: str) -> None:

@@ -8,14 +8,13 @@ import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, lint_source
-from sdfcheck.lint.example import fill, unmark
-from sdfcheck.lint.packs import PackError, find_pack, import_pack, load_index, rule_classes
-from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.pack import PackError
+from sdfcheck.lint.packs import load_index
 from sdfcheck.lint.select import ActiveRules, Choice, select
+from sdfcheck.testing import Trial, examples
 
 FLATLAND = Path(__file__).parents[3] / "fixtures" / "packs" / "flatland"
 INDEX = load_index((FLATLAND,))
-RULES = [rule for module in import_pack(find_pack(FLATLAND)) for rule in rule_classes(module)]
 
 MODEL = (
     '<sdf version="1.7" xmlns:flatland="https://example.org/flatland/schema" {}><world name="w" {}>'
@@ -45,15 +44,9 @@ def test_the_example_of_the_proposal_is_fine() -> None:
     assert not said(world='flatland:type="2d"', link='flatland:custom_attr_int="5"', model=DRIVE.format(""))
 
 
-@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
-def test_the_examples_of_the_pack(rule: type[Rule]) -> None:
-    for bad in rule.bad:
-        text, start, end = unmark(fill(rule.scaffold, bad))
-        own = [d for d in lint(text) if d.code == rule.code]
-        assert [(d.span.start, d.span.end) for d in own] == [(start, end)]
-        assert bad.says in own[0].message
-    for good in rule.good:
-        assert rule.code not in {d.code for d in lint(fill(rule.scaffold, good))}
+@pytest.mark.parametrize("example", examples(FLATLAND), ids=str)
+def test_the_examples_of_the_pack(example: Trial) -> None:
+    example.check()
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,1 @@
+"""Packs of rules from elsewhere: found, loaded, judged, and run with care."""
