@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.options import colored
-from sdfcheck.cli.rules import VERSION, load, narrowed
+from sdfcheck.cli.rules import VERSION, loaded, narrowed
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.lint.manual import manual, record, render
 
@@ -23,17 +23,17 @@ def rule(
     selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool, color: str
 ) -> int:
     """Explain rules, given by code, name or family (ALL for all)."""
-    loaded = load(config, isolated=isolated)
-    pages = [manual(facts, loaded.packs) for facts in narrowed(loaded.facts, selectors)]
+    index, known = loaded(config, isolated=isolated)
+    pages = [manual(facts, index) for facts in narrowed(known, selectors)]
     if output_format == "json":
         import json
 
         explained = [dict(record(page)) for page in pages]
         emit(json.dumps({"version": VERSION, "rules": explained}, indent=2) + "\n")
-        return loaded.exit_code
+        return 2 if index.faults else 0
     text = "\n".join(render(page) for page in pages)
     emit(_painted(text) if wants_color(color, sys.stdout) else text)
-    return loaded.exit_code
+    return 2 if index.faults else 0
 
 
 def _painted(markdown: str) -> str:

@@ -14,7 +14,6 @@ from sdfcheck.lint.packs import RuleIndex
 from sdfcheck.lint.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import SILENT, covered
-from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
@@ -37,8 +36,8 @@ def rules(
         if output_format == "json":
             raise WrongUsage("--test writes text only")
         return test(pack, selectors)
-    loaded = load(config, isolated=isolated)
-    chosen = narrowed(loaded.facts, selectors)
+    index, known = loaded(config, isolated=isolated)
+    chosen = narrowed(known, selectors)
     if output_format == "json":
         import json
 
@@ -46,26 +45,20 @@ def rules(
         emit(json.dumps({"version": VERSION, "rules": listed}, indent=2) + "\n")
     else:
         emit(table(chosen))
-    return loaded.exit_code
+    return 2 if index.faults else 0
 
 
-class LoadedRules(NamedTuple):
-    """The packs, the facts of all rules, and the exit code: 2 if some could not be loaded."""
+def loaded(config: Path | None, *, isolated: bool) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
+    """The packs, and the facts of all rules, under the configuration of the current folder.
 
-    packs: RuleIndex
-    facts: tuple[RuleFacts, ...]
-    exit_code: int
-
-
-def load(config: Path | None, *, isolated: bool) -> LoadedRules:
-    """The rules under the configuration of the current folder; what conversions report is among them."""
+    What conversions report is told with them."""
     settings = Configuration(config, isolated=isolated).settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
-    index, facts = book.index(settings), book.rules(settings)
+    losses = tuple(kind.facts for kind in LossKind)
+    index = book.index(settings)
     for fault in index.faults:
         say(f"error: {fault}")
-    losses = tuple(kind.facts for kind in LossKind)
-    return LoadedRules(index, (*facts, *losses), 2 if index.faults else 0)
+    return index, (*book.rules(settings), *losses)
 
 
 def test(pack: str, selectors: tuple[str, ...]) -> int:

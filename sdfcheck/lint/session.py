@@ -153,13 +153,14 @@ class Linter:
         for file in selected(found, options, part.skipped, notify=notify or _nobody, progress=progress):
             settings = options.settings_for(file.path)
             active = book.active(settings, file.path)
+            if active is not seen:
+                _tell_faults(book.faults(settings), notify)
             with _surviving(file.path, part.skipped, notify):
                 kept, silenced = lint_file(file, book, settings, self._shelves)
                 part.files.append(file.path)
                 part.diagnostics.extend(kept)
                 suppressed += silenced
             if active is not seen:
-                _tell_faults(book.faults(settings), notify)
                 part.rules.update((facts.code, facts) for facts in active.facts)
                 seen = active
         for document in self._shelves.included(part.files):
