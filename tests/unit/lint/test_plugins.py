@@ -200,6 +200,15 @@ def test_a_selector_of_a_rule_that_is_left_out_says_so(run: Run) -> None:
     assert "has no `bad` example" in line
 
 
+def test_the_list_of_rules_says_what_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
+    pack(rules=f"{HEAD}{FAULTY}    bad = ()\n")
+    for arguments in (["rules", "TST"], ["rule", "sound"]):
+        assert main(arguments) == 2
+        out, err = capsys.readouterr()
+        assert "TST001" in out
+        assert "has no `bad` example" in err
+
+
 def test_programs_get_faults_as_an_exception() -> None:
     pack(rules=f"{HEAD}{FAULTY}    bad = ()\n")
     with pytest.raises(sdfcheck.WrongUsage, match=r"checks/rules\.py:\d+: Faulty: has no `bad` example"):
