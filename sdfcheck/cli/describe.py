@@ -64,11 +64,11 @@ def version(given: str) -> Version:
 
 def record(description: Description) -> dict[str, object]:
     """What JSON holds: everything that there is to say."""
-    told: dict[str, object] = {}
+    record: dict[str, object] = {}
     for key, value in description._asdict().items():
         if value or key in {"name", "format", "what"}:
-            told[key] = [_field(item) for item in value] if isinstance(value, tuple) else value
-    return told
+            record[key] = [_field(item) for item in value] if isinstance(value, tuple) else value
+    return record
 
 
 def _field(item: str | Entry) -> object:
@@ -93,7 +93,7 @@ def text(description: Description) -> str:
     lines += [f"  {note}" for note in description.notes]
     is_attribute = description.what == "attribute"
     for title, entries in (
-        ("stands in", description.parents),
+        ("found in", description.parents),
         ("attributes", description.attributes),
         ("elements", description.children),
     ):
@@ -126,17 +126,17 @@ def _often(entry: Entry, of_attribute: bool) -> str:
 
 
 def _remarks(entry: Entry) -> str:
-    told = (
+    parts = (
         f"default {entry.default}" if entry.default else "",
         entry.unit,
         f"since {entry.since}" if entry.since else "",
         "deprecated" if entry.deprecated else "",
         entry.note,
     )
-    return ", ".join(filter(None, told))
+    return ", ".join(filter(None, parts))
 
 
 def _overview(element: str, found: Sequence[Description]) -> str:
-    lines = [f"{element} stands in {len(found)} places; ask for one of them, or for all with --format json"]
+    lines = [f"{element} is in {len(found)} places; ask for one of them, or for all with --format json"]
     lines += [f"  {one.name}{f'  {one.type}' if one.type else ''}" for one in found]
     return "\n".join(lines) + "\n"

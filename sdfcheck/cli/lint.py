@@ -71,8 +71,8 @@ class Request:
 
 @click.command()
 @click.argument("paths", nargs=-1, type=PATH)
-@listing("--select", "The rules to run: codes, names, families or ALL, parted by commas.")
-@listing("--extend-select", "Rules to run besides those that are selected.")
+@listing("--select", "The rules to run: codes, names, families or ALL, separated by commas.")
+@listing("--extend-select", "Rules to run in addition to those that are selected.")
 @listing("--ignore", "Rules not to run.")
 @listing(
     "--target", "Keep the rules that matter to these readers: gazebo, drake, urdfdom, mujoco.", "READERS"
@@ -219,7 +219,7 @@ class _Notifier:
     def __call__(self, notice: Notice) -> None:
         self.failed |= notice.level is Level.FAILURE
         line = f"{notice.level.value}: {notice.text}"
-        # Who lints again is told the same again.
+        # Linting again reports the same again.
         if line not in self._lines and (notice.level is Level.FAILURE or not self._quiet):
             self._lines.append(line)
 

@@ -78,5 +78,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _apology(error: Exception) -> str:
     """One line about a bug; errors that know their file say so themselves."""
-    told = str(error) if error.__cause__ else f"{type(error).__name__}: {error}"
-    return f"internal error: {' '.join(told.split())} ({REPORT_IT})"
+    text = str(error) if error.__cause__ else f"{type(error).__name__}: {error}"
+    return f"internal error: {' '.join(text.split())} ({REPORT_IT})"

@@ -39,16 +39,14 @@ def work(request: Request) -> Work:
     """What the command line asks for.
 
     Raises:
-        WrongUsage: the reason cannot stand in a comment.
+        WrongUsage: the reason cannot be in a comment.
     """
     if not request.add_ignore:
         return Work("fix", "fixed", partial(mend, unsafe=request.unsafe_fixes))
     from sdfcheck.lint.suppress.add_ignores import add_ignores
 
     if "--" in request.reason or request.reason.endswith("-") or not request.reason.isprintable():
-        raise WrongUsage(
-            "--reason cannot stand in a comment: it has `--`, ends with `-` or is no line of text"
-        )
+        raise WrongUsage("--reason cannot be in a comment: it has `--`, ends with `-` or is no line of text")
     return Work("silence", "silenced", partial(add_ignores, reason=request.reason.strip()))
 
 

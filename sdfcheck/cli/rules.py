@@ -51,7 +51,7 @@ def rules(
 def loaded(config: Path | None, *, isolated: bool) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
     """The packs, and the facts of all rules, under the configuration of the current folder.
 
-    What conversions report is told with them."""
+    What conversions report is listed with them."""
     settings = Configuration(config, isolated=isolated).settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
     losses = tuple(kind.facts for kind in LossKind)

@@ -29,7 +29,7 @@ def schema_command(sdf_version: str, form: str, output_file: Path | None) -> Non
     """Write a version of SDFormat as a schema, for editors and XML tools.
 
     Children are free in their order, and elements and attributes with a (declared)
-    prefix free altogether. XML Schema cannot say how often a child stands then; RELAX NG can.
+    prefix free altogether. XML Schema cannot say how often a child is then; RELAX NG can.
     """
     known = version(sdf_version)
     if form == "xsd":

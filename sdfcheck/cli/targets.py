@@ -49,8 +49,12 @@ def targets_command(
     if form == "json":
         import json
 
-        told = {"version": VERSION, "file": file.as_posix(), "readers": [record(row) for row in rows]}
-        emit(json.dumps(told, indent=2, ensure_ascii=False) + "\n")
+        record_of_all = {
+            "version": VERSION,
+            "file": file.as_posix(),
+            "readers": [record(row) for row in rows],
+        }
+        emit(json.dumps(record_of_all, indent=2, ensure_ascii=False) + "\n")
     else:
         emit(text(rows, file))
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
@@ -92,20 +96,20 @@ _SHOWN = 5
 
 
 def _reasons(row: Row, file: Path) -> list[str]:
-    told = []
+    reasons = []
     for reason in row.reasons[:_SHOWN]:
         diagnostic = reason.diagnostic
         verdict, words = reason.reaction
-        told.append(
+        reasons.append(
             f"{verdict.value:6} {_place(reason, file)}: {diagnostic.message} [{diagnostic.code}] ({words})"
         )
     if len(row.reasons) > _SHOWN:
-        told.append(f"and {len(row.reasons) - _SHOWN} more")
-    return told
+        reasons.append(f"and {len(row.reasons) - _SHOWN} more")
+    return reasons
 
 
 def _place(reason: Reason, file: Path) -> str:
-    """Line and column; behind the name of the file if that is another one."""
+    """Line and column; after the name of the file if that is another one."""
     span = reason.diagnostic.span
     line, column = span.begin
     path = span.source.path

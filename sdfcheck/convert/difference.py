@@ -1,7 +1,7 @@
 """What differs between two robots, whatever formats they were read from.
 
 Links are compared where their parents carry them, so that one moved joint is one
-difference and not one for every link behind it.
+difference and not one for every link after it.
 """
 
 from __future__ import annotations
@@ -239,7 +239,7 @@ class _Comparison:
 
 
 def _turned_round(joint: Joint) -> Joint:
-    """The same joint told from its other end."""
+    """The same joint seen from its other end."""
     axes = tuple(replace(axis, direction=-axis.direction) for axis in joint.axes)
     return replace(joint, parent=joint.child, child=joint.parent, axes=axes)
 

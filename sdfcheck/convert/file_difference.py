@@ -1,4 +1,4 @@
-"""What differs between two files: the models in them, where they stand, and each robot."""
+"""What differs between two files: the models in them, where they are, and each robot."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def _compare(name: str, a: Placed, other: str, b: Placed, across: bool, toleranc
     if same_pose(a.pose, b.pose, tolerance):
         return changes + found
     moved = [Change(ChangeKind.CHANGED, "model", other, "pose", *pose_texts(a.pose, b.pose)), *found]
-    # Perhaps only the model's frame has moved, and the robot stands where it stood.
+    # Perhaps only the model's frame has moved, and the robot is where it was.
     in_place = shifted_model(b.robot, inverse(a.pose) @ b.pose)
     stayed = compare(a.robot, in_place, across_formats=across, tolerance=tolerance)
     return changes + min(moved, stayed, key=len)

@@ -20,7 +20,7 @@ class LossKind(Enum):
         "CNV001",
         "not-convertible",
         (
-            "The target has no way to say what stands here, or the source leaves open what is meant; nothing "
+            "The target has no way to say what is here, or the source leaves open what is meant; nothing "
             "is written."
         ),
     )
@@ -109,7 +109,7 @@ class LossKind(Enum):
     DROPPED_COMMENT = (
         "CNV013",
         "dropped-comment",
-        "A comment is left out, since what it stands in has no counterpart.",
+        "A comment is left out, since what it is in has no counterpart.",
     )
     MASSLESS_LINK = (
         "CNV014",
@@ -128,7 +128,7 @@ class LossKind(Enum):
         "CNV016",
         "extension-not-carried",
         (
-            "A setting of a `<gazebo>` block is left out, since it has no effect where it stands or what it "
+            "A setting of a `<gazebo>` block is left out, since it has no effect where it is or what it "
             "is about is gone."
         ),
     )
@@ -276,7 +276,7 @@ def loss_at(element: Element, kind: LossKind, message: str, severity: Severity =
 
 
 def refusal(element: Element, message: str) -> NotConvertible:
-    """The exception for an element that stands in the way of the whole conversion."""
+    """The exception for an element that is in the way of the whole conversion."""
     return NotConvertible(loss_at(element, LossKind.NOT_CONVERTIBLE, message, Severity.ERROR))
 
 

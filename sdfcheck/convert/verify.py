@@ -201,7 +201,7 @@ class _Comparison:
     def compare_bodies(self) -> None:
         """Each link of the result must weigh what the source's links weigh that went into it."""
         became: dict[str, MassProperties] = {}
-        told = {self.to.link(name).link for name in self.to.changed_bodies}
+        changed = {self.to.link(name).link for name in self.to.changed_bodies}
         for name in self.compared:
             body, counterpart = self.source.links[name].body, self.to.link(name)
             if body is not None:
@@ -209,7 +209,7 @@ class _Comparison:
                 became[counterpart.link] = seen if there is None else there.joined_with(seen)
         for name in dict.fromkeys(self.to.link(one).link for one in self.compared):
             mine, theirs = became.get(name), self.result.links[name].body
-            if name in told:
+            if name in changed:
                 continue
             if mine is not None and theirs is not None:
                 self.compare_mass(name, _single(mine), _single(theirs))

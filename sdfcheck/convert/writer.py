@@ -16,7 +16,7 @@ _NOISE = 1e-15
 
 
 class Comment:
-    """A comment; ``text`` is what stands between its delimiters."""
+    """A comment; ``text`` is what is between its delimiters."""
 
     __slots__ = ("text",)
 

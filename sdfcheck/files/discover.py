@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SUFFIXES = (".sdf", ".urdf", ".world", ".xacro")
 MODEL_CONFIG = "model.config"
 
-# Folders that never hold the sources of a robot, besides all hidden ones.
+# Folders that never hold the sources of a robot, in addition to all hidden ones.
 _FOREIGN_FOLDERS = frozenset({"__pycache__", "node_modules", "site-packages"})
 # Folders that build tools write, known by what the tools leave in them.
 _BUILD_FOLDERS = frozenset({"build", "devel", "install", "log", "venv"})

@@ -17,7 +17,7 @@ TIMEOUT = 5.0
 
 
 def work_tree(folder: Path) -> Path | None:
-    """The root of the repository that holds ``folder``; told by its ``.git``, without running git."""
+    """The root of the repository that holds ``folder``; recognized by its ``.git``, without running git."""
     absolute = Path(os.path.abspath(folder))
     return next((place for place in (absolute, *absolute.parents) if (place / ".git").exists()), None)
 
@@ -67,7 +67,7 @@ def _has_odd_ignores(folder: Path, root: Path) -> bool:
 
 
 def _parse(line: str) -> Listed:
-    """Tracked names stand behind their mode, hash and stage; untracked ones stand alone."""
+    """Tracked names are after their mode, hash and stage; untracked ones have nothing before them."""
     entry, tab, name = line.partition("\t")
     if tab and entry.count(" ") == 2 and len(entry) > 45:
         return Listed(name, entry.startswith("160000 "))

@@ -63,7 +63,7 @@ class Ignores:
 
 
 def _compile(lines: list[str]) -> GitIgnoreSpec:
-    """The patterns; like git, pass over lines that are none."""
+    """The patterns; like git, ignore lines that are none."""
     from pathspec import GitIgnoreSpec
 
     try:

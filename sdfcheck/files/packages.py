@@ -107,7 +107,7 @@ class Packages:
         return (*self.given.values(), *self.paths, *self._of_environment("ROS_PACKAGE_PATH"), *prefixes)
 
     def locate(self, path: Path) -> Path:
-        """The file behind a path into a package, which may hold only once the package is installed.
+        """The file that a path into a package leads to, which may hold only once the package is installed.
 
         ``<package>/urdf/arm.xacro`` is ``<package>/description/urdf/arm.xacro`` if
         CMakeLists.txt installs it so. A path that leads nowhere is returned as it is.

@@ -139,7 +139,7 @@ def _owners(document: Document, scheme: str, name: str) -> _Owners:
 
 
 def file_path(uri: str) -> str:
-    """The path behind ``file://``, as libsdformat and Gazebo cut it; a host is taken for a folder."""
+    """The path after ``file://``, as libsdformat and Gazebo cut it; a host is taken for a folder."""
     rest = uri.strip()[len("file:") :]
     return rest[2:] if rest[:2] == "//" else rest
 

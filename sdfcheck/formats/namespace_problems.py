@@ -20,7 +20,7 @@ class UndeclaredPrefix(Record):
     scope_end: Span | None
     namespace: str
     root: Span
-    """Where a declaration can be inserted: behind the last attribute of the root's start tag."""
+    """Where a declaration can be inserted: after the last attribute of the root's start tag."""
 
 
 class RedeclaredPrefix(Record):
@@ -63,7 +63,7 @@ class UnusedPrefix(Record):
 
 
 class MalformedQualifiedName(Record):
-    """A name with more than one colon, or with nothing before or behind it."""
+    """A name with more than one colon, or with nothing before or after it."""
 
     span: Span
     name: str

@@ -180,7 +180,7 @@ class _Analysis:
         whole = number == 0 and self.document.is_wellformed
         end = len(self.source.text) if whole else self.scan.close_ends[number]
         declaration = _Declaration(prefix, namespace, attribute, span, number, end)
-        declaration.used = True  # what is wrong need not be superfluous besides
+        declaration.used = True  # what is wrong need not be superfluous as well
         if _is_reserved(prefix, namespace):
             self.found.append(ReservedPrefix(span, prefix))
         elif not namespace.strip():
@@ -193,7 +193,7 @@ class _Analysis:
         self.declarations.append(declaration)
 
     def compare(self, new: _Declaration) -> None:
-        """Set a declaration against those whose scope it stands in."""
+        """Set a declaration against those whose scope it is in."""
         for other in reversed(self.scope):
             if other.prefix == new.prefix:
                 if other.namespace != new.namespace:
@@ -241,7 +241,7 @@ class _Analysis:
         for declaration in self.declarations:
             by_prefix.setdefault(declaration.prefix, []).append(declaration)
         for prefix, declarations in by_prefix.items():
-            # A declaration that does not reach the uses is told above: that is one mistake.
+            # A declaration that does not reach the uses is reported above: that is one mistake.
             if prefix not in self.unresolved:
                 self.weigh(prefix, declarations, root)
         # The files that an xacro file includes may use what it declares.

@@ -1,4 +1,4 @@
-"""The words in which the reading of a value is told."""
+"""The words in which the reading of a value is reported."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A mistake that is made again and again is told once."""
+"""A mistake that is made again and again is reported once."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from sdfcheck.formats.sdf.problems import RemovedElement, RepeatedElement, Unkno
 from sdfcheck.source.element import Element
 
 MOST = 10
-"""So many unknown attributes of one element are told of apart."""
+"""So many unknown attributes of one element are reported one by one."""
 
 
 def folded(found: list[object]) -> list[object]:
@@ -29,13 +29,13 @@ def folded(found: list[object]) -> list[object]:
 
 def counted(found: list[object], strange: Counter[Element]) -> list[object]:
     """The problems; where an element has too many unknown attributes, its first says how many there are."""
-    told: set[Element] = set()
+    reported: set[Element] = set()
     result = []
     for problem in found:
         if isinstance(problem, UnknownAttribute) and strange[problem.element] > MOST:
             element = problem.element
-            more = 0 if element in told else strange[element] - 1
-            told.add(element)
+            more = 0 if element in reported else strange[element] - 1
+            reported.add(element)
             problem = UnknownAttribute(element, problem.attribute, problem.suggestion, problem.needed, more)  # noqa: PLW2901
         result.append(problem)
     return result

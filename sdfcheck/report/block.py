@@ -54,7 +54,7 @@ def _remarks(diagnostic: Diagnostic, paths: Paths) -> Iterator[tuple[str, str]]:
 
 
 def _notes(remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint) -> Iterator[str]:
-    """The lines below the frames; the hint stands beside the last one if there is room."""
+    """The lines below the frames; the hint is beside the last one if there is room."""
     widths = [len(f"{indent}= {kind}: {visible(text)}") for kind, text in remarks]
     if hint and not (widths and widths[-1] + 2 <= _HINT_COLUMN):
         remarks, widths, hint = [*remarks, ("more", hint)], [*widths, 0], ""

@@ -55,7 +55,7 @@ class Encoding(NamedTuple):
     codec: str
     declared: str = ""
     place: tuple[int, int] = (0, 0)
-    """Where the name of the encoding stands in the declaration."""
+    """Where the name of the encoding is in the declaration."""
     kind: EncodingKind | None = None
 
 

@@ -150,7 +150,7 @@ class Element(etree.ElementBase):
         return names
 
     def children(self, name: str | None = None) -> Iterator[Element]:
-        """The child elements, or those of one name; comments are passed over."""
+        """The child elements, or those of one name; comments are ignored."""
         if name is None or ":" not in name:
             # What has no colon is in no namespace: lxml compares such names itself.
             return self.iterchildren(name or "*")

@@ -57,7 +57,7 @@ class SyntaxDefect(Record):
 
     ``other`` is the second place that takes part. ``detail`` is the name that is
     concerned: of the element (what an end tag should say, where one is wrong) or of the
-    attribute; else what there is to say besides.
+    attribute; else what else there is to say.
     """
 
     span: Span
@@ -81,7 +81,7 @@ class RepeatedAttribute(Record):
 
 
 class LateDeclaration(Record):
-    """Something stands before ``<?xml``: ``span`` is that something."""
+    """Something is before ``<?xml``: ``span`` is that something."""
 
     span: Span
     declaration: Span
@@ -121,7 +121,7 @@ class DocumentType(Record):
 
 
 class ContentAfterRoot(Record):
-    """A second root element, an end tag too many, or text, behind the root element ``root``."""
+    """A second root element, an end tag too many, or text, after the root element ``root``."""
 
     span: Span
     root: Span

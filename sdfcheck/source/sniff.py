@@ -1,4 +1,4 @@
-"""What a file is, told from its first bytes.
+"""What a file is, recognized by its first bytes.
 
 ``.sdf`` is shared with molecules, delay annotations and databases, and ``model.config``
 with anything, so a suffix alone decides nothing.
@@ -164,7 +164,7 @@ def _text(head: bytes) -> str:
 
 
 def _content_start(text: str) -> int:
-    """Where the root element should start: behind blanks, declarations and comments."""
+    """Where the root element should start: after blanks, declarations and comments."""
     place = 0
     while True:
         while place < len(text) and text[place] in " \t\r\n":
@@ -183,7 +183,7 @@ def _content_start(text: str) -> int:
 
 
 def _doctype_end(text: str, place: int) -> int:
-    """Just behind a document type, whose internal subset may hold angle brackets; 0 if it never ends."""
+    """Just after a document type, whose internal subset may hold angle brackets; 0 if it never ends."""
     close = text.find(">", place) + 1
     subset = text.find("[", place, close) if close else -1
     if subset < 0:
@@ -241,7 +241,7 @@ def suggested_root(name: str) -> str | None:
 
 
 def _holds(text: str, words: tuple[str, ...]) -> bool:
-    """Whether one of the words stands in the text outside of comments."""
+    """Whether one of the words is in the text outside of comments."""
     found = [word for word in words if word in text]
     if not found:
         return False

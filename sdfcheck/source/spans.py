@@ -41,11 +41,11 @@ class Spans:
         return self.scan, self._numbers[element]
 
     def home(self, element: etree.ElementBase) -> Source:
-        """The text in which the element stands."""
+        """The text in which the element is."""
         return self.source
 
     def span(self, element: etree.ElementBase, start: int, end: int) -> Span:
-        """A range of the text in which the element stands."""
+        """A range of the text in which the element is."""
         return self.source.span(start, end)
 
     def name(self, element: etree.ElementBase) -> Span:
@@ -53,7 +53,7 @@ class Spans:
         return self.span(element, tag.name_start, tag.name_end)
 
     def whole(self, element: etree.ElementBase) -> Span:
-        """From the start tag's ``<`` to behind the end tag."""
+        """From the start tag's ``<`` to after the end tag."""
         place = self.place(element)
         return self.span(element, place.start, place.close_end)
 

@@ -1,1 +1,1 @@
-"""xacro: expansion with places, and what can be told without expanding."""
+"""xacro: expansion with places, and what can be known without expanding."""

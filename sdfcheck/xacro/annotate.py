@@ -15,7 +15,7 @@ _RUN = "--"
 
 
 def annotated(document: ExpandedDocument) -> str:
-    """The text, with a comment before every element that stands on a line of its own.
+    """The text, with a comment before every element that is on a line of its own.
 
     Elements written on consecutive lines of one file in one go share the comment of the
     element around them.
@@ -32,7 +32,7 @@ def annotated(document: ExpandedDocument) -> str:
         line = text.rfind("\n", 0, start) + 1
         if text[line:start].strip() or not _is_news(element, document):
             continue
-        pieces += [text[at:line], text[line:start], f"<!-- {_told(element, document)} -->\n"]
+        pieces += [text[at:line], text[line:start], f"<!-- {_origin(element, document)} -->\n"]
         at = line
     return "".join([*pieces, text[at:]])
 
@@ -47,12 +47,12 @@ def _is_news(element: Element, document: ExpandedDocument) -> bool:
     return not same or spans.origins(element) != spans.origins(parent) or "name" in element.attributes
 
 
-def _told(element: Element, document: ExpandedDocument) -> str:
+def _origin(element: Element, document: ExpandedDocument) -> str:
     steps = "".join(f"; {step.text}: {_place(step.span)}" for step in document.origins(element))
-    told = f"{_place(element.span)}{steps}".replace(", called here", "")
-    while _RUN in told:
-        told = told.replace(_RUN, "-")
-    return told
+    text = f"{_place(element.span)}{steps}".replace(", called here", "")
+    while _RUN in text:
+        text = text.replace(_RUN, "-")
+    return text
 
 
 def _place(span: Span) -> str:

@@ -1,4 +1,4 @@
-"""Expanding a xacro file: the text, the document, or what stood in the way."""
+"""Expanding a xacro file: the text, the document, or what was in the way."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ PASSED_ON = (
     "ROS_PYTHON_VERSION",
     "ROS_VERSION",
 )
-"""The environment variables that an expansion sees, besides those that are asked for."""
+"""The environment variables that an expansion sees, in addition to those that are asked for."""
 
 
 class Surroundings(NamedTuple):

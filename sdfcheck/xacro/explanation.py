@@ -32,7 +32,7 @@ _MISMATCHES = {
     "Not": Mismatch.MISSING_BLOCK,
     "Unused": Mismatch.EXTRA_BLOCK,
 }
-_TOLD: Mapping[str, Failure] = {
+_FAILURES: Mapping[str, Failure] = {
     "argument": Failure.ARGUMENT,
     "variable": Failure.VARIABLE,
     "syntax": Failure.SYNTAX,
@@ -50,7 +50,9 @@ def explain(report: Report, provenance: Provenance, document: Document, packages
     if take is not None:
         return take(case, packages)
     detail = str(report.get("name") or report.get("message") or "")
-    return ExpansionFailure(case.span(), _TOLD[kind], detail, str(report.get("expression", "")), case.origins)
+    return ExpansionFailure(
+        case.span(), _FAILURES[kind], detail, str(report.get("expression", "")), case.origins
+    )
 
 
 class _Case:
@@ -96,7 +98,7 @@ class _Case:
         return self.source.span(start, end) if expression else self.value_span()
 
     def value(self) -> tuple[int, int]:
-        """The range of the attribute that is spoken of, else of the start tag behind its name."""
+        """The range of the attribute that is spoken of, else of the start tag after its name."""
         for attribute in self.tag.attributes:
             if attribute.name == self.report.get("attribute"):
                 return attribute.value_start, attribute.value_end

@@ -147,7 +147,7 @@ class Parameter(NamedTuple):
     """A parameter of a macro, as ``params`` spells it: ``*name`` and ``**name`` take blocks.
 
     ``start`` and ``end`` are the name's place in the text. ``forwards``: the caller's
-    property of that name stands in for it.
+    property of that name replaces it.
     """
 
     name: str

@@ -62,7 +62,7 @@ class Call(NamedTuple):
 
 
 class Sources:
-    """The files that took part, read once; ``top`` is at hand already."""
+    """The files that took part, read once; ``top`` is read already."""
 
     def __init__(self, top: Source) -> None:
         self.top = top
@@ -126,7 +126,7 @@ class Provenance:
     def steps(self, row: int) -> tuple[Step, ...]:
         if row not in self._chains:
             call = self.calls[row]
-            step = Step(self.name_at(call.file, call.line, call.column), _told(call))
+            step = Step(self.name_at(call.file, call.line, call.column), _described(call))
             self._chains[row] = (step, *self.steps(call.outer))
         return self._chains[row]
 
@@ -138,7 +138,7 @@ class Provenance:
         return source.span(match.start(1), match.end(1)) if match else source.span(at, at)
 
 
-def _told(call: Call) -> str:
+def _described(call: Call) -> str:
     return f"in macro `{call.name}`, called here" if call.kind == "macro" else "included here"
 
 
@@ -230,7 +230,7 @@ class ExpandedDocument(Document):
         return self.provenance.chain(number) if number >= 0 else ()
 
     def written(self, span: Span) -> Span:
-        """The place behind one in the expanded text; any other place is returned as it is."""
+        """The place that one in the expanded text comes from; any other place is returned as it is."""
         if span.source is not self.source or self.root is None:
             return span
         number = max(bisect_right(self.scan.starts, span.start) - 1, 0)

@@ -51,7 +51,7 @@ class UndefinedName(Record):
     near: str | None = None
     origins: tuple[Step, ...] = ()
     others: tuple[Span, ...] = ()
-    """Further uses, where they are told of with this one."""
+    """Further uses, where they are reported with this one."""
 
 
 class UndefinedMacro(UndefinedName):
@@ -78,7 +78,7 @@ class UnevaluatedExpression(Record):
     """Something that looks like an expression and is none: ``meant`` is what it should be.
 
     ``is_open``: its end is missing, so that xacro drops the rest of the value or takes too
-    much of it; what was meant cannot be told.
+    much of it; what was meant cannot be known.
     """
 
     span: Span

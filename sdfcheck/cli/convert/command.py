@@ -286,7 +286,7 @@ def _sum_up(outcome: _Outcome, *, named: bool) -> None:
     prefix = f"{outcome.file}: " if named else ""
     verification = outcome.conversion.verification if outcome.conversion is not None else None
     if outcome.failed:
-        advice = "; --no-lint tries all the same" if outcome.is_unsound else ""
+        advice = "; --no-lint converts it anyway" if outcome.is_unsound else ""
         say(f"{prefix}not converted, nothing written{advice}")
     elif verification is not None:
         say(f"{prefix}verified: {verification}")

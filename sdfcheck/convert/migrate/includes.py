@@ -1,4 +1,4 @@
-"""What includes bring: written out where the target cannot include it, told of where it is too new."""
+"""What includes bring: written out where the target cannot include it, reported where it is too new."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def write_out_merges(migration: Migration) -> None:
 
 
 def write_out_includes(migration: Migration) -> None:
-    """Below 1.5 an include stands in a world and says nothing but a uri; others are written out."""
+    """Below 1.5 an include is in a world and says nothing but a uri; others are written out."""
     for include in migration.root.of("include"):
         if _says_more(include) and (why := _write_out(migration, include, keeps_models=False)):
             _leave(migration, include, why)
@@ -77,9 +77,7 @@ def _leave(migration: Migration, include: Node, why: str) -> None:
     assert include.place is not None
     if include.parent is None or include.parent.name == "model":
         raise refusal(include.place, f"an include in a model cannot be written in {migration.target}: {why}")
-    text = (
-        f"the include stays, though {migration.target} has no place for what it says besides its uri: {why}"
-    )
+    text = f"the include stays, though {migration.target} has no place for more than its uri: {why}"
     migration.lose(include, text, LossKind.UNKNOWN_REFERENCE)
     migration.kept.update(include.children())
 

@@ -45,10 +45,6 @@ class Migration:
         """Is the target older than 1.``minor``?"""
         return self.target.minor < minor
 
-    def passes(self, minor: int) -> bool:
-        """Does the way up lead to or past 1.``minor``?"""
-        return self.source.minor < minor <= self.target.minor
-
     def lose(self, node: Node, message: str, kind: LossKind, severity: Severity = Severity.WARNING) -> None:
         place = node.place
         if place is not None:

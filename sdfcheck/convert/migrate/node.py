@@ -1,6 +1,6 @@
 """Elements that can be changed, with every character of the file that is not.
 
-What no step touches is written back as it stood: blanks, quotes, comments, entities.
+What no step touches is written back as it was: blanks, quotes, comments, entities.
 """
 
 from __future__ import annotations
@@ -179,7 +179,7 @@ class Node:
             parent.parts[at] = after.lstrip(" \t")
 
     def replace(self, others: list[Node]) -> None:
-        """Put others in the place of this node, each on a line of its own, behind the comments in it."""
+        """Put others in the place of this node, each on a line of its own, after the comments in it."""
         parent, indent = self.parent, self.indent
         assert parent is not None
         at = parent.parts.index(self)
@@ -229,7 +229,7 @@ class Node:
 
     @property
     def indent(self) -> str:
-        """The blanks before the node on its line; empty if something else stands there."""
+        """The blanks before the node on its line; empty if something else is there."""
         if self.parent is None:
             return ""
         at = self.parent.parts.index(self)
@@ -240,7 +240,7 @@ class Node:
         return blanks if not blanks.strip() else self.parent.indent
 
     def shift(self, indent: str) -> None:
-        """Indent the lines below the first as for a node that stands at ``indent``."""
+        """Indent the lines below the first as for a node that is at ``indent``."""
         last = self.parts[-1] if self.parts else ""
         if not isinstance(last, str) or "\n" not in last or last[last.rindex("\n") :].strip():
             return

@@ -35,7 +35,7 @@ class Places:
         return self.frames.get(self.migration.draft.element(node))
 
     def scope(self, node: Node) -> Scope | None:
-        """The scope that a node stands in."""
+        """The scope that a node is in."""
         return self.root.scope_of(self.migration.draft.element(node))
 
     def plain(self, owner: Node) -> Array:

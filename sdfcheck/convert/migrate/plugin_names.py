@@ -1,7 +1,7 @@
 """What plugins say of links and joints that get another name.
 
 No format says what the elements of a plugin mean. One that is called after a kind of thing
-(``joint_name``, ``link``) and holds the name of one means it; others are told of.
+(``joint_name``, ``link``) and holds the name of one means it; others are reported.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ from sdfcheck.source.document import Document
 
 
 def comparisons(migration: Migration) -> list[Comparison]:
-    """What there is to compare; a model whose source cannot be read is told of."""
+    """What there is to compare; a model whose source cannot be read is reported."""
     source, result = migration.draft.source, migration.draft.read()
     others = dict(models(result))
     compared = list(_worlds(migration, source, result))
@@ -62,7 +62,7 @@ def models(document: Document) -> Iterator[tuple[str, Model]]:
 
 
 def _worlds(migration: Migration, source: Document, result: Document) -> Iterator[Comparison]:
-    """The worlds, with their models for links: where do they stand?"""
+    """The worlds, with their models for links: where do they are?"""
     results = {scope.name: scope for scope in root_of(result).scopes if scope.kind == "world"}
     for scope in root_of(source).scopes:
         other = results.get(scope.name)
@@ -88,7 +88,7 @@ def _standing(world: Scope, migration: Migration | None) -> Mechanism:
 
 
 def _placement(model: Model) -> Array:
-    """From a model's frame to its first link, which is what stands somewhere."""
+    """From a model's frame to its first link, which is what has a place."""
     link = model.canonical_link
     return np.eye(4) if link is None else model.root.poses.reached(model, link)
 

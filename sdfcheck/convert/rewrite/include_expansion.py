@@ -127,7 +127,7 @@ class IncludeExpansion:
 
 
 def _stands_alone(include: Branch) -> bool:
-    """Can an include be moved with what it stands in? Without a pose it would be placed anew."""
+    """Can an include be moved with what it is in? Without a pose it would be placed anew."""
     merges = include.attributes.get("merge", "").strip().lower() in {"true", "1"}
     return not merges and include.find("pose") is not None and include.find(PARAMETERS) is None
 
@@ -167,7 +167,7 @@ def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
 
 
 def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -> list[Branch]:
-    """The parts of a model that is merged, behind the frame that stands for it."""
+    """The parts of a model that is merged, after the frame that stands for it."""
     name = f"_merged__{found.name}__model__"
     frame = Branch("frame", name=name)
     first = next(

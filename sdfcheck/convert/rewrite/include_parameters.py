@@ -93,7 +93,7 @@ def _drop(parent: Branch, target: Branch) -> None:
 
 
 def _find(model: Branch, element_id: str, kind: str) -> tuple[Branch, Branch] | None:
-    """What an ``element_id`` names, with what it stands in; the longest of several beginnings goes first."""
+    """What an ``element_id`` names, with what it is in; the longest of several beginnings goes first."""
     fitting = [child for child in _named(model) if _begins(element_id, child.attributes["name"])]
     for child in sorted(fitting, key=lambda child: -len(child.attributes["name"])):
         name = child.attributes["name"]

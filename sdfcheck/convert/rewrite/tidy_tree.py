@@ -17,7 +17,7 @@ _IN_QUOTES = {'"': "&quot;", "\n": "&#10;", "\t": "&#9;", "\r": "&#13;"}
 
 
 class Remark:
-    """A comment, or a processing instruction; ``beside`` something that stands before it on its line."""
+    """A comment, or a processing instruction; ``beside`` something that is before it on its line."""
 
     __slots__ = ("after_gap", "beside", "target", "text")
 
@@ -115,7 +115,7 @@ def branch_of(element: Element) -> Branch:
 
 
 def render(root: Branch, document: Document) -> str:
-    """The whole file: declaration, what stands before the root, the root, what stands behind it."""
+    """The whole file: declaration, what is before the root, the root, what is after it."""
     assert document.root is not None
     lines = ['<?xml version="1.0"?>']
     before = [_part(node, False) for node in document.root.itersiblings(preceding=True)]

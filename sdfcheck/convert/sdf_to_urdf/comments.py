@@ -37,7 +37,7 @@ def carry_around(context: Context, node: Node, model: Element) -> None:
 
 
 def around_root(element: Element, *, preceding: bool) -> list[Comment]:
-    """The comments before or behind the root of a document."""
+    """The comments before or after the root of a document."""
     root = element.getroottree().getroot()
     found = [comment_of(node) for node in root.itersiblings(preceding=preceding)]
     comments = [comment for comment in found if comment is not None]

@@ -55,7 +55,7 @@ def model_extensions(context: Context, model: Element, scope: str) -> None:
 
 
 def keep_place(context: Context, pose: Array) -> None:
-    """Keep where the robot stands, which a URDF cannot say."""
+    """Keep where the robot is, which a URDF cannot say."""
     context.blob().add("pose", pose_text(pose))
 
 
@@ -66,7 +66,7 @@ def keep_static(context: Context, static: Element) -> None:
 
 
 def keep_base(context: Context, joint: str, pose: Array) -> None:
-    """Keep where a floating joint is: libsdformat drops the joint, and places its child by it all the same."""
+    """Keep where a floating joint is: libsdformat drops the joint, and still places its child by it."""
     context.blob().add("frame", name=joint, attached_to="__model__").add("pose", pose_text(pose))
 
 

@@ -33,7 +33,7 @@ def add_edge(context: Context, edge: Edge) -> None:
     if edge.is_reversed:
         _tell_reversed(context, edge)
     parent, child = context.link_name(edge.parent), context.link_name(edge.child)
-    below = context.layout.stands.get(edge.child)
+    below = context.layout.joint_links.get(edge.child)
     carried = below[0] if below is not None else child
     if joint.kind in TWO_AXES:
         written = _add_two_axes(context, edge, joint, parent, carried)

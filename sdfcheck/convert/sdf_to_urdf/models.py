@@ -1,4 +1,4 @@
-"""What models hold besides links and joints: nested models, includes, frames, flags."""
+"""What models hold in addition to links and joints: nested models, includes, frames, flags."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ _OWN = frozenset({"name", "type", "filename", "reference"})
 
 
 def follow_names(context: Context, node: Node, source: Element, scope: str) -> None:
-    """Rewrite what a copy of ``source``, which stood in a nested model ``scope``, calls by name."""
+    """Rewrite what a copy of ``source``, which was in a nested model ``scope``, calls by name."""
     done: dict[str, str] = {}
     doubtful: dict[str, str] = {}
     for holder, attribute, name, text in _texts(node, is_top=True):

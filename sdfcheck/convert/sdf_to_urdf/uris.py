@@ -14,7 +14,7 @@ from sdfcheck.source.element import Element
 def mesh_uri(context: Context, uri: str, element: Element) -> str:
     """The uri to write for a file that an element of the source names.
 
-    A relative path is meant from the file that it stands in, and must lead from the result.
+    A relative path is meant from the file that it is in, and must lead from the result.
     """
     if context.options.package_uris and uri.startswith("model://"):
         written = f"package://{uri.removeprefix('model://')}"

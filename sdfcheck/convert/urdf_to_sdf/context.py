@@ -37,7 +37,7 @@ class Context:
     """Joints that do not follow another any more."""
     overruled: dict[str, dict[str, float]] = field(default_factory=dict)
     """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
-    told: set[str] = field(default_factory=set)
+    reported: set[str] = field(default_factory=set)
 
     def lose(
         self, element: Element, kind: LossKind, message: str, severity: Severity = Severity.WARNING
@@ -46,9 +46,9 @@ class Context:
 
     def once(self, key: str) -> bool:
         """True at the first call with a key."""
-        if key in self.told:
+        if key in self.reported:
             return False
-        self.told.add(key)
+        self.reported.add(key)
         return True
 
     def allows(self, place: str) -> bool:
@@ -59,14 +59,14 @@ class Context:
         return definition is not None
 
     def numbers(self, setting: Element, count: int = 1) -> str | None:
-        """The numbers of a setting as they are written; None, and told, if it has not so many."""
+        """The numbers of a setting as they are written; None, and reported, if there are not so many."""
         text = value_of(setting)
         found = floats(text) or ()
         if len(found) == count and all(map(math.isfinite, found)):
             return text
         wanted = "a number" if count == 1 else f"{count} numbers"
-        told = f"<{setting.name}> is left out: `{text}` is not {wanted}"
-        self.lose(setting, LossKind.EXTENSION_NOT_CARRIED, told)
+        message = f"<{setting.name}> is left out: `{text}` is not {wanted}"
+        self.lose(setting, LossKind.EXTENSION_NOT_CARRIED, message)
         return None
 
     def keep(self, element: Element, node: Node) -> None:

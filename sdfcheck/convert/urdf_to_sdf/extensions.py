@@ -109,7 +109,7 @@ class Extensions:
         """What is SDFormat already; its name must not be one that the robot uses."""
         joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
         if entry.name == "frame" and joint is not None and joint.kind == "floating":
-            return  # it stands in for the joint, in whose place it is, for libsdformat
+            return  # it replaces the joint, in whose place it is, for libsdformat
         made = copied(entry)
         model.append(made)
         if entry.name not in {"link", "joint", "frame", "model"}:
@@ -163,8 +163,8 @@ class Extensions:
         if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
             path = (*path[:-1], "cfm_damping")
         if path[0] == "axis" and joint.find("axis") is None:
-            told = f"<{entry.name}> means nothing on a fixed joint and is left out"
-            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, told)
+            message = f"<{entry.name}> means nothing on a fixed joint and is left out"
+            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, message)
             return
         text: str | None
         if path[-1] in {"implicit_spring_damper", "cfm_damping", "provide_feedback"}:

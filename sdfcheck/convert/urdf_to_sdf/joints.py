@@ -103,8 +103,8 @@ class Joints:
         if joint.kind == "continuous":
             return {}
         if limit is None:
-            told = f"joint `{joint.name}` has no limits; it is taken as unlimited"
-            self.context.lose(joint.element, LossKind.CHANGED_DEFAULT, told)
+            message = f"joint `{joint.name}` has no limits; it is taken as unlimited"
+            self.context.lose(joint.element, LossKind.CHANGED_DEFAULT, message)
             return {}
         return {name: limit.attributes.get(name) or self._bound(joint, name) for name in ("lower", "upper")}
 
@@ -116,8 +116,9 @@ class Joints:
             if text is None:
                 continue
             if joint.axes and getattr(joint.axes[0], name) < 0:
-                told = f"joint `{joint.name}` has a negative {name}, which means no limit in SDFormat; it is left out"
-                self.context.lose(joint.element, LossKind.CHANGED_LIMIT, told)
+                no_limit = f"has a negative {name}, which means no limit in SDFormat; it is left out"
+                message = f"joint `{joint.name}` {no_limit}"
+                self.context.lose(joint.element, LossKind.CHANGED_LIMIT, message)
             else:
                 found[name] = text
         return found

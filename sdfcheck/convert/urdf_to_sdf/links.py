@@ -118,10 +118,10 @@ class Links:
         rest = text.removeprefix(_PACKAGE)
         package = rest.partition("/")[0]
         if context.once(f"package {package}"):
-            told = (
+            message = (
                 f"`package://{package}` is written `model://{package}`: its folder must be found as a model"
             )
-            context.lose(element, LossKind.CHANGED_URI, told, Severity.INFO)
+            context.lose(element, LossKind.CHANGED_URI, message, Severity.INFO)
         return f"model://{rest}"
 
     def _name(self, part: Element, survivor: str) -> str:
@@ -141,7 +141,7 @@ class Links:
 
 
 def link_of(part: Element) -> str:
-    """The name of the link that something stands in."""
+    """The name of the link that something is in."""
     return part.parent.attributes.get("name", "") if part.parent is not None else ""
 
 

@@ -41,8 +41,8 @@ def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
     for name, joint in robot.joints.items():
         if name in free:
             continue  # what floats stays where it is, whatever moves
-        told: dict[str, Any] = dict(context.overruled.get(plan.names.joints[name], {}))
-        axes = tuple(_unbounded(replace(axis, **told)) for axis in joint.axes)
+        changes: dict[str, Any] = dict(context.overruled.get(plan.names.joints[name], {}))
+        axes = tuple(_unbounded(replace(axis, **changes)) for axis in joint.axes)
         if name in context.lost_mimics:
             axes = tuple(replace(axis, mimic=None) for axis in axes)
         joints[name] = replace(joint, axes=axes)

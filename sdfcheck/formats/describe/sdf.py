@@ -46,7 +46,7 @@ def _found(steps: tuple[str, ...], version: Version) -> list[Description]:
 
 
 def _uses(steps: tuple[str, ...], version: Version) -> list[_Use]:
-    """Where elements stand whose own name and those of whose parents are ``steps``."""
+    """Where elements are whose own name and those of whose parents are ``steps``."""
     first, *rest = steps
     uses = [use for use in _everywhere(version) if use.element.name == first]
     for name in rest:
@@ -73,8 +73,8 @@ def _everywhere(version: Version) -> list[_Use]:
 def _element(uses: list[_Use]) -> Description:
     element, parent = uses[0].element, uses[0].parent
     versions = sorted({version for use in uses for version in _versions(use)})
-    told = history.deprecation(element.place)
-    successor = told.successor or (history.successor(parent, element.name) if parent else None)
+    deprecation = history.deprecation(element.place)
+    successor = deprecation.successor or (history.successor(parent, element.name) if parent else None)
     attributes = (_entry_of_attribute(element, attribute) for attribute in element.attributes.values())
     return Description(
         name=element.path,

@@ -15,7 +15,7 @@ class _Use(NamedTuple):
 
 
 def describe_urdf(steps: tuple[str, ...]) -> tuple[Description, ...]:
-    """All places whose names end with ``steps``; alike ones are told of once.
+    """All places whose names end with ``steps``; alike ones are reported once.
 
     Raises:
         UnknownPlace: there is none.
@@ -40,7 +40,7 @@ def _everywhere() -> Iterator[_Use]:
     waiting = [_Use(("robot",), urdf()), _Use(("robot", "gazebo"), extension())]
     while waiting:
         use = waiting.pop()
-        # What libsdformat reads of an extension stands in a table of its own.
+        # What libsdformat reads of an extension is in a table of its own.
         if use.element is not extension():
             yield use
         waiting += [_Use((*use.path, name), child) for name, child in use.element.children.items()]
@@ -84,14 +84,14 @@ def _attribute(use: _Use, attribute: UrdfAttribute) -> Description:
 
 def _with_value(described: Description, value: UrdfAttribute) -> Description:
     instead = value.range.instead if value.range else None
-    told = (f"libsdformat takes {instead} for a value out of range",) if instead else ()
+    substitute = (f"libsdformat takes {instead} for a value out of range",) if instead else ()
     return described._replace(
         type=value.type,
         default=value.default,
         unit=_unit(value),
         range=str(value.range or ""),
         choices=value.choices,
-        notes=(*_readers(value.readers), *told),
+        notes=(*_readers(value.readers), *substitute),
     )
 
 

@@ -115,9 +115,9 @@ def _children(table: _Table, tag: Tag) -> tuple[Entry, ...]:
 def _notes(table: _Table, tag: Tag) -> tuple[str, ...]:
     notes = []
     if not tag.places and not tag.keys.text("gone"):
-        told = _told(tag.absent.effect) if tag.absent else "is passed over"
+        outcome = _in_words(tag.absent.effect) if tag.absent else "is ignored"
         instead = f"; use {tag.absent.use}" if tag.absent and tag.absent.use else ""
-        notes.append(f"in {_FORMATS[table.dialect]} it {told}{instead}")
+        notes.append(f"in {_FORMATS[table.dialect]} it {outcome}{instead}")
     for needed in tag.keys.all("needs"):
         name, _, where = needed.partition("(")
         condition = f" (in {where.rstrip(')').replace(',', ', ')})" if where else ""
@@ -128,8 +128,8 @@ def _notes(table: _Table, tag: Tag) -> tuple[str, ...]:
     return tuple(notes)
 
 
-def _told(effect: Effect) -> str:
-    return "stops the reader" if effect.refused else "is passed over"
+def _in_words(effect: Effect) -> str:
+    return "stops the reader" if effect.refused else "is ignored"
 
 
 def _often(place: Place) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.findings import REPEATABLE
-from sdfcheck.formats.sdf.lexical import Form, definitions, escaped, facets, form, name_of, told
+from sdfcheck.formats.sdf.lexical import Form, definitions, documentation, escaped, facets, form, name_of
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.sdf.version import Version
 
@@ -125,5 +125,5 @@ def _data(kind: str, *parameters: tuple[str, str]) -> str:
 
 
 def _documentation(place: Definition | AttributeDefinition, indent: str) -> Iterator[str]:
-    if text := told(place):
+    if text := documentation(place):
         yield f"{indent}<a:documentation>{escaped(text)}</a:documentation>"

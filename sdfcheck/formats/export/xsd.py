@@ -1,7 +1,7 @@
 """A version of SDFormat as a W3C XML Schema (1.0).
 
 Children come in any order and may be repeated, which this language can say by a choice
-without bounds only; so it cannot say what is required or may stand once. Elements and
+without bounds only; so it cannot say what is required or may be once. Elements and
 attributes with a prefix are free.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.lexical import Form, definitions, escaped, facets, form, name_of, told
+from sdfcheck.formats.sdf.lexical import Form, definitions, documentation, escaped, facets, form, name_of
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.sdf.version import Version
 
@@ -112,6 +112,6 @@ def _listed(value: Form, indent: str) -> Iterator[str]:
 
 
 def _documentation(place: Definition | AttributeDefinition, indent: str) -> Iterator[str]:
-    if text := told(place):
+    if text := documentation(place):
         note = f"<xs:documentation>{escaped(text)}</xs:documentation>"
         yield f"{indent}<xs:annotation>{note}</xs:annotation>"

@@ -20,7 +20,7 @@ class Enforcement(Enum):
 
 
 class Verdict(Enum):
-    """How a text stands to a list of choices."""
+    """How a text relates to a list of choices."""
 
     LISTED = "listed"
     """In the list of the version, and accepted."""
@@ -71,7 +71,7 @@ class Choices(NamedTuple):
         )
 
     def judge(self, text: str) -> Verdict:
-        """How a trimmed text stands to the list."""
+        """How a trimmed text relates to the list."""
         wanted = text.lower() if self.ignores_case else text
         listed = {value.lower() for value in self.listed} if self.ignores_case else set(self.listed)
         if wanted in listed:

@@ -1,7 +1,7 @@
 """Why something does not fit the table: the explaining side of the walk.
 
 Loaded only when there is something to explain. Each method takes one thing that the
-walk did not accept at once and either finds that it is sound all the same or notes a
+walk did not accept at once and either finds that it is sound after all or notes a
 problem.
 """
 
@@ -36,7 +36,7 @@ _REFUSED = frozenset(
     )
 )
 
-# libsdformat goes by these wherever they stand.
+# libsdformat goes by these wherever they are.
 _FOUND_ANYWHERE = frozenset(("include",))
 
 # What is unknown in these is refused, not ignored.
@@ -45,7 +45,7 @@ _CLOSED = frozenset(("material/pbr",))
 # Without these the rest of the model is refused, or is another one.
 _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
 
-# Not in any version, and yet what Gazebo reads: told of among the names of its generations.
+# Not in any version, and yet what Gazebo reads: reported among the names of its generations.
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
 # The table allows one, and the readers take all.
@@ -139,7 +139,7 @@ class Findings:
         self.too_new_at.setdefault((place, ""), (parent, since))
 
     def repeated(self, element: Element, first: Element, parent: Element) -> None:
-        # What may stand at the root is judged as a whole, by the analysis of structure.
+        # What may be at the root is judged as a whole, by the analysis of structure.
         if parent.parent is not None and f"{parent.name}/{element.name}" not in REPEATABLE:
             self.found.append(problems.RepeatedElement(element, first, parent))
 
@@ -293,7 +293,7 @@ class Findings:
 
 
 def _meant_version(text: str) -> str | None:
-    """The version behind a slip: blanks around it, a leading zero, a third number, a comma."""
+    """The version that a misspelled one means: blanks around it, a leading zero, a third number, a comma."""
     found = _VERSION.match(text)
     version = Version.parse(f"1.{found[1]}") if found else None
     return str(version) if version else None

@@ -18,7 +18,7 @@ _ALL = frozenset(range(OLDEST.minor, NEWEST.minor + 1))
 
 
 class Place(NamedTuple):
-    """One place at which an element or attribute of a name stands, and the versions that have it there."""
+    """One place at which an element or attribute of a name is, and the versions that have it there."""
 
     parent: str
     """The names that lead to the parent, from the start of its definition: ``joint/axis/limit``."""
@@ -28,7 +28,7 @@ class Place(NamedTuple):
 
 
 class Deprecation(NamedTuple):
-    """What is told of a deprecated element or value: what to use instead, and since when."""
+    """What is said of a deprecated element or value: what to use instead, and since when."""
 
     successor: str | None
     since: str
@@ -82,7 +82,7 @@ def successor(parent: Definition, name: str) -> str | None:
 
 
 def deprecation(place: str) -> Deprecation:
-    """What is told of a place that its definition calls deprecated."""
+    """What is said of a place that its definition calls deprecated."""
     known = _successors().get(place)
     return Deprecation(*known) if known else Deprecation(None, "")
 
@@ -101,7 +101,7 @@ def carried_over(parent: Definition, name: str, version: Version) -> bool:
 
 
 def known_places(name: str) -> tuple[Place, ...]:
-    """All places, in any version, at which an element or an ``@attribute`` of a name stands."""
+    """All places, in any version, at which an element or an ``@attribute`` of a name is."""
     return _places().get(name, ())
 
 

@@ -123,7 +123,7 @@ def definitions(format: Schema) -> dict[str, Definition]:
 
 
 def name_of(definition: Definition) -> str:
-    """``joint.axis.limit`` for what stands at ``joint:joint/axis/limit``."""
+    """``joint.axis.limit`` for what is at ``joint:joint/axis/limit``."""
     stem, _, path = definition.place.partition(":")
     _, *inner = path.split("/")
     required = ".required" if definition.needs_value and inner == [] else ""
@@ -138,7 +138,7 @@ def facets(bounds: Range) -> Iterator[tuple[str, str]]:
         yield ("maxExclusive" if bounds.high_open else "maxInclusive"), f"{bounds.high:.16g}"
 
 
-def told(place: Definition | AttributeDefinition) -> str:
+def documentation(place: Definition | AttributeDefinition) -> str:
     """What a schema cannot check and an editor may show: default, unit, deprecation."""
     from sdfcheck.formats.sdf import history
 

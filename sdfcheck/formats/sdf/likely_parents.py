@@ -1,4 +1,4 @@
-"""Where an element that stands in the wrong place was meant to stand."""
+"""Where an element that is in the wrong place was meant to be."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from sdfcheck.formats.sdf.schema import Definition
 from sdfcheck.source.element import Element
 
 _BELOW = 1
-"""The rank of what stands in the parent."""
+"""The rank of what is in the parent."""
 
 
 def likely_parents(places: tuple[str, ...], parent: Element, definition: Definition) -> tuple[str, ...]:

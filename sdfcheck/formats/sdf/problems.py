@@ -39,7 +39,7 @@ class UnknownAttribute(Record):
     """An attribute that no version knows there.
 
     ``needed``: the suggestion is required and missing. ``more``: so many others of the element are unknown, of
-    which only some are told.
+    which only some are reported.
     """
 
     element: Element
@@ -65,7 +65,7 @@ class MisplacedElement(Record):
     """A standard element where its parent does not allow it.
 
     ``places`` are the parents that do, the likeliest first and those only if there are
-    any. ``ignored`` is False for what readers find wherever it stands.
+    any. ``ignored`` is False for what readers find wherever it is.
     """
 
     element: Element
@@ -141,7 +141,7 @@ class MissingElement(Record):
 
 
 class ReplacedElement(Record):
-    """A required child is absent and the custom element stands in for it."""
+    """A required child is absent and the custom element replaces it."""
 
     custom: Element
     element: Element

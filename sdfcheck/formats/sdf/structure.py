@@ -22,7 +22,7 @@ SHAPES = (
     "image", "empty",
 )  # fmt: skip
 
-# A document holds one of these, besides worlds.
+# A document holds one of these, in addition to worlds.
 _ENTITIES = frozenset({"model", "light", "actor"})
 
 _NORMAL_MAPS = frozenset(

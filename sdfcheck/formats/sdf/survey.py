@@ -1,6 +1,6 @@
 """The one walk over an SDF document: every element against the table of its version.
 
-The walk also notes where the standard elements stand, so that whoever needs "all
+The walk also notes where the standard elements are, so that whoever needs "all
 joints" need not walk again. A sound document is walked by the fast path alone, which
 asks ``Definition.accepts``; whatever that does not accept at once is explained by
 :mod:`sdfcheck.formats.sdf.findings`, which a sound document never loads.

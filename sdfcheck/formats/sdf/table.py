@@ -1,4 +1,4 @@
-"""Reading data/sdf.txt: the lines as they stand, parsed block by block when somebody asks."""
+"""Reading data/sdf.txt: the lines as they are, parsed block by block when somebody asks."""
 
 from __future__ import annotations
 

@@ -188,7 +188,7 @@ _SCALARS: dict[str, Callable[[str, Range | None], Reading]] = {
 
 
 def floats(text: str) -> tuple[float, ...] | None:
-    """All numbers of a text parted by blanks; None if any part is none, or there are none."""
+    """All numbers of a text separated by blanks; None if any part is none, or there are none."""
     if not text.isascii() or "_" in text:
         return None
     try:

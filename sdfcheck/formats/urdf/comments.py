@@ -1,7 +1,7 @@
 """Comments of a URDF document that a reader trips over.
 
 ROS 2 launch files hand the description over as a parameter, and unless they say that it
-is text, it is read as YAML first: there a colon with a blank behind it begins a mapping.
+is text, it is read as YAML first: there a colon with a blank after it begins a mapping.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _COLON = re.compile(r":(?=\s)")
 
 
 def problems(document: Document) -> list[ColonInComment]:
-    """At most one problem: what mends one colon has to mend all."""
+    """At most one problem: what fixes one colon has to fix all."""
     text = document.source.text
     if _QUICK.search(text) is None or document.root is None:
         return []

@@ -40,7 +40,7 @@ class UrdfFindings:
         """How many unknown attributes an element has."""
         self.unknown_values: dict[tuple[str, str], list[Value]] = {}
         self.parents: dict[Element, Element] = {}
-        """What the unknown elements stand in; xacro's conditions around them do not count."""
+        """What the unknown elements are in; xacro's conditions around them do not count."""
         self.places: dict[Element, UrdfElement] = {}
         """The definitions of elements with something unknown in them."""
 
@@ -130,7 +130,7 @@ class UrdfFindings:
         self.attribute_value(element, known, text)
 
     def attribute_value(self, element: Element, known: UrdfAttribute, text: str) -> None:
-        """The value of a known attribute, as it stands in the file."""
+        """The value of a known attribute, as it is in the file."""
         value = Value(element, known.name, text)
         if known.type == "version":
             if text not in known.choices:

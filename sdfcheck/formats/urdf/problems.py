@@ -25,7 +25,7 @@ class UnknownUrdfElement(Record):
 class UnknownUrdfAttribute(Record):
     """An attribute that no reader of URDF looks for; ``needed`` and ``uses`` as above.
 
-    ``more``: so many others of the element are unknown, of which only some are told.
+    ``more``: so many others of the element are unknown, of which only some are reported.
     """
 
     value: Value
@@ -36,7 +36,7 @@ class UnknownUrdfAttribute(Record):
 
 
 class FeatureAboveVersion(Record):
-    """Something of a later version of URDF, which urdfdom passes over in this document or refuses.
+    """Something of a later version of URDF, which urdfdom ignores in this document or refuses.
 
     ``place`` is an element or an attribute, ``what`` its name.
     """
@@ -98,7 +98,7 @@ class UnexpandedExpression(Record):
 
 
 class ColonInComment(Record):
-    """A colon and a blank behind it, in a comment. ``colons`` are all of them, ``span`` the first."""
+    """A colon and a blank after it, in a comment. ``colons`` are all of them, ``span`` the first."""
 
     span: Span
     colons: tuple[Span, ...]

@@ -1,6 +1,6 @@
 """The one walk over a URDF document: every element against the table.
 
-As in SDFormat's survey, the walk notes where the standard elements stand, asks the
+As in SDFormat's survey, the walk notes where the standard elements are, asks the
 table's quick checks, and leaves to :mod:`sdfcheck.formats.urdf.findings` whatever they
 do not accept at once.
 """
@@ -30,7 +30,7 @@ _WRAPPED_VALUE = re.compile(r"=\s*(?:\"[^\"<]*[\t\n\r]|'[^'<]*[\t\n\r])")
 class UrdfSurvey:
     """What the walk found.
 
-    ``index`` lists the elements by name, in document order: those that stand where the
+    ``index`` lists the elements by name, in document order: those that are where the
     table places them, so nothing inside ``<gazebo>`` or ``<transmission>``. A document
     that xacro has yet to expand is not looked into.
     """
@@ -134,7 +134,7 @@ class UrdfWalk:
             self.findings.shape(parent, place, seen)
 
     def element(self, element: Element, definition: UrdfElement) -> None:
-        """Check an element that stands where it may, and all that is in it."""
+        """Check an element that is where it may, and all that is in it."""
         self.index[element.tag].append(element)
         self.attributes(element, definition)
         if definition.since > self.version:

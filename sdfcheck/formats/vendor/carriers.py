@@ -18,7 +18,7 @@ def value_at(element: Element, carrier: str) -> Value | None:
 
 
 def value_elsewhere(element: Element, wanted: str) -> tuple[str, Value] | None:
-    """A value that stands in another shape than the one that is read."""
+    """A value that is in another shape than the one that is read."""
     if wanted != "text" and element.content:
         return "text", element.own_value
     for name in _USUAL:

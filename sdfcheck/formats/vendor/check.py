@@ -135,12 +135,12 @@ class VendorCheck:
         return f"{self.mark}{found}" if found else None
 
     def place(self, tag: Tag, target: Element | Value, parent: Element, attribute: bool) -> Place | None:
-        """The place that a tag stands in; None, and a problem, where it is wrong."""
+        """The place that a tag is in; None, and a problem, where it is wrong."""
         fitting = [p for p in tag.places if (p.carrier == "attribute") is attribute and p.encloses(parent)]
         for place in fitting:
             if place.holds(parent):
                 return place
-        if fitting and self.is_told(parent):
+        if fitting and self.is_reported(parent):
             return None
         effect = self.vendor.effect_in(None if attribute else parent)
         condition, use = None, ""
@@ -158,7 +158,7 @@ class VendorCheck:
         )
         return None
 
-    def is_told(self, parent: Element) -> bool:
+    def is_reported(self, parent: Element) -> bool:
         """Has a parent a wrong choice, which decides what it may hold?"""
         tag = self.vendor.tags.get(parent.name)
         slots = tag.attributes.items() if tag is not None else ()
@@ -167,7 +167,7 @@ class VendorCheck:
     # What
 
     def content(self, tag: Tag, place: Place, element: Element) -> None:
-        """The values of a tag that stands in its place."""
+        """The values of a tag that is in its place."""
         if place.slot is not None:
             self.carried(tag, place, place.slot, element)
         for slots, sigil in ((tag.attributes, "@"), (tag.parts, "/")):
@@ -211,7 +211,7 @@ class VendorCheck:
         self.found.append(problems.MissingTagValue(self.vendor, tag.name, effect, element, wanted, near))
 
     def needed_children(self, tag: Tag, element: Element) -> None:
-        """Children that must be there; one that is merely misspelt is told as such, with the same effect."""
+        """Children that must be there; one that is merely misspelt is reported as such, with the same effect."""
         names = [child.name for child in element.children()]
         strange = [name for name in names if name.startswith(self.mark) and name not in self.vendor.tags]
         meant = {self.meant(name): name for name in strange}

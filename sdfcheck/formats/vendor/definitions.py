@@ -1,6 +1,6 @@
 """Tables of vendors' own elements and attributes: what a prefix brings, where, and with which values.
 
-The layout of such a table is told in docs/vendor-tables.md. One for Drake is built in
+The layout of such a table is described in docs/vendor-tables.md. One for Drake is built in
 (``data/drake.txt``); packs of rules bring others. A table is read when a document uses
 its prefix, which is the beginning of the file's name.
 """

@@ -14,7 +14,7 @@ _CONDITION = re.compile(r"([^(),]+)(?:\(([^)]*)\))?")
 
 
 def relations(vendor: Vendor, tag: Tag, element: Element, parent: Element) -> Iterator[object]:
-    """The problems that one tag has with what stands around it."""
+    """The problems that one tag has with what is around it."""
     keys = tag.keys
     for text in keys.all("excludes"):
         other = _one_of(text, parent)
@@ -129,7 +129,7 @@ def _at(element: Element, path: str) -> Element | None:
 
 
 def _value(vendor: Vendor, tag: Tag, element: Element) -> Value | None:
-    """The value of a tag, in whichever of its places it stands."""
+    """The value of a tag, in whichever of its places it is."""
     for place in tag.places:
         if place.carrier == "text":
             return element.own_value

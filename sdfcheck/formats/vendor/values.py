@@ -2,7 +2,7 @@
 
 A *lenient* reader takes the number at the front of a text, drops the rest, and takes 0
 where there is none (Drake in SDF files, through libsdformat). A *strict* one wants just the numbers
-and refuses the file otherwise, except that letters behind a number end it (Drake in URDF files).
+and refuses the file otherwise, except that letters after a number end it (Drake in URDF files).
 """
 
 from __future__ import annotations

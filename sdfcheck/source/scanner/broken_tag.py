@@ -115,7 +115,7 @@ class _BrokenTag:
         equals = _EQUALS.match(text, match.end())
         sticks = not text[pos - 1].isspace() and bool(self.attributes)
         if equals is None and sticks:
-            # A quote too many inside the value; or a comma behind it.
+            # A quote too many inside the value; or a comma after it.
             at, end = (pos - 1, pos) if is_name(match[0]) else match.span()
             self.attribute_defect(SyntaxKind.MALFORMED_ATTRIBUTE, at, end, text[at:end], confusing=True)
             return match.end()

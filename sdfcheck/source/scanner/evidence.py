@@ -62,7 +62,7 @@ class Evidence:
         return self.repairs_left <= 0 or self.budget <= 0
 
     def next_unmatched_end(self, number: int) -> str | None:
-        """The name in the next end tag behind token ``number`` that ends what is open; None: no such."""
+        """The name in the next end tag after token ``number`` that ends what is open; None: no such."""
         depth = 0
         if self.is_exhausted:
             return _UNKNOWN
@@ -179,7 +179,7 @@ class Evidence:
     def orphans(self, opened: int, number: int) -> int | None:
         """The first token of what the end tag ``number`` was to enclose, whose start tag got lost.
 
-        That is a text, or what is indented deeper; None: nothing stands before the end tag.
+        That is a text, or what is indented deeper; None: nothing is before the end tag.
         """
         indent = self.indent(self.tokens[number].start)
         if indent is None:
@@ -219,7 +219,7 @@ class Evidence:
             depth += token.kind is TokenKind.START
 
     def indent(self, at: int) -> int | None:
-        """The column at which a line begins at ``at``; None if something stands before it."""
+        """The column at which a line begins at ``at``; None if something is before it."""
         far = max(at - 200, 0)
         line = max(self.text.rfind("\n", far, at), self.text.rfind("\r", far, at)) + 1
         before = self.text[line:at] if line or far == 0 else "?"

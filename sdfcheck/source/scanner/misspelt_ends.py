@@ -36,14 +36,14 @@ def line_end(text: str, at: int, limit: int | None = None) -> int:
 
 
 class CommentEnd(NamedTuple):
-    """Where a comment was meant to end; from ``misspelt`` on (-1: nowhere) stands what was to end it."""
+    """Where a comment was meant to end; from ``misspelt`` on (-1: nowhere) is what was to end it."""
 
     end: int
     misspelt: int = -1
 
 
 def comment_end(text: str, begin: int, limit: int | None = None) -> CommentEnd:
-    """Where a comment without ``-->`` before ``limit`` was meant to end: at a misspelt end, or behind its words."""
+    """Where a comment without ``-->`` before ``limit`` was meant to end: at a misspelt end, or after its words."""
     limit = len(text) if limit is None else limit
     markup = text.find("<", begin, limit)
     if markup < 0:
@@ -76,7 +76,7 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     leftover = text.find("-->", end, following if following >= 0 else end + _NEAR)
     if leftover >= 0:
         return InnerComment(inner, False, leftover + 3)
-    # An outer comment without end swallows what stands between its words and the next comment.
+    # An outer comment without end swallows what is between its words and the next comment.
     markup = text.find("<", at + 4)
     if text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
         return InnerComment(inner, True, end)

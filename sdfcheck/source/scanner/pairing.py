@@ -39,7 +39,7 @@ class _Pairing:
         self.faulty = any(isinstance(problem, SyntaxDefect) for problem in tokens.problems)
         self.evidence = Evidence(text, self.tokens)
         self.steps: list[Step] = []
-        # With the number of the token that they were found at, to go back behind it.
+        # With the number of the token that they were found at, to go back after it.
         # What a repair has found stays (-1).
         self.problems: list[tuple[int, Problem]] = []
         self.doubtful: list[tuple[int, tuple[int, int]]] = []
@@ -182,7 +182,7 @@ class _Pairing:
             self.close_unwritten(size)
 
     def is_behind_root(self, token: Token) -> bool:
-        """Is this something that must not stand behind the root element?"""
+        """Is this something that must not be after the root element?"""
         assert self.root is not None
         if token.kind in {TokenKind.COMMENT, TokenKind.OTHER} or token.name in self.crossed:
             return False
@@ -217,7 +217,7 @@ class _Pairing:
         if opened.tag is None:
             place, other = self.evidence.gap(opened, self.number)
             self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, self.source.span(*other), opened.name)
-        # What it has swallowed stands in the wrong place now.
+        # What it has swallowed is in the wrong place now.
         self.doubt(opened.start, token.start if has_children else opened.end)
 
     def mismatch(self, token: Token) -> None:

@@ -12,7 +12,7 @@ from sdfcheck.source.text import Source
 
 _START = re.compile(r"<(?![/!?])")
 _ASIDE = re.compile(r"<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>")
-"""Where a ``<`` may stand that begins no tag."""
+"""Where a ``<`` may be that begins no tag."""
 _MARKUP = re.compile(
     r"<(?:!--[\s\S]*?--|!\[CDATA\[[\s\S]*?\]\]|\?[\s\S]*?\?|(/)[^>]*"
     r"|[^\s>/\"'!?][^>/\"']*(?:\"[^\"]*\"[^>/\"']*|'[^']*'[^>/\"']*|/(?!>))*(/)?)>"

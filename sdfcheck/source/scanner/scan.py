@@ -50,7 +50,7 @@ class Scan:
         self.comments: list[tuple[int, int]] = []
         self.problems: list[Problem] = []
         self.doubtful: list[tuple[int, int]] = []
-        """Ranges that were read by a guess: what is wrong there besides follows from the guess."""
+        """Ranges that were read by a guess: what else is wrong there follows from the guess."""
         self.odd: dict[int, StartTag] = {}
         """Start tags that are not as XML wants them, by their place in the order."""
         self.wellformed = ""
@@ -60,5 +60,5 @@ class Scan:
         return ElementPlace(self.starts[index], self.ends[index], self.closes[index], self.close_ends[index])
 
     def inside(self, index: int, tag: StartTag) -> tuple[int, int]:
-        """From behind an element's start tag to where, at the latest, its first text ends."""
+        """From after an element's start tag to where, at the latest, its first text ends."""
         return self.ends[index], self.closes[index]

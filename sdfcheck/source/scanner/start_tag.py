@@ -34,7 +34,7 @@ class AttributePlace(NamedTuple):
 
 
 class StartTag(NamedTuple):
-    """A start tag, parsed: ``end`` is behind its ``>``."""
+    """A start tag, parsed: ``end`` is after its ``>``."""
 
     name: str
     name_start: int

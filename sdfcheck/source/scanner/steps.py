@@ -28,7 +28,7 @@ class Step(NamedTuple):
 
 
 class Pairs(NamedTuple):
-    """The steps from the root's start tag to its end, and what is wrong; behind ``end`` nothing was read."""
+    """The steps from the root's start tag to its end, and what is wrong; after ``end`` nothing was read."""
 
     steps: list[Step]
     problems: list[Problem]

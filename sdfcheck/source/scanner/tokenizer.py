@@ -1,7 +1,7 @@
 """A text cut into tags, texts, comments and the rest, whatever it looks like.
 
 Every piece gets a guess of what it was meant to be; where it is not what XML wants,
-there is a problem besides. How tags belong together is not asked here.
+there is a problem as well. How tags belong together is not asked here.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class _Tokenizer:
         piece = self.pieces[-1]
         return last.kind in _CUTS and last.span.start == piece.start and piece.end == len(self.text)
 
-    # Each `take…` looks at one piece and returns the offset behind it.
+    # Each `take…` looks at one piece and returns the offset after it.
 
     def take(self, at: int, *, is_foreign: bool) -> int:
         """What is no sound tag; ``is_foreign``: it is one but for its names."""
@@ -221,7 +221,7 @@ class _Tokenizer:
         return end
 
     def unclosed_comment(self, at: int, limit: int) -> int:
-        """Say so where the end is missing: at its misspelling, or behind the last line of words."""
+        """Say so where the end is missing: at its misspelling, or after the last line of words."""
         end, misspelt = comment_end(self.text, at + 4, limit)
         here = self.source.span(at, at + 4)
         content = self.text[at:end].rstrip()
@@ -252,7 +252,7 @@ class _Tokenizer:
         return end
 
     def document_type_end(self, at: int) -> int:
-        """Just behind a document type, whose internal subset may hold angle brackets; 0 if it never ends."""
+        """Just after a document type, whose internal subset may hold angle brackets; 0 if it never ends."""
         depth = 0
         for match in _NESTING.finditer(self.text, at):
             mark = match[0]

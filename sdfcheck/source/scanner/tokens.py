@@ -10,7 +10,7 @@ from sdfcheck.source.scanner.misspelt_ends import line_end
 from sdfcheck.source.scanner.start_tag import StartTag
 
 DEFECT_LIMIT = 50
-"""Whoever has mended so many will run the program again."""
+"""Whoever has fixed so many will run the program again."""
 
 
 class TokenKind(Enum):

@@ -156,7 +156,7 @@ class Writer:
             self.replace(token, _escape(text[:LENGTH_LIMIT]))
 
     def aside(self, token: Token) -> None:
-        """Comments, CDATA sections and instructions: they part the text as the real ones do."""
+        """Comments, CDATA sections and instructions: they separate the text as the real ones do."""
         text = self.text[token.start : token.end]
         if token.kind is TokenKind.COMMENT:
             if len(text) < 7 or "--" in text[4:-3] or text.endswith("--->") or not text.endswith("-->"):

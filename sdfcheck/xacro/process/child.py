@@ -101,8 +101,15 @@ def _serve(request: Request, known: dict[str, Packages]) -> bytes:
     if not reason:
         return answer
     files, place = Crumbs.read(memory)
-    told = {"kind": "limit", "message": reason, "place": place, "step": -1, "attribute": "", "expression": ""}
-    return json.dumps({"files": files, "steps": [], "failure": told}).encode()
+    report = {
+        "kind": "limit",
+        "message": reason,
+        "place": place,
+        "step": -1,
+        "attribute": "",
+        "expression": "",
+    }
+    return json.dumps({"files": files, "steps": [], "failure": report}).encode()
 
 
 def _collect(stream: int, limits: dict[str, int]) -> tuple[bytes, str]:
@@ -146,9 +153,9 @@ def expand(request: Request, packages: Packages, memory: Any) -> Answer:
             raise sandbox.TooMuch(f"the result is longer than {request['limits']['output']} bytes")
         answer = {"text": text, "places": places, "arguments": sorted(arguments)}
     except BaseException as error:
-        told = failure.describe(error, tracer)
-        told["step"] = steps.number(told.get("step"))
-        answer = {"failure": told}
+        report = failure.describe(error, tracer)
+        report["step"] = steps.number(report.get("step"))
+        answer = {"failure": report}
     others = [str(name) for name in xacro.all_includes if name not in tracer.files]
     return {**answer, "files": tracer.files, "steps": steps.rows, "others": sorted(set(others))}
 

@@ -32,7 +32,7 @@ _NAMED = (
     (MissingVariable, "variable"),
     (ArgException, "argument"),
 )
-_TOLD = ((TooMuch, "limit"), (Refused, "refused"))
+_LIMITS = ((TooMuch, "limit"), (Refused, "refused"))
 
 Record = dict[str, Any]
 
@@ -123,7 +123,7 @@ def _judge(error: BaseException, spot: Spot) -> Record:
     for kinds, kind in _NAMED:
         if isinstance(root, kinds):
             return {"kind": kind, "name": _name(root) if kind == "property" else message}
-    for kinds, kind in _TOLD:
+    for kinds, kind in _LIMITS:
         if isinstance(root, kinds):
             return {"kind": kind, "message": message}
     if isinstance(root, MemoryError):
@@ -144,7 +144,7 @@ def _name(error: BaseException) -> str:
 
 
 def _of_xacro(root: BaseException, spot: Spot) -> Record:
-    """What xacro itself complains of, told from its words."""
+    """What xacro itself complains of, recognized by its words."""
     text = _STACK.sub("", str(root.args[0] if root.args else root)).strip()
     if text.startswith("unknown macro name:"):
         return {"kind": "macro", "name": text.rpartition("xacro:")[2]}

@@ -1,7 +1,7 @@
 """Follows xacro while it expands, so that every element still knows where it was written.
 
 Runs in the process that expands. xacro builds a DOM and copies macro bodies with
-``cloneNode``; the DOM's user data, with its handler that is told of copies, carries
+``cloneNode``; the DOM's user data, with its handler that is called for copies, carries
 the places. xacro's own code is not changed: a few of its functions are replaced while it runs.
 """
 
@@ -18,7 +18,7 @@ Place = tuple[int, int, int]
 
 
 class Step:
-    """One step of how an element came to be: a macro call or an include, and where that stands."""
+    """One step of how an element came to be: a macro call or an include, and where that is."""
 
     __slots__ = ("kind", "name", "outer", "place")
 

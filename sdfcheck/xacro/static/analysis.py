@@ -202,7 +202,7 @@ def _parameter_place(macro: Macro, parameter: Parameter) -> Span:
 
 
 def _unknown_packages(document: Document) -> Iterator[Problem]:
-    """Packages that an expansion needs for certain; in a robot the expansion itself tells of the others."""
+    """Packages that an expansion needs for certain; in a robot the expansion itself reports the others."""
     if (library := library_of(document)) is None:
         return
     packages = library.packages(document.path)

@@ -1,4 +1,4 @@
-"""All that a xacro file can see: itself and what it includes, as far as that can be told."""
+"""All that a xacro file can see: itself and what it includes, as far as that can be known."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Cycle(Record):
 class Definitions:
     """A document and the files that it includes.
 
-    ``is_open``: some of them cannot be told or read, so that what is not found here
+    ``is_open``: some of them cannot be known or read, so that what is not found here
     may still be somewhere.
     """
 
@@ -39,7 +39,7 @@ class Definitions:
         self.cycles: list[Cycle] = []
         self.is_open = False
         self.missing: list[Include] = []
-        """The includes of the document itself whose file is told for certain and not there."""
+        """The includes of the document itself whose file is known for certain and not there."""
         self._done: set[Path] = set()
         self._enter(document, ())
         self.macros: dict[str, list[Macro]] = {}
@@ -62,7 +62,7 @@ class Definitions:
         for include in read.includes:
             targets = self._targets(include, document)
             self.is_open |= not targets
-            if not targets and not way and not include.optional and self._told_path(include, document):
+            if not targets and not way and not include.optional and self._known_path(include, document):
                 self.missing.append(include)
             for target in targets:
                 self._follow(target, include, document, (*way, (path, include)))
@@ -89,8 +89,8 @@ class Definitions:
             self._enter(found, way)
 
     def _targets(self, include: Include, document: Document) -> list[Path]:
-        """The files that an include names; none if that cannot be told."""
-        path = self._told_path(include, document)
+        """The files that an include names; none if that cannot be known."""
+        path = self._known_path(include, document)
         if path is None or (library := library_of(document)) is None:
             return []
         text = str(path)
@@ -99,12 +99,12 @@ class Definitions:
         path = library.packages(document.path).locate(path)
         return [path] if path.is_file() else []
 
-    def _told_path(self, include: Include, document: Document) -> Path | None:
-        """Where an include leads, if that can be told."""
-        text = self._told(include.filename, document)
+    def _known_path(self, include: Include, document: Document) -> Path | None:
+        """Where an include leads, if that can be known."""
+        text = self._known_text(include.filename, document)
         return document.path.parent / text if text and document.library is not None else None
 
-    def _told(self, text: str, document: Document) -> str:
+    def _known_text(self, text: str, document: Document) -> str:
         """A text whose substitutions have one possible value each; empty if one of them has not."""
         pieces, at = [], 0
         for match in EXPRESSION.finditer(text):
@@ -129,7 +129,7 @@ class Definitions:
             values = {p.value or "" for r in self.readings for p in r.properties if p.name == name}
         else:
             return None
-        return self._told(values.pop(), document) or None if len(values) == 1 else None
+        return self._known_text(values.pop(), document) or None if len(values) == 1 else None
 
 
 def visible_definitions(document: Document) -> Definitions:

@@ -40,7 +40,7 @@ def lacks_prefix(element: Element) -> bool:
 
 
 def is_conditional(element: Element) -> bool:
-    """Whether xacro may pass over an element."""
+    """Whether xacro may ignore an element."""
     above = element.parent
     while above is not None and keyword(above) not in {"if", "unless"}:
         above = above.parent

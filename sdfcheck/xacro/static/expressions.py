@@ -1,4 +1,4 @@
-"""What no expansion can make sense of, whatever the values: told from the text alone."""
+"""What no expansion can make sense of, whatever the values: recognized by the text alone."""
 
 from __future__ import annotations
 

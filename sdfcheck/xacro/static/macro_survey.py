@@ -20,7 +20,7 @@ _PREFIX = "xacro:"
 _BLOCK = "xacro:insert_block"
 _TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
 _PLACES = ("", "link", "joint", "link/inertial", "link/visual", "link/visual/geometry", "joint/limit")
-"""Where macros are called: what their bodies hold may stand at one of these paths below ``robot``."""
+"""Where macros are called: what their bodies hold may be at one of these paths below ``robot``."""
 _SHARE = 3
 """A body that has fewer known names than so many for each foreign one is none of URDF's."""
 

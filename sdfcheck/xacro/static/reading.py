@@ -51,7 +51,7 @@ class Call(Record):
 
 
 class Expression(Record):
-    """A ``${…}``: its code, where it stands (``attribute`` None: in the text), and in which macro's body."""
+    """A ``${…}``: its code, where it is (``attribute`` None: in the text), and in which macro's body."""
 
     element: Element
     attribute: str | None
@@ -90,7 +90,7 @@ class Reading:
         self.includes: list[Include] = []
         self.commands: list[Command] = []
         self.elements: list[tuple[Element, Element | None]] = []
-        """All elements, each with the macro in whose body it stands."""
+        """All elements, each with the macro in whose body it is."""
         self.arguments: dict[str, str] = {}
         self.words: set[str] = set()
         """Every word in an expression, and every name that is inserted or forwarded."""

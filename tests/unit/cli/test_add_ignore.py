@@ -77,7 +77,7 @@ def test_a_reason_is_given(lint: Shell) -> None:
 def test_a_reason_must_fit_into_a_comment(lint: Shell, reason: str) -> None:
     Path("a.sdf").write_text(model(""))
     assert lint("a.sdf", "--add-ignore", "--reason", reason) == 2
-    assert "cannot stand in a comment" in lint.err
+    assert "cannot be in a comment" in lint.err
 
 
 def test_a_comment_that_is_there_grows(lint: Shell) -> None:

@@ -16,7 +16,7 @@ def test_a_page(capsys: pytest.CaptureFixture[str]) -> None:
         "  element",
         "  since    1.11",
         "",
-        "  stands in",
+        "  found in",
         "    joint/axis  at most one",
         "",
         "  attributes",
@@ -33,7 +33,7 @@ def test_a_page(capsys: pytest.CaptureFixture[str]) -> None:
 def test_many_places_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["describe", "noise"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].startswith("noise stands in ")
+    assert lines[0].startswith("noise is in ")
     assert "  camera/noise" in lines
 
 

@@ -88,7 +88,7 @@ def test_drake_in_both_dialects() -> None:
 
 def test_drake_in_one_dialect_only() -> None:
     _, urdf = describe("drake:damping")
-    assert urdf.notes == ("in URDF it is passed over; use dynamics/@damping",)
+    assert urdf.notes == ("in URDF it is ignored; use dynamics/@damping",)
 
 
 def test_parts_of_drakes_elements() -> None:

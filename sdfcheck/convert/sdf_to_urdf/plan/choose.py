@@ -52,7 +52,7 @@ def _list(names: list[str]) -> str:
 
 
 def others(document: Document, chosen: Model) -> Iterator[Element]:
-    """What stands beside the chosen model: other models, lights, physics and the rest of its world."""
+    """What is beside the chosen model: other models, lights, physics and the rest of its world."""
     at: Element | None = chosen.place
     while at is not None and at is not document.root:
         around = at.parent

@@ -20,16 +20,12 @@ SAME = 1e-12
 class Layout:
     """The frames of the URDF's links, as 4×4 poses in the model's frame, by the names of the source.
 
-    ``stands`` holds massless links that stand in front of links which keep their frame, with
+    ``joint_links`` are massless links before links which keep their frame, with
     the frames of those: the joint carries them.
     """
 
     frames: Mapping[str, Array]
-    stands: Mapping[str, tuple[str, Array]]
-
-    def below_joint(self, link: str) -> Array:
-        """The frame of what the joint of a link carries."""
-        return self.stands[link][1] if link in self.stands else self.frames[link]
+    joint_links: Mapping[str, tuple[str, Array]]
 
     def within(self, link: str, pose: Array) -> Array:
         """A pose of the model's frame in the frame of a link."""
@@ -39,7 +35,7 @@ class Layout:
 def lay_out(robot: Mechanism, made: Arrangement, world: Array, *, keep: bool, naming: Naming) -> Layout:
     """Frames for all links; ``world`` is the pose of the world in the model's frame."""
     frames: dict[str, Array] = {WORLD: world}
-    stands: dict[str, tuple[str, Array]] = {}
+    joint_links: dict[str, tuple[str, Array]] = {}
     carriers = made.carriers
     for name, link in robot.links.items():
         edge = carriers.get(name)
@@ -47,10 +43,10 @@ def lay_out(robot: Mechanism, made: Arrangement, world: Array, *, keep: bool, na
             frames[name] = link.pose
         elif keep:
             frames[name] = link.pose
-            stands[name] = (naming.unique(f"{name}__joint"), edge.joint.pose)
+            joint_links[name] = (naming.unique(f"{name}__joint"), edge.joint.pose)
         else:
             frames[name] = edge.joint.pose
-    return Layout(frames, stands)
+    return Layout(frames, joint_links)
 
 
 def is_same(a: Array, b: Array) -> bool:
