@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import click
 
+from sdfcheck.cli.options import formatted
 from sdfcheck.cli.terminal import emit
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
@@ -24,9 +25,7 @@ _MANY = 3
 @click.option(
     "--sdf-version", metavar="VERSION", default=str(NEWEST), help=f"Of SDFormat.  [default: {NEWEST}]"
 )
-@click.option(
-    "--format", "form", type=click.Choice(["text", "json"]), default="text", help="How to describe."
-)
+@formatted("How to describe.", "text", "json")
 def describe_command(element: str, sdf_version: str, form: str) -> None:
     """Say what the format allows at a place.
 

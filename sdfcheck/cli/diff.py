@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import colored, configured, require_file
+from sdfcheck.cli.options import colored, configured, formatted, require_file
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.report.visible import visible
 from sdfcheck.source.record import NamedTuple
@@ -39,13 +39,7 @@ class Request(NamedTuple):
 @click.command()
 @click.argument("a", type=click.Path(path_type=Path))
 @click.argument("b", type=click.Path(path_type=Path))
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    help="Lines to read, or JSON.  [default: text]",
-)
+@formatted("Lines to read, or JSON.  [default: text]", "text", "json")
 @click.option(
     "--exit-code/--no-exit-code", default=True, help="Exit with 1 if the robots differ.  [default: on]"
 )

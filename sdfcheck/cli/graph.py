@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.options import colored, configured, require_file
+from sdfcheck.cli.options import colored, configured, formatted, require_file
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.robot import graph_text
 from sdfcheck.robot.graphs import GraphKind, graph
@@ -25,12 +25,8 @@ _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 @click.command(name="graph")
 @click.argument("kind", type=click.Choice([kind.value for kind in GraphKind]))
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(["tree", "dot", "mermaid"]),
-    default="tree",
-    help="A tree to read, or the language of Graphviz or Mermaid.  [default: tree]",
+@formatted(
+    "A tree to read, or the language of Graphviz or Mermaid.  [default: tree]", "tree", "dot", "mermaid"
 )
 @configured
 @colored("When to colour the tree.")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import configured, require_file
+from sdfcheck.cli.options import configured, formatted, require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.report.visible import visible
 from sdfcheck.source.record import NamedTuple
@@ -46,13 +46,7 @@ class _Block(NamedTuple):
 
 @click.command()
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(["table", "json"]),
-    default="table",
-    help="A table to read, or JSON.  [default: table]",
-)
+@formatted("A table to read, or JSON.  [default: table]", "table", "json")
 @click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
 @configured
 def inertia(file: Path, form: str, name: str | None, config: Path | None, isolated: bool) -> int:

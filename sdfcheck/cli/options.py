@@ -27,6 +27,11 @@ def colored(help: str = "When to colour.") -> Callable[[F], F]:
     return click.option("--color", type=kind, default="auto", help=help)
 
 
+def formatted(help: str, *choices: str) -> Callable[[F], F]:
+    """``--format``, passed as ``form``: one of the choices, by default the first."""
+    return click.option("--format", "form", type=click.Choice(choices), default=choices[0], help=help)
+
+
 def _commas(
     context: click.Context, parameter: click.Parameter, value: tuple[str, ...]
 ) -> tuple[str, ...] | None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.describe import version
+from sdfcheck.cli.options import formatted
 from sdfcheck.cli.terminal import emit
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.formats.sdf.version import NEWEST
@@ -17,13 +18,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 @click.option(
     "--sdf-version", metavar="VERSION", default=str(NEWEST), help=f"Of SDFormat.  [default: {NEWEST}]"
 )
-@click.option(
-    "--format",
-    "form",
-    type=click.Choice(["xsd", "rng"]),
-    default="xsd",
-    help="XML Schema 1.0 or RELAX NG, which can say more.  [default: xsd]",
-)
+@formatted("XML Schema 1.0 or RELAX NG, which can say more.  [default: xsd]", "xsd", "rng")
 @click.option("-o", "--output-file", type=click.Path(path_type=Path), metavar="FILE", help="Write it there.")
 def schema_command(sdf_version: str, form: str, output_file: Path | None) -> None:
     """Write a version of SDFormat as a schema, for editors and XML tools.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from sdfcheck.cli.options import configured, require_file
+from sdfcheck.cli.options import configured, formatted, require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -28,9 +28,7 @@ VERSION = 1
     type=click.Choice([reader.value for reader in Consumer]),
     help="Ask about this reader only (may be repeated), and exit with 1 if it rejects the file.",
 )
-@click.option(
-    "--format", "form", type=click.Choice(["text", "json"]), default="text", help="How to show the verdicts."
-)
+@formatted("How to show the verdicts.", "text", "json")
 @configured
 def targets_command(
     file: Path, target: tuple[str, ...], form: str, config: Path | None, isolated: bool

@@ -9,7 +9,7 @@ import numpy as np
 from sdfcheck.convert.broken_text import break_of
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.migrate.migrate import to_sdf
-from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
+from sdfcheck.convert.rewrite.include_expansion import expanded
 from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
 from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
 from sdfcheck.convert.writer import number
@@ -107,10 +107,7 @@ def _verify(document: Document, result: Document) -> None:
 
 
 def _without_includes(document: Document) -> tuple[Document, list[str]]:
-    assert document.root is not None
-    root = branch_of(document.root)
-    expansion = IncludeExpansion(to_sdf)
-    expansion.expand(root, document)
+    root, expansion = expanded(document, to_sdf)
     if not expansion.expanded:
         return document, expansion.notes
     return _reread(document, render(root, document)), expansion.notes

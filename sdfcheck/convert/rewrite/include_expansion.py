@@ -126,6 +126,14 @@ class IncludeExpansion:
         return included_element(converted)
 
 
+def expanded(document: Document, to_sdf: ToSdf) -> tuple[Branch, IncludeExpansion]:
+    """The tree of a document with its includes replaced, and what became of them."""
+    assert document.root is not None
+    root, expansion = branch_of(document.root), IncludeExpansion(to_sdf)
+    expansion.expand(root, document)
+    return root, expansion
+
+
 def _stands_alone(include: Branch) -> bool:
     """Can an include be moved with what it is in? Without a pose it would be placed anew."""
     merges = include.attributes.get("merge", "").strip().lower() in {"true", "1"}

@@ -5,8 +5,8 @@ from __future__ import annotations
 from lxml import etree
 
 from sdfcheck.convert.migrate.migrate import to_sdf
-from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
-from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
+from sdfcheck.convert.rewrite.include_expansion import expanded
+from sdfcheck.convert.rewrite.tidy_tree import Branch, render
 from sdfcheck.robot.includes import included, includes_of
 from sdfcheck.robot.parameters import PARAMETERS
 from sdfcheck.source.document import Document
@@ -66,10 +66,7 @@ def _sources(root: Branch, fallback: Element | None) -> list[Element]:
 
 def written_out(document: Document) -> tuple[Document, list[str]]:
     """The document with all includes replaced by what they bring, and why some of them are not."""
-    assert document.root is not None
-    root = branch_of(document.root)
-    expansion = IncludeExpansion(to_sdf)
-    expansion.expand(root, document)
+    root, expansion = expanded(document, to_sdf)
     if not expansion.expanded:
         return document, expansion.notes
     return WrittenOut(document, root, expansion.expanded), expansion.notes
