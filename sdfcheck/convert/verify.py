@@ -49,8 +49,6 @@ class Correspondence:
     """Source joints that became several: the joint for each axis."""
     unlimited: float = _ENDLESS
     """Bounds from here on mean none."""
-    reversed_joints: frozenset[str] = frozenset()
-    """Source joints whose parent and child have changed places in the result."""
     dropped_links: frozenset[str] = frozenset()
     dropped_joints: frozenset[str] = frozenset()
     dropped_geometries: frozenset[str] = frozenset()

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def suggest(name: str, candidates: Iterable[str]) -> str | None:
     """The candidate that a misspelt name was meant to be, or None when nothing is near.
 
-    The same letters in another case come first. Otherwise one slip (a letter missing,
+    The same letters in another case come first. Otherwise one misspelling (a letter missing,
     added, wrong, or two swapped) is forgiven, two in a name of six letters or more, three from
     twelve on; of two equally near the one with the same letters is meant. A name of one or two letters
     is never guessed from.
@@ -29,7 +29,7 @@ def suggest(name: str, candidates: Iterable[str]) -> str | None:
     near: list[tuple[int, bool, str]] = []
     for candidate in pool:
         other = _fold(candidate)
-        # Each slip brings in one letter and takes out one at most.
+        # Each misspelling brings in one letter and takes out one at most.
         if abs(len(other) - len(folded)) > allowed or len(letters ^ set(other)) > 2 * allowed:
             continue
         edits = distance(folded, other)

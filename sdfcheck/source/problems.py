@@ -53,7 +53,7 @@ class SyntaxKind(Enum):
 
 
 class SyntaxDefect(Record):
-    """Not well formed beyond a harmless slip.
+    """Not well formed beyond a harmless misspelling.
 
     ``other`` is the second place that takes part. ``detail`` is the name that is
     concerned: of the element (what an end tag should say, where one is wrong) or of the

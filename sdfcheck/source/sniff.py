@@ -234,7 +234,7 @@ def _is_misspelt(name: str, suffix: str, text: str, start: int) -> bool:
 
 
 def suggested_root(name: str) -> str | None:
-    """The root element whose name is a slip away from this one."""
+    """The root element whose name is a misspelling away from this one."""
     from sdfcheck.source.scanner.evidence import alike
 
     return next((root for root in ROOTS if alike(name, root)), None)

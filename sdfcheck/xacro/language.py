@@ -8,7 +8,6 @@ from collections.abc import Iterator, Mapping
 from sdfcheck.source.record import NamedTuple
 
 PREFIX = "xacro:"
-NAMESPACE = "http://www.ros.org/wiki/xacro"
 
 KEYWORDS = frozenset(
     ["arg", "attribute", "call", "element", "if", "include", "insert_block", "macro", "property", "unless"]

@@ -31,7 +31,7 @@ from sdfcheck.source.text import Source
 
 _MERGED = frozenset(("frame", "gripper", "include", "joint", "link", "model", "plugin"))
 _FREE = frozenset(("plugin",))
-_BESIDES = ("pose", "static")
+_OVERRIDES = ("pose", "static")
 
 ToSdf = Callable[[Document, Version], Conversion]
 """Converts what is included to the version of the file that includes it."""
@@ -163,7 +163,7 @@ def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
 def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
     """The model, light or actor with what the include says of it."""
     brought.attributes["name"] = found.name or ""
-    for name in _BESIDES:
+    for name in _OVERRIDES:
         given = include.find(name)
         if given is not None:
             brought.put(given)

@@ -284,7 +284,6 @@ def _correspondence(context: Context) -> Correspondence:
         joints=dict(context.joints),
         parts=context.parts,
         unlimited=min(context.options.unlimited, 1e15),
-        reversed_joints=frozenset(edge.joint.name for edge in context.made.edges if edge.is_reversed),
         dropped_joints=frozenset({joint.name for joint in context.made.loops} | context.floating),
         dropped_geometries=frozenset(kinds - {"box", "cylinder", "sphere", "mesh"}),
     )

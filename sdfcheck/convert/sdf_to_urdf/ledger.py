@@ -27,7 +27,7 @@ class Ledger:
     def __init__(self) -> None:
         self.losses: list[Loss] = []
         self._done: set[etree._Element] = set()
-        self._said: set[tuple[LossKind, Span, str]] = set()
+        self._reported: set[tuple[LossKind, Span, str]] = set()
 
     def take(self, *elements: Element | None) -> None:
         """These elements, without what is in them, are said in the result."""
@@ -72,8 +72,8 @@ class Ledger:
         self._done.add(element)
         loss = loss_at(element, kind, message, severity)
         key = (kind, loss.span, message)
-        if key not in self._said:  # an included model may come several times
-            self._said.add(key)
+        if key not in self._reported:  # an included model may come several times
+            self._reported.add(key)
             self.losses.append(loss)
 
     def is_done(self, element: Element) -> bool:

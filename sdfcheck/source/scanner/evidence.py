@@ -158,7 +158,7 @@ class Evidence:
         return self._split(number, Token(TokenKind.START, *match.span(), match[1], tag_of(match)))
 
     def is_misspelt_start(self, start: str, end: str) -> bool:
-        """Of two names that differ by a slip: is only the end tag's common, or used elsewhere?"""
+        """Of two names that differ by a misspelling: is only the end tag's common, or used elsewhere?"""
         if self.is_exhausted or not alike(start, end):
             return False
         if (start in _COMMON) != (end in _COMMON):
@@ -270,7 +270,7 @@ class Evidence:
 
 
 def alike(one: str, other: str) -> bool:
-    """Two names that differ by a slip of the hand: case, one letter more, less or other, two swapped."""
+    """Two names that differ by a misspelling: case, one letter more, less or other, two swapped."""
     one, other = one.lower(), other.lower()
     if abs(len(one) - len(other)) > 1 or not one or not other:
         return False

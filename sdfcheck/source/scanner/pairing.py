@@ -2,7 +2,7 @@
 
 A parser that knows only "expected this, found that" blames the wrong place and goes on
 to blame others. Here the text ahead and the indentation count as evidence, and one
-slip makes one problem.
+mistake makes one problem.
 """
 
 from __future__ import annotations

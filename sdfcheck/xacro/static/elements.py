@@ -1,4 +1,4 @@
-"""The elements of the xacro language, also where somebody slipped in writing them."""
+"""The elements of the xacro language, also where they are misspelled."""
 
 from __future__ import annotations
 

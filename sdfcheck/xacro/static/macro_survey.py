@@ -99,7 +99,7 @@ def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
     for child in content(parent):
         definition = place.children.get(child.name)
         if definition is None:
-            foreign += ":" not in child.name and not _is_slip(child.name, place)
+            foreign += ":" not in child.name and not _is_misspelled(child.name, place)
             continue
         given = [name for name in child.attributes if ":" not in name]
         right = sum(name in definition.attributes for name in given)
@@ -110,6 +110,6 @@ def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
     return known, foreign
 
 
-def _is_slip(name: str, place: UrdfElement) -> bool:
+def _is_misspelled(name: str, place: UrdfElement) -> bool:
     """Whether an element is URDF's, but misspelt or in another place than its own."""
     return bool(known_parents(name)) or suggest(name, place.children) is not None

@@ -34,7 +34,7 @@ def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str
 
 
 def guess(document: Document, name: str, known: Collection[str], *, surely: bool) -> str | None:
-    """What a name was meant to be: the one it is a slip of or, unless it has to be ``surely`` so, most like.
+    """What a name was meant to be: the one it misspells or, unless it has to be ``surely`` so, most like.
 
     A document full of unknown names is not guessed at for ever.
     """
@@ -42,11 +42,11 @@ def guess(document: Document, name: str, known: Collection[str], *, surely: bool
     if effort.is_spent:
         return None
     effort.spend(len(known))
-    return slip_of(name, known) or (None if surely else nearest(name, known))
+    return misspelling_of(name, known) or (None if surely else nearest(name, known))
 
 
-def slip_of(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate of which a name is a misspelling for certain: each of its words is a slip away at most.
+def misspelling_of(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate of which a name is a misspelling for certain: each of its words is at most a misspelling away.
 
     Where not all definitions are known, a name may well be one of them that is merely like others.
     """

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.xacro.static.suggestions import slip_of
+from sdfcheck.xacro.static.suggestions import misspelling_of
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -28,7 +28,7 @@ XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
     ],
 )
 def test_a_slip_is_one_in_each_word(name: str, other: str, same: bool) -> None:
-    assert (slip_of(name, [other]) == other) is same
+    assert (misspelling_of(name, [other]) == other) is same
 
 
 def codes(folder: Path, name: str) -> list[str]:
