@@ -11,7 +11,7 @@ FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
 
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _FOREIGN = frozenset({"build", "install", "log", "devel", "node_modules", "site-packages", "__pycache__"})
 _BUILT = ("install", "devel", "build")
 _INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 XML_NAMESPACE = "http://www.w3.org/XML/1998/namespace"
 XMLNS_NAMESPACE = "http://www.w3.org/2000/xmlns/"
 
-_COLON = re.compile(r":[\w.\-:]*[\s=/>]")
+_COLON = re.compile(r":[\w.\-:]*([\s=/>])?")
 _NAME_BEFORE = re.compile(r"[<\s/][\w.\-]*\Z")
 
 
@@ -104,7 +104,8 @@ def _has_prefixes(text: str) -> bool:
     """A quick look, wrong only to the safe side: is there a colon in what may be a name?"""
     if "xmlns" in text:
         return True
-    return any(_NAME_BEFORE.search(text, max(0, m.start() - 80), m.start()) for m in _COLON.finditer(text))
+    ends = (match.start() for match in _COLON.finditer(text) if match[1])
+    return any(_NAME_BEFORE.search(text, max(0, end - 80), end) for end in ends)
 
 
 class _Analysis:

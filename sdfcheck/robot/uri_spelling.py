@@ -13,7 +13,7 @@ from sdfcheck.source.element import Value
 _SCHEMES = sorted(LOCAL_SCHEMES | REMOTE_SCHEMES)
 _PARTS = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):([/\\]*)(.*)", re.DOTALL)
 _DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[/\\]")
-_BLANKS = re.compile(r"\s*/\s+|\s+/\s*")
+_BLANKS = re.compile(r"(?<!\s)(?:\s*/\s+|\s+/\s*)")
 
 
 def malformed(value: Value) -> MalformedUri | None:

@@ -12,7 +12,8 @@ from sdfcheck.source.scanner.start_tag import AttributePlace, StartTag
 from sdfcheck.source.text import Source, Span
 
 _PIECE = re.compile(
-    r"<!--.*?-->|<!\[CDATA\[(?P<cdata>.*?)\]\]>|<\?.*?\?>|(?P<markup><)|(?P<text>[^<]+)", re.DOTALL
+    r"<!--.*?(?:-->|\Z)|<!\[CDATA\[(?P<cdata>.*?)(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|(?P<markup><)|(?P<text>[^<]+)",
+    re.DOTALL,
 )
 _WORD = re.compile(r"\S+")
 

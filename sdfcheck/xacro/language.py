@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
-
-from sdfcheck.source.record import NamedTuple
+from collections.abc import Callable, Iterator, Mapping
 
 PREFIX = "xacro:"
 
@@ -132,62 +130,50 @@ BUILT_IN = frozenset(
     ]
 )
 
-EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")
+_EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")
 """An expression or a substitution; a doubled dollar sign escapes it."""
+_OPENING = re.compile(r"(\$+)([{(])?")
+_CLOSING = {"{": "}", "(": ")"}
 
 FIND = re.compile(r"find\s+(\S+)\s*$")
 
-_DEFAULT = r"\$\{.*?\}|\$\(.*?\)|(?:'.*?'|\".*?\"|[^\s'\"]+)+|"
-_PARAMETER = re.compile(rf"\s*([^\s:=]+?)\s*:?=\s*(\^\|?)?({_DEFAULT})(?:\s+|$)")
-_PLAIN = re.compile(r"\s*(\S+)")
 
-
-class Parameter(NamedTuple):
-    """A parameter of a macro, as ``params`` spells it: ``*name`` and ``**name`` take blocks.
-
-    ``start`` and ``end`` are the name's place in the text. ``forwards``: the caller's
-    property of that name replaces it.
-    """
-
-    name: str
-    start: int
-    end: int
-    default: str | None
-    forwards: bool
-
-    @property
-    def is_block(self) -> bool:
-        return self.name.startswith("*")
-
-    @property
-    def is_optional(self) -> bool:
-        return self.default is not None or self.forwards
-
-
-def parameters(text: str) -> Iterator[Parameter]:
-    """The parameters in a ``params`` attribute."""
-    at = 0
-    while text[at:].strip():
-        match = _PARAMETER.match(text, at)
-        if match:
-            yield Parameter(match[1], match.start(1), match.end(1), match[3] or None, match[2] is not None)
-        else:
-            match = _PLAIN.match(text, at)
-            assert match
-            yield Parameter(match[1], match.start(1), match.end(1), None, False)
+def matches(text: str) -> Iterator[re.Match[str]]:
+    """The expressions (``code``), the substitutions (``command``) and what is escaped (neither) in a text."""
+    at, endless = 0, set()
+    while opening := _OPENING.search(text, at):
+        at = opening.end()
+        if opening[2] is None or (len(opening[1]) == 1 and opening[2] in endless):
+            continue
+        if len(opening[1]) == 1 and text.find(_CLOSING[opening[2]], at) < 0:
+            # Nor do those end that follow, and looking for their end each time would take long.
+            endless.add(opening[2])
+            continue
+        match = _EXPRESSION.match(text, opening.start())
+        assert match
+        yield match
         at = match.end()
+
+
+def replaced(text: str, by: Callable[[re.Match[str]], str]) -> str:
+    """A text with other words in the place of its expressions and substitutions."""
+    pieces, at = [], 0
+    for match in matches(text):
+        pieces += [text[at : match.start()], by(match)]
+        at = match.end()
+    return "".join([*pieces, text[at:]])
 
 
 def expressions(text: str) -> Iterator[tuple[int, str]]:
     """The ``${…}`` in a text: the place of the code, and the code."""
-    for match in EXPRESSION.finditer(text):
+    for match in matches(text):
         if match["code"] is not None:
             yield match.start("code"), match["code"]
 
 
 def substitutions(text: str) -> Iterator[tuple[int, str]]:
     """The ``$(…)`` in a text, also those inside of ``${…}``: the place of the command, and the command."""
-    for match in EXPRESSION.finditer(text):
+    for match in matches(text):
         if match["command"] is not None:
             yield match.start("command"), match["command"]
         elif match["code"] is not None and "$(" in match["code"]:

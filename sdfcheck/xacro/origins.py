@@ -22,7 +22,7 @@ from sdfcheck.source.scanner.start_tag import START, StartTag
 from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source, Span, Step
 
-_WORD = re.compile(r"(?:\$\{[^}]*\}|\$\([^)]*\)|\S)+")
+_WORD = re.compile(r"(?:\$\{[^}]*(?:\}|\Z)|\$\([^)]*(?:\)|\Z)|\S)+")
 
 
 class OriginSpan(Span):

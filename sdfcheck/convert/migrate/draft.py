@@ -14,7 +14,7 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.text import Source
 
 _ENCODING = re.compile(
-    r"""(<\?xml[^>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
+    r"""(<\?xml[^<>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
 )
 _LONE = re.compile(r"(?<!\r)\n")
 

@@ -11,9 +11,12 @@ from xml.sax.saxutils import escape, unescape
 
 from sdfcheck.source.element import Element
 
-_ATTRIBUTE = re.compile(r"""(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_PIECE = re.compile(r"<!--.*?-->|<\?.*?\?>|<!\[CDATA\[(?P<cdata>.*?)\]\]>|(?P<text>[^<]+)", re.DOTALL)
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_ATTRIBUTE = re.compile(r"""(?<!\s)(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
+# What has no end goes on to the last character: many of them must not be looked for one by one.
+_PIECE = re.compile(
+    r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)|<!\[CDATA\[(?P<cdata>.*?)(?:\]\]>|\Z)|(?P<text>[^<]+)", re.DOTALL
+)
+_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _QUOTES = {"&quot;": '"', "&apos;": "'"}
 _DEFAULT_INDENT = "  "
 
@@ -115,9 +118,8 @@ class Node:
                 quoted = _quoted(value, match[3][0])
                 self.opening = self.opening[: match.start(3)] + quoted + self.opening[match.end(3) :]
                 return
-        end = re.search(r"\s*/?>$", self.opening)
-        assert end is not None
-        self.opening = f"{self.opening[: end.start()]} {name}={_quoted(value)}{end[0]}"
+        kept = self.opening.removesuffix(">").removesuffix("/").rstrip()
+        self.opening = f"{kept} {name}={_quoted(value)}{self.opening[len(kept) :]}"
 
     def unset(self, name: str) -> None:
         for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
@@ -174,7 +176,7 @@ class Node:
         if not isinstance(before, str) or before.rpartition("\n")[2].strip() or not isinstance(after, str):
             return
         if after.lstrip(" \t")[:1] in {"\n", "\r", ""}:
-            parent.parts[at - 1] = re.sub(r"\r?\n?[ \t]*$", "", before)
+            parent.parts[at - 1] = before.rstrip(" \t").removesuffix("\n").removesuffix("\r")
         else:
             parent.parts[at] = after.lstrip(" \t")
 
@@ -271,7 +273,7 @@ class Node:
     def _open(self) -> None:
         """Give an element without end tag one."""
         if not self.closing:
-            self.opening = re.sub(r"\s*/>$", ">", self.opening)
+            self.opening = self.opening.removesuffix("/>").rstrip() + ">"
             self.closing = f"</{self.name}>"
 
 

@@ -10,8 +10,8 @@ from sdfcheck.source.record import NamedTuple
 
 BLANKS = " \t\n\r\v\f"
 
-_DIGITS = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)"
-_HEX = r"0x(?:[0-9a-f]+\.?[0-9a-f]*|\.[0-9a-f]+)(?:p[+-]?[0-9]+)?"
+_DIGITS = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
+_HEX = r"0x(?:[0-9a-f]+(?:\.[0-9a-f]*)?|\.[0-9a-f]+)(?:p[+-]?[0-9]+)?"
 _STRTOD = re.compile(
     rf"(?P<hex>[+-]?{_HEX})|(?P<digits>[+-]?{_DIGITS}(?:e[+-]?[0-9]+)?)|[+-]?(?:inf(?:inity)?|nan)",
     re.IGNORECASE,

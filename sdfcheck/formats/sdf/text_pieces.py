@@ -9,7 +9,7 @@ from lxml import etree
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
 
-_PIECE = re.compile(r"<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|([^<]+)|<", re.DOTALL)
+_PIECE = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|([^<]+)|<", re.DOTALL)
 
 
 def part(value: Value, start: int, end: int) -> Span:

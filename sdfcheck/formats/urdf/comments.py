@@ -11,7 +11,7 @@ import re
 from sdfcheck.formats.urdf.problems import ColonInComment
 from sdfcheck.source.document import Document
 
-_QUICK = re.compile(r"<!--(?:(?!-->)[^:])*:")
+_QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
 _COLON = re.compile(r":(?=\s)")
 
 

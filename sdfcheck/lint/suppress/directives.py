@@ -24,7 +24,7 @@ from sdfcheck.source.wrong_usage import suggestion
 IGNORE, DISABLE, ENABLE, IGNORE_FILE = "ignore", "disable", "enable", "ignore-file"
 VERBS = (IGNORE, DISABLE, ENABLE, IGNORE_FILE)
 
-_DIRECTIVE = r"<!--\s*(sdfcheck\s*(:?)\s*([A-Za-z][\w-]*)\s*(?:(\[)([^\]]*)(\]?))?)"
+_DIRECTIVE = r"<!--\s*(sdfcheck(?:\s*(:))?\s*([A-Za-z][\w-]*)\s*(?:(\[)([^\]]*)(\]?))?)"
 ANY_RULE = ""
 """Stands for the code of every rule, where a directive has no brackets."""
 

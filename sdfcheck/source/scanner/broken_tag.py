@@ -24,7 +24,8 @@ _ESCAPED_VALUE = re.compile(r"\\([\"'])([^\"'<>\r\n]*?)\\\1")
 # Blanks are bounded so that a line of a million of them takes no hour.
 _UNCLOSED = re.compile(r"[^<>\r\n]*?(?=[\"']?\s{0,80}/?>|[<\r\n]|\Z)")
 _NEXT_ATTRIBUTE = re.compile(rf"(.*?)\s{{1,80}}{NAME}\s{{0,80}}=\s{{0,80}}")
-_SWALLOWED_TAG = re.compile(r"[\r\n](?:.|[\r\n])*?</?[\w:.\-]+[\s/>]|</?[\w:.\-]+[\s/>][^\r\n]*[\r\n]")
+_TAG = re.compile(r"</?[\w:.\-]+[\s/>]")
+_LINE_END = re.compile(r"[\r\n]")
 _END_NAME = re.compile(r"</([^\s<>]+)>")
 
 
@@ -47,6 +48,8 @@ class _BrokenTag:
         self.name_start, self.name_end = match.span(1)
         self.problems: list[Problem] = []
         self.attributes: list[AttributePlace] = []
+        self.searched, self.value_end = 0, -1
+        """From where the end of unclosed values was looked for, and where it is: many may share one."""
         self.confused = False
         """Where the attributes begin and end is a guess from here on, so nothing more is said of them."""
 
@@ -148,7 +151,7 @@ class _BrokenTag:
         if value.rstrip().endswith("=") and (follows.isalnum() or angle >= 0):
             return self.unclosed_value(name, pos)
         if angle >= 0:
-            if (follows and follows not in " \t\r\n/>") or _SWALLOWED_TAG.search(value):
+            if (follows and follows not in " \t\r\n/>") or _has_swallowed_tag(value):
                 return self.unclosed_value(name, pos)
             self.attribute_defect(SyntaxKind.ANGLE_IN_VALUE, angle, angle + 1, name[0])
         self.add(name, pos + 1, end)
@@ -156,9 +159,11 @@ class _BrokenTag:
 
     def unclosed_value(self, name: re.Match[str], pos: int) -> int:
         """No closing quote: the value ends before the next attribute, or with the tag or the line."""
-        match = _UNCLOSED.match(self.text, pos + 1)
-        assert match
-        end = match.end()
+        if not self.searched <= pos + 1 <= self.value_end:
+            match = _UNCLOSED.match(self.text, pos + 1)
+            assert match
+            self.searched, self.value_end = pos + 1, match.end()
+        end = self.value_end
         following = _NEXT_ATTRIBUTE.match(self.text, pos + 1, end)
         if following and self.text[following.end() : following.end() + 1] in {'"', "'"}:
             end = following.end(1)
@@ -204,3 +209,11 @@ class _BrokenTag:
     def look_for_odd_blank(self, start: int, end: int) -> None:
         if odd := _ODD_BLANK.search(self.text, start, end):
             self.attribute_defect(SyntaxKind.ODD_BLANK, odd.start(), odd.end(), f"U+{ord(odd[0]):04X}")
+
+
+def _has_swallowed_tag(value: str) -> bool:
+    """Is there a tag in a value, and a line end before or behind it?"""
+    tags = list(_TAG.finditer(value))
+    return bool(tags) and bool(
+        _LINE_END.search(value, tags[0].end()) or _LINE_END.search(value, 0, tags[-1].start())
+    )

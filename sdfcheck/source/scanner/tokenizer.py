@@ -24,7 +24,7 @@ _ODD_START = re.compile(r"<[^\s<>!?/=\"'][^<>]*>")
 _DECLARATION = re.compile(r"<![^<>\r\n]*>?")
 _BARE_INSTRUCTION = re.compile(r"<xml\s[^<>]*\?>")
 _MISSPELT_OPENING = re.compile(r"<!?\[?CDATA\[|<!\[[A-Z]{3,6}\[|<!\[CDATA|<!-|<--", re.IGNORECASE)
-_NESTING = re.compile(r"[\[\]>]|<!--.*?-->|\"[^\"]*\"|'[^']*'", re.DOTALL)
+_NESTING = re.compile(r"[\[\]>]|<!--.*?(?:-->|\Z)|\"[^\"]*\"|'[^']*'", re.DOTALL)
 _ENTITY = re.compile(r"<!ENTITY\s+(?:%\s+)?([\w.\-:]+)")
 _CUTS = frozenset(
     (
@@ -60,8 +60,9 @@ class _Tokenizer:
         self.odd_ends: list[int] = []
         self.has_document_type = False
         self.defects = 0
-        self.absent: dict[str, int] = {}
-        """Mark → from where on there is none; or each of many unclosed pieces would be read to the end."""
+        self.known: dict[str, tuple[int, int]] = {}
+        """Mark → from where it was looked for, and where it is (-1: nowhere): many pieces may wait for one end."""
+        self.swallowed = (0, -1, -1)  # the same for markup in an instruction, and where that ends
 
     def run(self) -> Tokens:
         text, pos, size = self.text, 0, len(self.text)
@@ -149,9 +150,8 @@ class _Tokenizer:
         self.defect(kind, at, end)
         if self.defects <= DEFECT_LIMIT:
             following = self.text.find("<", match.end())
-            if following < 0:
-                following = len(self.text)
-            self.doubtful.append((self.text.rfind(">", 0, at) + 1, following))
+            end_of_doubt = following if following >= 0 else len(self.text)
+            self.doubtful.append((self.text.rfind(">", 0, at) + 1, end_of_doubt))
         self.pieces.append(Token(TokenKind.TEXT, at, end))
         return end
 
@@ -264,7 +264,7 @@ class _Tokenizer:
     def take_instruction(self, at: int) -> int:
         text = self.text
         end = self.find("?>", at) + 2
-        if end == 1 or _SWALLOWED_MARKUP.search(text, at, end):
+        if end == 1 or self.has_swallowed(at, end):
             self.defect(SyntaxKind.UNCLOSED_SECTION, at, at + 2, "?>")
             following = text.find("<", at + 1)
             end = line_end(text, at, following if following >= 0 else None)
@@ -275,13 +275,19 @@ class _Tokenizer:
         self.pieces.append(Token(TokenKind.DECLARATION if is_declaration else TokenKind.OTHER, at, end))
         return end
 
+    def has_swallowed(self, at: int, end: int) -> bool:
+        """Is there markup in an instruction? The next one is looked for once for all that lie before it."""
+        if not self.swallowed[0] <= at <= self.swallowed[1]:
+            match = _SWALLOWED_MARKUP.search(self.text, at)
+            self.swallowed = at, match.start() if match else len(self.text), match.end() if match else -1
+        return 0 <= self.swallowed[2] <= end
+
     def find(self, mark: str, at: int) -> int:
-        """Like ``str.find``, but a mark that is not there is not looked for again."""
-        if at >= self.absent.get(mark, len(self.text) + 1):
-            return -1
-        found = self.text.find(mark, at)
-        if found < 0:
-            self.absent[mark] = at
+        """Like ``str.find``, but what was looked for from farther in front is not looked for again."""
+        begin, found = self.known.get(mark, (0, -2))
+        if at < begin or -1 < found < at or found < -1:
+            found = self.text.find(mark, at)
+            self.known[mark] = at, found
         return found
 
     def defect(self, kind: SyntaxKind, start: int, end: int, detail: str = "") -> None:

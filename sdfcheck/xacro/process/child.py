@@ -21,6 +21,7 @@ import yaml  # noqa: F401 - xacro loads it late, and then nothing may be loaded 
 from xacro import substitution_args
 
 from sdfcheck.files.packages import Packages
+from sdfcheck.xacro.parameters import ArgumentParser
 from sdfcheck.xacro.process import failure, sandbox
 from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
 
@@ -180,6 +181,7 @@ def _prepare(tracer: Tracer, packages: Packages) -> None:
         return path if os.path.exists(path) else str(packages.locate(Path(path)))
 
     xacro.safe_eval = sandbox.evaluate
+    xacro.parse_macro_arg = ArgumentParser()
     xacro.abs_filename_spec = locate
     substitution_args.eval = sandbox.evaluate_substitution
     substitution_args._eval_find = find

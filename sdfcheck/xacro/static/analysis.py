@@ -9,7 +9,8 @@ from sdfcheck.files.library import library_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX, Parameter
+from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX
+from sdfcheck.xacro.parameters import Parameter
 from sdfcheck.xacro.problems import (
     Mismatch,
     Problem,

@@ -10,7 +10,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import EXPRESSION, FIND, PREFIX
+from sdfcheck.xacro.language import FIND, PREFIX, matches
 from sdfcheck.xacro.static.reading import Include, Macro, Reading, reading
 from sdfcheck.xacro.static.suggestions import is_included
 
@@ -107,7 +107,7 @@ class Definitions:
     def _known_text(self, text: str, document: Document) -> str:
         """A text whose substitutions have one possible value each; empty if one of them has not."""
         pieces, at = [], 0
-        for match in EXPRESSION.finditer(text):
+        for match in matches(text):
             value = self._value(match, document)
             if value is None:
                 return ""

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import COMMANDS, EXPRESSION, PREFIX, expressions, is_literal
+from sdfcheck.xacro.language import COMMANDS, PREFIX, expressions, is_literal, replaced
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
@@ -76,7 +76,7 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
     for element, macro in reading(document).elements:
         known = visible.properties | (visible.parameters if macro is not None else set())
         for attribute, text in texts(element, "{("):
-            plain = EXPRESSION.sub(lambda match: " " * len(match[0]), text)
+            plain = replaced(text, lambda match: " " * len(match[0]))
             for match in _BRACES.finditer(plain):
                 names = free_names(match[1])
                 if names and names <= known and not _is_free(element):

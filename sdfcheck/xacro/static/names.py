@@ -5,14 +5,14 @@ from __future__ import annotations
 import ast
 from functools import lru_cache
 
-from sdfcheck.xacro.language import EXPRESSION
+from sdfcheck.xacro.language import replaced
 
 
 @lru_cache(maxsize=4096)
 def free_names(code: str) -> frozenset[str]:
     """The names that a piece of code reads and does not bind itself; none if it is not Python."""
     try:
-        tree = ast.parse(EXPRESSION.sub("0", code).strip(), mode="eval")
+        tree = ast.parse(replaced(code, lambda _: "0").strip(), mode="eval")
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return frozenset()
     read: set[str] = set()

@@ -12,12 +12,11 @@ from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import (
     KEYWORDS,
     PREFIX,
-    Parameter,
     expressions,
     is_literal,
-    parameters,
     substitutions,
 )
+from sdfcheck.xacro.parameters import Parameter, parameters
 from sdfcheck.xacro.static.elements import keyword, own_attributes
 
 _WORD = re.compile(r"[^\W\d]\w*")

@@ -17,7 +17,7 @@ FILE_LIMIT = 1000
 SIZE_LIMIT = 16 * MEGABYTE
 """Larger files are not searched for names."""
 
-_DEFINED = re.compile(r"<xacro:(?:property|macro)\b[^>]*?\sname\s*=\s*[\"']([^\"']+)")
+_DEFINED = re.compile(r"<xacro:(?:property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
 _PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _WORD = re.compile(r"[^\W\d][\w.]*")
 
@@ -74,7 +74,7 @@ def _is_included(document: Document) -> bool:
     if (library := library_of(document)) is None:
         return False
     name = re.escape(document.path.name)
-    pattern = re.compile(rf"<xacro:include\b[^>]*?\sfilename\s*=\s*[\"'](?:[^\"']*/)?{name}[\"']")
+    pattern = re.compile(rf"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"'](?:[^\"']*/)?{name}[\"']")
     files = library.packages(document.path).files(".xacro", FILE_LIMIT)
     return any(pattern.search(text_of(path)) for path in files)
 
