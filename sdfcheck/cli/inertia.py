@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -232,6 +233,6 @@ def _link(link: LinkMass) -> dict[str, Any]:
 def _body(body: MassProperties | None) -> dict[str, Any] | None:
     if body is None:
         return None
-    mass, x, y, z, *moments = _numbers(body)
+    mass, x, y, z, *moments = (number if isfinite(number) else None for number in _numbers(body))
     names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
     return {"mass": mass, "centre_of_mass": [x, y, z], "inertia": dict(zip(names, moments, strict=True))}

@@ -8,6 +8,7 @@ from __future__ import annotations
 import gc
 import os
 import sys
+import warnings
 from collections.abc import Sequence
 from typing import NoReturn
 
@@ -47,6 +48,9 @@ def run() -> NoReturn:
     """The program ``sdfcheck``: a short-lived process, which is not taken apart piece by piece in the end."""
     # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
     gc.set_threshold(500_000, 50, 100)
+    if not sys.warnoptions:
+        # What numpy thinks of a document's numbers is of no use to whoever wrote them.
+        warnings.simplefilter("ignore")
     code = main()
     try:
         for stream in filter(None, (sys.stdout, sys.stderr)):

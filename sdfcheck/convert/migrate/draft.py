@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from lxml import etree
 
+from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
@@ -68,7 +69,11 @@ class Draft:
         root = self.document.root
         assert root is not None
         elements: Iterator[Element] = root.iter(etree.Element)  # type: ignore[assignment]
-        pairs = list(zip(self.root.walk(), elements, strict=True))
+        try:
+            pairs = list(zip(self.root.walk(), elements, strict=True))
+        except ValueError:
+            # A parser guesses otherwise at broken text once something around it has changed.
+            raise refusal(root, "the text is broken, so that it cannot be changed and read again") from None
         self._elements = dict(pairs)
         self._nodes = {element: node for node, element in pairs}
 
