@@ -5,6 +5,90 @@
 
 from math import inf as math_inf
 from math import pi as math_pi
+import math as math_
+
+def inr_moments__is_remarkable(inertial):
+    return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
+
+def INR001_applies(inertial):
+    if not inr_moments__is_remarkable(inertial):
+        return False
+    mass = inertial.mass
+    return mass.number < 0 or (mass.number == 0 and (not inertial.is_urdf)) or mass.text.lower() == 'nan'
+
+def inr_moments__has_moments(inertial):
+    if not inr_moments__is_remarkable(inertial) or not inertial.is_legible:
+        return False
+    mass = inertial.mass
+    return not mass.is_given or mass.number > 0 or '$' in mass.text
+
+inr_moments___ROUNDING = 2.3e-15
+
+def inr_moments__rounding(inertial):
+    return inr_moments___ROUNDING * max(map(abs, inertial.tensor))
+
+def inr_moments__is_indefinite(inertial):
+    return inertial.principal[0] < -inr_moments__rounding(inertial)
+
+def INR002_applies(inertial):
+    return inr_moments__has_moments(inertial) and inr_moments__is_indefinite(inertial)
+
+def inr_moments__is_impossible(inertial):
+    low, middle, high = inertial.principal
+    return low + middle + inr_moments__rounding(inertial) < high
+
+def INR003_applies(inertial):
+    return inr_moments__has_moments(inertial) and inr_moments__is_impossible(inertial) and (not inr_moments__is_indefinite(inertial))
+
+def INR004_applies(link):
+    if link.has('inertial') or link.is_urdf or link.may_be_static:
+        return False
+    return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
+
+def inr_moments__ratio(inertial):
+    if not inr_moments__has_moments(inertial) or inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
+        return math_.nan
+    expected, trace = (inertial.solid_trace, inertial.tensor.trace)
+    return trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
+
+inr_moments___FACTOR = 100.0
+
+def inr_moments__is_about_origin(inertial):
+    if inertial.inertia is None or inertial.center is None or (not inr_moments__ratio(inertial) > 10):
+        return False
+    offset = math_.hypot(*inertial.center)
+    shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
+    return offset > 0 and 1 / 3 < shifted < 3
+
+def inr_moments__is_far_off(inertial):
+    found = inr_moments__ratio(inertial)
+    return (found < 1 / inr_moments___FACTOR or found > inr_moments___FACTOR) and (not inr_moments__is_about_origin(inertial))
+
+def inr_moments__is_unit(inertial):
+    return inertial.tensor == (1, 1, 1, 0, 0, 0)
+
+def INR005_applies(inertial):
+    return inr_moments__is_far_off(inertial) and inr_moments__is_unit(inertial)
+
+def INR006_applies(inertial):
+    return inertial.inertia is not None and inr_moments__is_far_off(inertial) and (not inr_moments__is_unit(inertial))
+
+def INR007_applies(inertial):
+    return inr_moments__is_about_origin(inertial)
+
+def inr_unusable_automatic_inertia___has_no_mass(density):
+    return density.number <= 0
+
+def inr_unusable_automatic_inertia___density(inertial, collision):
+    return collision.density if collision.density.is_given else inertial.density
+
+inr_unusable_automatic_inertia___NO_SOLID = frozenset({'', 'plane', 'heightmap', 'polyline', 'image', 'empty'})
+
+def INR008_applies(inertial):
+    if inertial.is_unremarkable or not inertial.is_automatic or inertial.link.may_be_static:
+        return False
+    collisions = inertial.link.collisions
+    return not collisions or any((inr_unusable_automatic_inertia___has_no_mass(inr_unusable_automatic_inertia___density(inertial, collision)) or collision.geometry.shape in inr_unusable_automatic_inertia___NO_SOLID for collision in collisions))
 
 def JNT004_applies(joint):
     return not joint.is_urdf and any((not axis.is_given and (not joint.misspells(name)) for axis, name in zip(joint.axes, ('axis', 'axis2'), strict=False)))
@@ -76,6 +160,14 @@ def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
 
 CONDITIONS = {
+    'INR001': INR001_applies,
+    'INR002': INR002_applies,
+    'INR003': INR003_applies,
+    'INR004': INR004_applies,
+    'INR005': INR005_applies,
+    'INR006': INR006_applies,
+    'INR007': INR007_applies,
+    'INR008': INR008_applies,
     'JNT004': JNT004_applies,
     'JNT005': JNT005_applies,
     'JNT006': JNT006_applies,

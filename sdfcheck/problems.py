@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.file_problems import *  # noqa: F403
     from sdfcheck.robot.frames import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.include_problems import *  # noqa: F403
-    from sdfcheck.robot.inertia import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.joint_problems import *  # noqa: F403
     from sdfcheck.robot.model_config import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.names import *  # type: ignore[assignment]  # noqa: F403
@@ -35,7 +34,6 @@ _HOMES = (
     "sdfcheck.robot.frames",
     "sdfcheck.robot.joint_problems",
     "sdfcheck.robot.rotation_checks",
-    "sdfcheck.robot.inertia",
     "sdfcheck.formats.urdf.problems",
     "sdfcheck.robot.robot_problems",
     "sdfcheck.robot.file_problems",

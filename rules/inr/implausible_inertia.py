@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck_rules.inr.moments import is_far_off, is_unit, ratio
 from sdfcheck_rules.inr.ratios import times
 
 
@@ -14,7 +15,7 @@ class ImplausibleInertia(Rule):
     code = "INR006"
     name = "implausible-inertia"
     severity = Severity.WARNING
-    explains = (problems.ImplausibleInertia,)
+    looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: warns("has a link that turns too easily or hardly at all"),
         Consumer.DRAKE: warns("has a link that turns too easily or hardly at all"),
@@ -42,7 +43,11 @@ class ImplausibleInertia(Rule):
         ),
     )
 
-    def check(self, problem: problems.ImplausibleInertia) -> Iterator[Diagnostic]:
-        message = f"the inertia is {times(problem.ratio)} that of a solid of this mass in the link's shapes"
-        labels = {problem.link: "this link", problem.shape: "compared with this shape"}
-        yield self.diagnostic(problem.inertia, message, labels=labels)
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return inertial.inertia is not None and is_far_off(inertial) and not is_unit(inertial)
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"
+        labels = {inertial.link: "this link", inertial.link.solids[0]: "compared with this shape"}
+        yield self.diagnostic(inertial.moments_element, message, labels=labels)

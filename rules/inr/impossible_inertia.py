@@ -1,6 +1,7 @@
 from collections.abc import Iterator, Sequence
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck_rules.inr.moments import has_moments, is_impossible, is_indefinite
 
 
 class ImpossibleInertia(Rule):
@@ -13,7 +14,7 @@ class ImpossibleInertia(Rule):
     code = "INR003"
     name = "impossible-inertia"
     severity = Severity.ERROR
-    explains = (problems.ImpossibleInertia,)
+    looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: warns("takes a solid sphere in its place"),
@@ -44,13 +45,19 @@ class ImpossibleInertia(Rule):
         ),
     )
 
-    def check(self, problem: problems.ImpossibleInertia) -> Iterator[Diagnostic]:
-        low, middle, high = _told_apart(problem.principal)
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return has_moments(inertial) and is_impossible(inertial) and not is_indefinite(inertial)
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        low, middle, high = _distinct(inertial.principal)
         message = f"no body has these principal moments: {high} > {low} + {middle}"
-        yield self.diagnostic(problem.value, message, labels={problem.link: "the inertia of this link"})
+        largest = max("ixx", "iyy", "izz", key=inertial.moments.__getitem__)
+        labels = {inertial.link: "the inertia of this link"}
+        yield self.diagnostic(inertial.moments[largest], message, labels=labels)
 
 
-def _told_apart(principal: Sequence[float]) -> list[str]:
+def _distinct(principal: Sequence[float]) -> list[str]:
     """The moments, smallest first, in as many digits as show by how much the largest is too large."""
     # What is left of nothing once it was computed is nothing.
     principal = [moment if abs(moment) > principal[2] * 1e-14 else 0.0 for moment in principal]

@@ -1,6 +1,20 @@
 from collections.abc import Iterator
+from math import sqrt
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Inertial,
+    Number,
+    Rule,
+    Severity,
+    warns,
+)
+from sdfcheck_rules.inr.moments import has_moments, is_indefinite
 
 
 class IndefiniteInertia(Rule):
@@ -13,7 +27,7 @@ class IndefiniteInertia(Rule):
     code = "INR002"
     name = "indefinite-inertia"
     severity = Severity.ERROR
-    explains = (problems.IndefiniteInertia,)
+    looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: warns("takes a solid sphere in its place"),
@@ -45,19 +59,47 @@ class IndefiniteInertia(Rule):
         ),
     )
 
-    def check(self, problem: problems.IndefiniteInertia) -> Iterator[Diagnostic]:
-        labels = {problem.link: "the inertia of this link"}
-        if problem.value is not None:
-            name = problem.value.attribute or problem.value.element.name
-            reason = "negative" if problem.value.number < 0 and name[1] == name[2] else _too_large(name)
-            message = f"{name} {problem.value.text} is {reason}: the inertia is not positive definite"
-            yield self.diagnostic(problem.value, message, labels=labels)
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return has_moments(inertial) and is_indefinite(inertial)
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        labels = {inertial.link: "the inertia of this link"}
+        name = _culprit(inertial.moments)
+        if name is not None:
+            moment = inertial.moments[name]
+            reason = "negative" if name in _DIAGONAL else _too_large(name)
+            message = f"{name} {moment.text} is {reason}: the inertia is not positive definite"
+            yield self.diagnostic(moment, message, labels=labels)
             return
-        message = (
-            f"the inertia is not positive definite: its smallest principal moment is {problem.smallest:.6g}"
-        )
-        yield self.diagnostic(problem.inertia, message, labels=labels)
+        smallest = inertial.principal[0]
+        message = f"the inertia is not positive definite: its smallest principal moment is {smallest:.6g}"
+        yield self.diagnostic(inertial.moments_element, message, labels=labels)
 
 
-def _too_large(name: str) -> str:
-    return f"too large beside {name[0]}{name[1] * 2} and {name[0]}{name[2] * 2}"
+_DIAGONAL = ("ixx", "iyy", "izz")
+
+
+def _culprit(moments: dict[str, Number]) -> str | None:
+    """The one component that makes a tensor indefinite: a negative moment, or too large a product."""
+    negative = next((name for name in _DIAGONAL if moments[name] < 0), None)
+    if negative is not None:
+        return negative
+    too_large = [
+        name
+        for name, moment in moments.items()
+        if name not in _DIAGONAL and abs(moment) > sqrt(moments[_first(name)]) * sqrt(moments[_second(name)])
+    ]
+    return too_large[0] if len(too_large) == 1 else None
+
+
+def _first(product: str) -> str:
+    return f"i{product[1]}{product[1]}"
+
+
+def _second(product: str) -> str:
+    return f"i{product[2]}{product[2]}"
+
+
+def _too_large(product: str) -> str:
+    return f"too large beside {_first(product)} and {_second(product)}"

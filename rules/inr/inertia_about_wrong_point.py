@@ -1,6 +1,8 @@
+import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck_rules.inr.moments import is_about_origin, ratio
 
 
 class InertiaAboutWrongPoint(Rule):
@@ -14,7 +16,7 @@ class InertiaAboutWrongPoint(Rule):
     code = "INR007"
     name = "inertia-about-wrong-point"
     severity = Severity.WARNING
-    explains = (problems.InertiaAboutWrongPoint,)
+    looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: warns("has a link that turns too slowly"),
         Consumer.DRAKE: warns("has a link that turns too slowly"),
@@ -41,9 +43,14 @@ class InertiaAboutWrongPoint(Rule):
         ),
     )
 
-    def check(self, problem: problems.InertiaAboutWrongPoint) -> Iterator[Diagnostic]:
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return is_about_origin(inertial)
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        offset = math.hypot(*inertial.center or ())
         message = (
-            f"the inertia seems to be about the link's origin, {problem.offset:.3g} m away from the centre of mass: "
-            f"it is {problem.ratio:.1f} times that of a solid"
+            f"the inertia seems to be about the link's origin, {offset:.3g} m away from the centre of mass: "
+            f"it is {ratio(inertial):.1f} times that of a solid"
         )
-        yield self.diagnostic(problem.inertia, message, labels={problem.link: "this link"})
+        yield self.diagnostic(inertial.moments_element, message, labels={inertial.link: "this link"})

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, warns
 
 
 class MissingInertial(Rule):
@@ -14,7 +14,7 @@ class MissingInertial(Rule):
     code = "INR004"
     name = "missing-inertial"
     severity = Severity.WARNING
-    explains = (problems.MissingInertial,)
+    looks_at = (Link,)
     affects = {
         Consumer.GAZEBO: warns("takes 1 kg and unit inertia"),
         Consumer.DRAKE: warns("takes 1 kg and unit inertia"),
@@ -38,7 +38,12 @@ class MissingInertial(Rule):
         ),
     )
 
-    def check(self, problem: problems.MissingInertial) -> Iterator[Diagnostic]:
-        name = problem.link.attributes.get("name", "")
-        message = f"link `{name}` has no inertial: simulators take 1 kg and unit inertia"
-        yield self.diagnostic(problem.link, message)
+    @staticmethod
+    def applies(link: Link) -> bool:
+        if link.has("inertial") or link.is_urdf or link.may_be_static:
+            return False  # In URDF what a link without inertial means depends on its joint.
+        return (link.has("collision") or link.has("visual")) and not link.misspells("inertial")
+
+    def check(self, link: Link) -> Iterator[Diagnostic]:
+        message = f"link `{link.name}` has no inertial: simulators take 1 kg and unit inertia"
+        yield self.diagnostic(link, message)

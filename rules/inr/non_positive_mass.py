@@ -5,15 +5,16 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Element,
     Good,
+    Inertial,
+    Link,
     Rule,
     Severity,
     accepts,
-    problems,
     refuses,
     warns,
 )
+from sdfcheck_rules.inr.moments import is_remarkable
 
 
 class NonPositiveMass(Rule):
@@ -27,7 +28,7 @@ class NonPositiveMass(Rule):
     code = "INR001"
     name = "non-positive-mass"
     severity = Severity.ERROR
-    explains = (problems.NonPositiveMass,)
+    looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: refuses("refuses a negative mass"),
         Consumer.DRAKE: warns("takes a solid sphere in its place"),
@@ -54,33 +55,36 @@ class NonPositiveMass(Rule):
         ),
     )
 
-    def check(self, problem: problems.NonPositiveMass) -> Iterator[Diagnostic]:
-        link = problem.link.attributes.get("name", "")
-        if problem.is_zero:
-            message = f"link `{link}` has no mass: 0 kg"
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        if not is_remarkable(inertial):
+            return False
+        mass = inertial.mass
+        # No mass in URDF: it depends on the joint. What is not a number at all is malformed.
+        return mass.number < 0 or (mass.number == 0 and not inertial.is_urdf) or mass.text.lower() == "nan"
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        mass, link = inertial.mass, inertial.link
+        if mass.number == 0:
             affects = {
                 Consumer.GAZEBO: warns("takes it as it is"),
                 Consumer.MUJOCO: accepts("asks the mass of all that is fixed together"),
             }
-            yield self.diagnostic(problem.value, message, severity=Severity.WARNING, affects=affects)
+            message = f"link `{link.name}` has no mass: 0 kg"
+            yield self.diagnostic(mass, message, severity=Severity.WARNING, affects=affects)
             return
-        text = problem.value.text
-        what = "negative" if problem.value.number < 0 else "not a number"
+        what = "negative" if mass.number < 0 else "not a number"
         yield self.diagnostic(
-            problem.value,
-            f"mass {text} is {what}",
-            labels={problem.link: "the mass of this link"},
-            affects={}
-            if moves(problem.link)
-            else {Consumer.MUJOCO: accepts("needs no mass where nothing moves")},
+            mass,
+            f"mass {mass.text} is {what}",
+            labels={link: "the mass of this link"},
+            affects={} if _moves(link) else {Consumer.MUJOCO: accepts("needs no mass where nothing moves")},
         )
 
 
-def moves(link: Element) -> bool:
-    """Does a joint of URDF lead to the link that is not fixed?"""
-    robot, name = link.parent, link.attributes.get("name")
-    joints = robot.children("joint") if robot is not None else ()
-    ends = ((joint.attributes.get("type"), joint.find("child")) for joint in joints)
+def _moves(link: Link) -> bool:
+    """Does a joint lead to the link that is not fixed?"""
     return any(
-        end is not None and end.attributes.get("link") == name and kind != "fixed" for kind, end in ends
+        joint.child_name == link.name and not joint.is_fixed and not joint.is_for_drake_only
+        for joint in link.model.joints
     )

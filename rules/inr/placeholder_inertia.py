@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck_rules.inr.moments import is_far_off, is_unit, ratio
 from sdfcheck_rules.inr.ratios import times
 
 
@@ -14,7 +15,7 @@ class PlaceholderInertia(Rule):
     code = "INR005"
     name = "placeholder-inertia"
     severity = Severity.WARNING
-    explains = (problems.PlaceholderInertia,)
+    looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: warns("has a link that hardly turns"),
         Consumer.DRAKE: warns("has a link that hardly turns"),
@@ -42,9 +43,12 @@ class PlaceholderInertia(Rule):
         ),
     )
 
-    def check(self, problem: problems.PlaceholderInertia) -> Iterator[Diagnostic]:
-        how = (
-            "unit inertia" if problem.written else "an inertia that is left out, so 1 kg·m² about each axis,"
-        )
-        message = f"{how} is {times(problem.ratio)} what {problem.mass:.6g} kg in this link's shapes have"
-        yield self.diagnostic(problem.place, message, labels={problem.link: "this link"})
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return is_far_off(inertial) and is_unit(inertial)
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        is_written, mass = inertial.inertia is not None, inertial.mass.number
+        how = "unit inertia" if is_written else "an inertia that is left out, so 1 kg·m² about each axis,"
+        message = f"{how} is {times(ratio(inertial))} what {mass:.6g} kg in this link's shapes have"
+        yield self.diagnostic(inertial.moments_element, message, labels={inertial.link: "this link"})

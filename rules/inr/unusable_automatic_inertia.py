@@ -1,6 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Collision,
+    Consumer,
+    Diagnostic,
+    Good,
+    Inertial,
+    Number,
+    Rule,
+    Severity,
+    warns,
+)
+
+_NO_SOLID = frozenset({"", "plane", "heightmap", "polyline", "image", "empty"})
 
 
 class UnusableAutomaticInertia(Rule):
@@ -14,7 +29,7 @@ class UnusableAutomaticInertia(Rule):
     code = "INR008"
     name = "unusable-automatic-inertia"
     severity = Severity.ERROR
-    explains = (problems.UnusableAutomaticInertia,)
+    looks_at = (Inertial,)
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     scaffold = IN_LINK
 
@@ -38,9 +53,35 @@ class UnusableAutomaticInertia(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnusableAutomaticInertia) -> Iterator[Diagnostic]:
-        name = problem.link.attributes.get("name", "")
-        message = f"the inertia of link `{name}` cannot be computed: {problem.reason}"
-        is_density = problem.place.name == "density"
-        affects = {Consumer.DRAKE: warns("takes a solid sphere in its place")} if is_density else {}
-        yield self.diagnostic(problem.place, message, affects=affects)
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        if inertial.is_unremarkable or not inertial.is_automatic or inertial.link.may_be_static:
+            return False
+        collisions = inertial.link.collisions
+        return not collisions or any(
+            _has_no_mass(_density(inertial, collision)) or collision.geometry.shape in _NO_SOLID
+            for collision in collisions
+        )
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        message = f"the inertia of link `{inertial.link.name}` cannot be computed"
+        if not inertial.link.collisions:
+            yield self.diagnostic(inertial, f"{message}: the link has no collision")
+        for collision in inertial.link.collisions:
+            density, shape = _density(inertial, collision), collision.geometry.shape
+            if _has_no_mass(density) and density.value is not None:
+                affects = {Consumer.DRAKE: warns("takes a solid sphere in its place")}
+                reason = f"density {density.text} is not positive"
+                yield self.diagnostic(density.value.element, f"{message}: {reason}", affects=affects)
+            elif shape in _NO_SOLID:
+                named = "an empty geometry" if shape == "empty" else f"a {shape}"
+                what = named if shape else "a collision without shape"
+                yield self.diagnostic(collision, f"{message}: {what} has no volume")
+
+
+def _density(inertial: Inertial, collision: Collision) -> Number:
+    return collision.density if collision.density.is_given else inertial.density
+
+
+def _has_no_mass(density: Number) -> bool:
+    return density.number <= 0

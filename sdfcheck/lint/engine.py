@@ -23,6 +23,7 @@ from sdfcheck.source.text import Span
 if TYPE_CHECKING:
     from sdfcheck.files.library import Library
     from sdfcheck.lint.suppress.comments import Comment
+    from sdfcheck.robot.part import Part
     from sdfcheck.xacro.expansion import Expander
 
 INTERNAL_ERROR = RuleFacts(
@@ -48,7 +49,6 @@ _ANALYSES = {
         "sdfcheck.robot.frames:problems",
         "sdfcheck.robot.joints:problems",
         "sdfcheck.robot.rotation_checks:problems",
-        "sdfcheck.robot.inertia:problems",
         "sdfcheck.robot.resources:problems",
         "sdfcheck.consumers.gazebo:problems",
     ),
@@ -59,7 +59,6 @@ _ANALYSES = {
         "sdfcheck.robot.urdf_joints:problems",
         "sdfcheck.robot.rotation_checks:urdf_problems",
         "sdfcheck.robot.urdf_references:problems",
-        "sdfcheck.robot.inertia:problems",
         "sdfcheck.robot.resources:urdf_problems",
         "sdfcheck.consumers.gazebo:problems",
     ),
@@ -205,6 +204,14 @@ def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = Fa
     whole = [source.span(0, len(source.text))]
     outward = whole if open else includes(source, document.scan)
     return FileResult(diagnostics, comments(source, document.scan), outward)
+
+
+def look_at(parts: Sequence[Part], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
+    """What the rules have to say about some parts of the robot that a document describes."""
+    for (looks_at, _), rules in dispatch.by_subject.items():
+        if seen := [part for part in parts if type(part).__name__ in looks_at]:
+            for rule in rules:
+                yield from _check(rule, _applying(rule, seen, dispatch), document, dispatch)
 
 
 def _applying(facts: RuleFacts, seen: Iterable[object], dispatch: Dispatch) -> Iterator[object]:

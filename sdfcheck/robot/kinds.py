@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -47,6 +47,7 @@ _HOMES = {
 """Element → where the class of its part is; all others make a :class:`Setting`, prefixed ones a :class:`Custom`."""
 
 _ELSEWHERE = {
+    "inertial": frozenset(("link",)),
     "link": frozenset(("model", "robot", "gazebo")),
     "model": frozenset(("sdf", "world", "model", "gazebo")),
     "joint": frozenset(("model", "world", "robot", "gazebo")),
@@ -82,11 +83,15 @@ for _element, _home in _HOMES.items():
 
 def part_class(holder: Part, element: Element) -> type[Part]:
     """The class of the part that an element in a holder makes."""
-    name = element.name
+    return _class_in(holder.element.name, holder.kind, element.name)
+
+
+@lru_cache(maxsize=1000)
+def _class_in(holder: str, kind: str, name: str) -> type[Part]:
     home = _HOMES.get(name)
     if home is not None:
         wanted = _OF_JOINTS.get(name)
-        at = holder.element.name if wanted is None else holder.kind
+        at = holder if wanted is None else kind
         wanted = wanted or _ELSEWHERE.get(name)
         if wanted is None or at in wanted:
             return class_named(home.partition(":")[2])

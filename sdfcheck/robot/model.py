@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 _MOST_INCLUDED = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
 _DEEPEST = 50
+_BOOLEANS = frozenset({"", "true", "1", "false", "0"})
 
 
 class Model(Scope):
@@ -104,6 +105,12 @@ class Model(Scope):
         """Does nothing in it move, because it or a model around it is static?"""
         outer = self.holder
         return self.stands_still or (isinstance(outer, Model) and outer.is_static)
+
+    @property
+    def may_be_static(self) -> bool:
+        """Is it static, or does it say something about that which is neither true nor false?"""
+        value = self.static_value
+        return self.is_static or (value is not None and value.text.lower() not in _BOOLEANS)
 
     @property
     def static_value(self) -> Value | None:

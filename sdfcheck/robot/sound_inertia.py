@@ -1,7 +1,7 @@
 """A quick look at a link's mass and inertia, for the many that are sound.
 
 It reads the numbers straight from the tree. What it does not call sound is looked at
-again, with places, by :mod:`sdfcheck.robot.inertia`.
+again, with places, by the rules about inertials.
 """
 
 from __future__ import annotations
@@ -31,12 +31,9 @@ def is_sound(link: Element) -> bool:
     parts: dict[Any, list[Element]] = {}
     for child in link:
         parts.setdefault(child.tag, []).append(child)
-    inertials = parts.get("inertial")
     shapes = parts.get("collision") or parts.get("visual") or []
-    if inertials is None:
-        return not shapes
     try:
-        mass, moments, centre = _read(inertials[0])
+        mass, moments, centre = _read(parts["inertial"][0])
         return _is_possible(mass, moments) and _is_plausible(mass, moments, centre, shapes)
     except (KeyError, TypeError, ValueError, ZeroDivisionError):
         return False

@@ -56,6 +56,11 @@ class Inertial(Part):
         """The element ``inertia``."""
         return self.find("inertia")
 
+    @property
+    def moments_element(self) -> Element:
+        """The element that holds the moments or would hold them."""
+        return self.element if self.inertia is None else self.inertia
+
     @lazy
     def moments(self) -> dict[str, Number]:
         """ixx, iyy, izz, ixy, ixz, iyz (kg·m²) about the center of mass."""
@@ -67,14 +72,49 @@ class Inertial(Part):
                 value = inertia.attribute(name)
             elif inertia is not None and (child := inertia.find(name)) is not None:
                 value = child.own_value
-            place = self.element if inertia is None else inertia
-            found[name] = Number.of(value, place, 0.0 if self.is_urdf else default)
+            found[name] = Number.of(value, self.moments_element, 0.0 if self.is_urdf else default)
         return found
 
-    @property
+    @lazy
+    def is_legible(self) -> bool:
+        """Are all moments finite numbers? In SDFormat some may be left out, but not misspelled."""
+        inertia = self.inertia
+        if not all(math.isfinite(moment.number) for moment in self.moments.values()):
+            return False
+        if self.is_urdf:
+            return all(moment.is_given for moment in self.moments.values())
+        if inertia is None:
+            return not self.misspells("inertia")
+        written = self.part(inertia)
+        return not any(
+            written.misspells(name) or (written.value(name) is not None and not moment.is_given)
+            for name, moment in self.moments.items()
+        )
+
+    @lazy
     def tensor(self) -> Moments:
         """The moments as simulators read them."""
         return Moments(*map(float, self.moments.values()))
+
+    @lazy
+    def principal(self) -> tuple[float, float, float]:
+        """The principal moments (kg·m²), the smallest first."""
+        return self.tensor.principal()
+
+    @lazy
+    def solid_trace(self) -> float:
+        """The trace (kg·m²) that its mass has when it fills the solids of the link evenly; nan if there are none."""
+        solids, center, mass = self.link.solids, self.center, self.mass.number
+        if not solids or center is None:
+            return math.nan
+        placed = [(shape.geometry.solid, shape.position) for shape in solids]
+        parts = [(solid, at) for solid, at in placed if solid is not None and at is not None]
+        volume = sum(solid.volume for solid, _ in parts)
+        trace = 0.0
+        for solid, at in parts:
+            distance = math.dist(at, center)
+            trace += mass * solid.volume / volume * (solid.moments.trace + 2 * distance * distance)
+        return trace
 
     @property
     def is_automatic(self) -> bool:
@@ -99,7 +139,7 @@ class Inertial(Part):
         """
         from sdfcheck.robot.sound_inertia import is_sound
 
-        return is_sound(self.link.element)
+        return self.is_given and is_sound(self.link.element)
 
     @property
     def is_possible(self) -> bool:
@@ -107,7 +147,7 @@ class Inertial(Part):
         tensor = self.tensor
         if not (self.mass > 0 and all(map(math.isfinite, (self.mass, *tensor)))):
             return False
-        low, middle, high = tensor.principal()
+        low, middle, high = self.principal
         return low > 0 and low + middle >= high
 
 

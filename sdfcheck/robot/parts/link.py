@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.inertial import Inertial
 from sdfcheck.robot.values import lazy
+from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -36,6 +37,11 @@ class Link(Node):
         """Is it part of something that does not move?"""
         return bool(getattr(self.holder, "is_static", False))
 
+    @property
+    def may_be_static(self) -> bool:
+        """Is it part of something that does not move, or of which that cannot be read?"""
+        return bool(getattr(self.holder, "may_be_static", False))
+
     @lazy
     def inertial(self) -> Inertial:
         """Its mass and inertia; with ``is_given`` False where nothing is written."""
@@ -60,6 +66,19 @@ class Link(Node):
     def shapes(self) -> tuple[Shape, ...]:
         """Its visuals and collisions."""
         return (*self.visuals, *self.collisions)
+
+    @lazy
+    def solids(self) -> tuple[Shape, ...]:
+        """The primitive shapes whose place in it is known: of its collisions, or of its visuals if it has none.
+
+        None in a macro of xacro, where more may be added.
+        """
+        if self.document.kind is Kind.XACRO:
+            return ()
+        shapes: tuple[Shape, ...] = self.collisions or self.visuals
+        return tuple(
+            shape for shape in shapes if shape.geometry.solid is not None and shape.position is not None
+        )
 
     @property
     def sensors(self) -> tuple[Sensor, ...]:
