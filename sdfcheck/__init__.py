@@ -41,11 +41,12 @@ if TYPE_CHECKING:
         Good,
     )
     from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
-    from sdfcheck.lint.rule import Rule, Target, edit, replace
+    from sdfcheck.lint.rule import Rule, Target, make_fix, replace
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.robot.custom import Custom
+    from sdfcheck.robot.editing import EditError, edit
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.frame import Frame
     from sdfcheck.robot.load import Unreadable, load, parse
@@ -92,13 +93,14 @@ _HOMES = {
     ),
     "sdfcheck.lint.fix.fix": "Applicability Edit Fix",
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts by_effect refuses warns",
-    "sdfcheck.lint.rule": "Rule Target edit replace",
+    "sdfcheck.lint.rule": "Rule Target make_fix replace",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unreadable",
     "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.robot.load": "Unreadable load parse",
     "sdfcheck.robot.custom": "Custom",
+    "sdfcheck.robot.editing": "EditError edit",
     "sdfcheck.robot.errors": "DescriptionError",
     "sdfcheck.robot.frame": "Frame",
     "sdfcheck.robot.lookup": "NotFound",
@@ -160,6 +162,7 @@ __all__ = [
     "Document",
     "Dynamics",
     "Edit",
+    "EditError",
     "Element",
     "Fix",
     "Frame",
@@ -225,6 +228,7 @@ __all__ = [
     "lint",
     "listed",
     "load",
+    "make_fix",
     "named",
     "parse",
     "problems",

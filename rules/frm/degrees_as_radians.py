@@ -11,8 +11,8 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
     listed,
+    make_fix,
     problems,
     warns,
 )
@@ -70,5 +70,5 @@ class DegreesAsRadians(Rule):
         yield self.diagnostic(
             edits[0].span,
             f"{told} {are} read as radians, and {look} like degrees",
-            fix=edit("write radians", edits, unsafe=True),
+            fix=make_fix("write radians", edits, unsafe=True),
         )

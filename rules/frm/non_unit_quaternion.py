@@ -10,7 +10,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
+    make_fix,
     problems,
     warns,
 )
@@ -68,12 +68,12 @@ class NonUnitQuaternion(Rule):
         first, last = value.part(3), value.part(6)
         span = first._replace(end=last.end)
         if problem.length == 0:
-            fix = edit("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
+            fix = make_fix("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
             message = "the quaternion is zero, which is no rotation"
             affects = {Consumer.DRAKE: REFUSES}
             yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR, affects=affects)
             return
         text = " ".join(f"{number:.14g}" for number in problem.normalized)
         is_unsafe = abs(problem.length - 1) > _ROUNDED
-        fix = edit("make its length 1", (Edit(span, text),), unsafe=is_unsafe)
+        fix = make_fix("make its length 1", (Edit(span, text),), unsafe=is_unsafe)
         yield self.diagnostic(span, f"the quaternion has the length {problem.length:.3g}, not 1", fix=fix)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
 
 
 class RelativeTopLevelPose(Rule):
@@ -36,6 +36,6 @@ class RelativeTopLevelPose(Rule):
         value, pose = problem.value, problem.value.element
         model = pose.parent if pose.parent is not None else pose
         whole = pose.document.spans.attribute_whole(pose, value.attribute or "")
-        fix = edit(f"remove `{value.attribute}`", (Edit(whole, ""),), unsafe=True)
+        fix = make_fix(f"remove `{value.attribute}`", (Edit(whole, ""),), unsafe=True)
         message = f"around {model.title} there is no frame `{value.text.strip()}`"
         yield self.diagnostic(value, message, fix=fix)

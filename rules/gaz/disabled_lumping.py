@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
 
 LINKS = '<link name="a"/><link name="b"/>'
 ENDS = '<parent link="a"/><child link="b"/>'
@@ -48,6 +48,6 @@ class DisabledLumping(Rule):
         element = problem.element
         spans = (element.span, element.document.spans.end_name(element))
         edits = tuple(Edit(span, "preserveFixedJoint") for span in spans if span is not None)
-        fix = edit("rename it to `preserveFixedJoint`", edits, unsafe=True)
+        fix = make_fix("rename it to `preserveFixedJoint`", edits, unsafe=True)
         message = f"`{element.name}` makes {problem.joint.title} revolute"
         yield self.diagnostic(element, message, fix=fix)

@@ -9,7 +9,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
+    make_fix,
     problems,
     used,
     warns,
@@ -80,4 +80,4 @@ class FrameIdSpelling(Rule):
             message = f"`{element.name}`{times} is `frame_id` in SDFormat {problem.version}"
         spans = (span for use in problem.elements for span in (use.span, use.document.spans.end_name(use)))
         edits = tuple(Edit(span, instead) for span in spans if span is not None)
-        yield self.diagnostic(element, message, fix=edit(f"rename it to `{instead}`", edits))
+        yield self.diagnostic(element, message, fix=make_fix(f"rename it to `{instead}`", edits))

@@ -10,7 +10,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
+    make_fix,
     problems,
     warns,
 )
@@ -83,5 +83,5 @@ class IgnitionName(Rule):
 
     def check(self, problem: problems.IgnitionName) -> Iterator[Diagnostic]:
         edits = tuple(Edit(span, text) for span, text in problem.changes)
-        fix = edit(f"rename it to `{problem.new}`", edits)
+        fix = make_fix(f"rename it to `{problem.new}`", edits)
         yield self.diagnostic(problem.span, f"`{problem.old}` is now called `{problem.new}`", fix=fix)

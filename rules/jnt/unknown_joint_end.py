@@ -12,7 +12,7 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
-    edit,
+    make_fix,
     problems,
 )
 
@@ -107,4 +107,4 @@ class UnknownJointEnd(Rule):
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
         edits = tuple(Edit(end.span, meant) for end in (value, *problem.others))
-        yield self.diagnostic(value, message, fix=edit(f"write `{meant}`", edits, unsafe=True))
+        yield self.diagnostic(value, message, fix=make_fix(f"write `{meant}`", edits, unsafe=True))

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
 
 
 class DefaultNamespace(Rule):
@@ -37,7 +37,7 @@ class DefaultNamespace(Rule):
     )
 
     def check(self, problem: problems.DefaultNamespace) -> Iterator[Diagnostic]:
-        fix = edit("remove it", (Edit(problem.whole, ""),), unsafe=True)
+        fix = make_fix("remove it", (Edit(problem.whole, ""),), unsafe=True)
         yield self.diagnostic(
             problem.span, "a default namespace is not permitted; declare a prefix (`xmlns:…`)", fix=fix
         )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, make_fix, problems
 
 
 class PrefixDeclaredBelowRoot(Rule):
@@ -52,7 +52,7 @@ class PrefixDeclaredBelowRoot(Rule):
             removed = tuple(Edit(whole, "") for whole in problem.wholes)
             if problem.declaration:
                 added = Edit(problem.root, f" {problem.declaration}")
-                fix = edit("declare it on the root element", (added, *removed))
+                fix = make_fix("declare it on the root element", (added, *removed))
             else:
-                fix = edit("remove it, the root element has it", removed)
+                fix = make_fix("remove it, the root element has it", removed)
         yield self.diagnostic(problem.span, message, fix=fix)

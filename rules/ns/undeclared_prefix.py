@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, edit, problems, used
+from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, make_fix, problems, used
 
 # Prefixes whose namespace names their vendors have settled.
 WELL_KNOWN = {
@@ -70,7 +70,7 @@ class UndeclaredPrefix(Rule):
         if namespace:
             advice = None
             declaration = Edit(problem.root, f' xmlns:{prefix}="{namespace}"')
-            fix = edit("declare it on the root element", (declaration,))
+            fix = make_fix("declare it on the root element", (declaration,))
         if problem.elsewhere is None or problem.scope_end is None:
             message = f"prefix `{prefix}` is not declared{times}"
             yield self.diagnostic(problem.span, message, fix=fix, help=advice)

@@ -12,7 +12,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
+    make_fix,
     problems,
     warns,
 )
@@ -75,5 +75,5 @@ class UnknownElement(Rule):
         message += f"; did you mean `{guess}`?"
         end = element.document.spans.end_name(element)
         edits = tuple(Edit(span, guess) for span in (element.span, end) if span is not None)
-        fix: Fix = edit(f"rename it to `{guess}`", edits, unsafe=True)
+        fix: Fix = make_fix(f"rename it to `{guess}`", edits, unsafe=True)
         yield self.diagnostic(element, message, fix=fix, severity=severity)

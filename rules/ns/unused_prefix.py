@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, named, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, named, problems
 
 
 class UnusedPrefix(Rule):
@@ -44,4 +44,4 @@ class UnusedPrefix(Rule):
             what, cure = f"prefix {named(problem.prefixes, most=5)} is", "remove the declaration"
         else:
             what, cure = f"prefixes {named(problem.prefixes, most=5)} are", "remove the declarations"
-        yield self.diagnostic(problem.span, f"{what} declared and not used", fix=edit(cure, removed))
+        yield self.diagnostic(problem.span, f"{what} declared and not used", fix=make_fix(cure, removed))

@@ -12,7 +12,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
+    make_fix,
     named,
     problems,
     warns,
@@ -96,7 +96,7 @@ def _renaming(problem: problems.DeprecatedElement) -> Fix:
         edits = (Edit(problem.value.span, name),)
         if problem.settings is not None:
             edits += _renamed(problem.settings, name.removeprefix("gpu_"))
-    return edit(f"rename it to {name}", edits, unsafe=True)
+    return make_fix(f"rename it to {name}", edits, unsafe=True)
 
 
 def _renamed(element: Element, name: str) -> tuple[Edit, ...]:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
 
 
 class MissingVersion(Rule):
@@ -38,10 +38,10 @@ class MissingVersion(Rule):
         title = f"declare version {assumed}, as which the file was checked"
         if problem.empty:
             whole = spans.attribute_whole(root, "version")
-            fix = edit(title, (Edit(whole, f' version="{assumed}"'),), unsafe=True)
+            fix = make_fix(title, (Edit(whole, f' version="{assumed}"'),), unsafe=True)
             name = spans.attribute_name(root, "version")
             yield self.diagnostic(name, f"`version` of `{root.name}` is empty", fix=fix)
             return
         behind = root.span._replace(start=root.span.end)
-        fix = edit(title, (Edit(behind, f' version="{assumed}"'),), unsafe=True)
+        fix = make_fix(title, (Edit(behind, f' version="{assumed}"'),), unsafe=True)
         yield self.diagnostic(root, f"`{root.name}` has no `version`", fix=fix)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
 
 
 class ColonInComment(Rule):
@@ -35,5 +35,5 @@ class ColonInComment(Rule):
         count = len(problem.colons)
         what = "a colon in a comment breaks" if count == 1 else f"{count} colons in comments break"
         message = f"{what} launch files that read the description as YAML"
-        fix = edit("write a dash", tuple(Edit(colon, " -") for colon in problem.colons))
+        fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in problem.colons))
         yield self.diagnostic(problem.span, message, fix=fix)

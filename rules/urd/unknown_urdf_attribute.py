@@ -10,8 +10,8 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
     lacking,
+    make_fix,
     problems,
     used,
     warns,
@@ -82,6 +82,6 @@ def rename(problem: problems.UnknownUrdfAttribute) -> Fix | None:
     # Somewhere else both may be given.
     if near is None or any(near in use.element.attributes for use in problem.uses):
         return None
-    return edit(
+    return make_fix(
         f"rename it to `{near}`", tuple(Edit(use.name_span, near) for use in problem.uses), unsafe=True
     )

@@ -10,7 +10,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    edit,
+    make_fix,
     named,
     problems,
     unreadable,
@@ -88,4 +88,4 @@ def rename(problem: problems.UnknownUrdfElement) -> Fix | None:
         return None
     ends = [end for use in problem.uses if (end := use.document.spans.end_name(use)) is not None]
     edits = tuple(Edit(span, near) for span in (*(use.span for use in problem.uses), *ends))
-    return edit(f"rename it to `{near}`", edits, unsafe=True)
+    return make_fix(f"rename it to `{near}`", edits, unsafe=True)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -45,5 +45,5 @@ class MissingXacroPrefix(Rule):
     def check(self, problem: problems.MissingXacroPrefix) -> Iterator[Diagnostic]:
         name = problem.name
         edits = tuple(Edit(span, f"xacro:{name}") for span in problem.edits)
-        fix = edit(f"make it `xacro:{name}`", edits, unsafe=True)
+        fix = make_fix(f"make it `xacro:{name}`", edits, unsafe=True)
         yield self.diagnostic(problem.span, f"`{name}` without the prefix `xacro:` is left as it is", fix=fix)

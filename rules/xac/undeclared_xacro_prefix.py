@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, refuses, used
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, refuses, used
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -41,5 +41,5 @@ class UndeclaredXacroPrefix(Rule):
         yield self.diagnostic(
             problem.span,
             f"prefix `xacro` is not declared{used(problem.count)}",
-            fix=edit("declare it on the root element", (declaration,)),
+            fix=make_fix("declare it on the root element", (declaration,)),
         )

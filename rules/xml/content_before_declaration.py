@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, accepts, edit, problems
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    accepts,
+    make_fix,
+    problems,
+)
 
 
 class ContentBeforeDeclaration(Rule):
@@ -45,9 +57,9 @@ class ContentBeforeDeclaration(Rule):
             moved = source.span(declaration.start, end)
             first = source.span(0, 0)
             edits = (Edit(first, moved.text), Edit(moved, ""))
-            fix = edit("move the declaration to the front", edits)
+            fix = make_fix("move the declaration to the front", edits)
         else:
-            fix = edit("remove what stands before it", (Edit(before, ""),))
+            fix = make_fix("remove what stands before it", (Edit(before, ""),))
         message = "the XML declaration must be the first thing in the file"
         affects = {} if before.text.strip() else dict.fromkeys(Consumer, accepts("takes the blank"))
         yield self.diagnostic(declaration, message, fix=fix, affects=affects)

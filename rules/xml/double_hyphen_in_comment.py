@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, edit, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
 
 
 class DoubleHyphenInComment(Rule):
@@ -29,5 +29,5 @@ class DoubleHyphenInComment(Rule):
 
     def check(self, problem: problems.CommentHyphens) -> Iterator[Diagnostic]:
         edits = tuple(Edit(run, " ".join("-" * len(run.text))) for run in problem.runs)
-        fix = edit("put spaces between the hyphens", edits)
+        fix = make_fix("put spaces between the hyphens", edits)
         yield self.diagnostic(problem.span, "`--` inside a comment is not allowed in XML", fix=fix)

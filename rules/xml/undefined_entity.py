@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, edit, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
 
 
 class UndefinedEntity(Rule):
@@ -45,4 +45,4 @@ class UndefinedEntity(Rule):
             f"`{span.text}` is not defined in XML" if name else "a bare `&` begins nothing that XML knows"
         )
         ampersand = span.source.span(span.start, span.start + 1)
-        yield self.diagnostic(span, message, fix=edit("write `&amp;`", (Edit(ampersand, "&amp;"),)))
+        yield self.diagnostic(span, message, fix=make_fix("write `&amp;`", (Edit(ampersand, "&amp;"),)))

@@ -98,9 +98,9 @@ def span_of(target: Target) -> Span:
 
 def replace(target: Target, text: str, title: str, *, unsafe: bool = False) -> Fix:
     """A fix that replaces what ``target`` points at."""
-    return edit(title, (Edit(span_of(target), text),), unsafe=unsafe)
+    return make_fix(title, (Edit(span_of(target), text),), unsafe=unsafe)
 
 
-def edit(title: str, edits: tuple[Edit, ...], *, unsafe: bool = False) -> Fix:
+def make_fix(title: str, edits: tuple[Edit, ...], *, unsafe: bool = False) -> Fix:
     """A fix of several edits."""
     return Fix(title, edits, Applicability.UNSAFE if unsafe else Applicability.SAFE)

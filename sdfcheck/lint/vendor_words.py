@@ -11,7 +11,7 @@ from sdfcheck.formats.vendor.definitions import Outcome
 from sdfcheck.formats.vendor.problems import TagFault, TagProblem
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix.fix import Edit, Fix
-from sdfcheck.lint.rule import Rule, Target, edit
+from sdfcheck.lint.rule import Rule, Target, make_fix
 from sdfcheck.lint.wording import named, used
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -284,4 +284,4 @@ def _renaming(target: Element | Value, name: str) -> Fix:
     else:
         spans = (target.span, target.document.spans.end_name(target))
         edits = tuple(Edit(span, name) for span in spans if span is not None)
-    return edit(f"rename it to {name}", edits, unsafe=True)
+    return make_fix(f"rename it to {name}", edits, unsafe=True)

@@ -121,7 +121,7 @@ class Root(Part):
         if name == "Root":
             yield self
             return
-        index = self._index
+        index = self.elements
         elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
         if name == "Custom":
             elements = self._customs
@@ -162,7 +162,7 @@ class Root(Part):
         return self._document
 
     @lazy
-    def _index(self) -> Mapping[str, list[Element]]:
+    def elements(self) -> Mapping[str, list[Element]]:
         """The standard elements by name, those in ``<gazebo>`` blocks as well."""
         if self.is_urdf:
             from sdfcheck.formats.urdf.survey import survey as urdf_survey

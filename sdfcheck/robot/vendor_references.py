@@ -10,7 +10,8 @@ from sdfcheck.formats.vendor.check import VendorCheck
 from sdfcheck.formats.vendor.definitions import REFUSED, Slot
 from sdfcheck.formats.vendor.problems import UnknownTagReference
 from sdfcheck.formats.vendor.table import vendor
-from sdfcheck.robot.scopes import MODEL_FRAME, Scope, scopes
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.scope import MODEL_FRAME, Scope
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
@@ -79,7 +80,7 @@ class _References:
         return found
 
     def in_sdf(self, owner: Element, slot: Slot, name: str) -> _Found:
-        scope = scopes(self.document).by_element.get(owner)
+        scope = self.scope(owner)
         if scope is None or (name == MODEL_FRAME and "frame" in slot.references):
             return _Found(_UNKNOWABLE, [])
         right = [
@@ -89,9 +90,13 @@ class _References:
         ]
         if "::" in name and not slot.scoped:
             return _Found(None, right)
-        if scope.find(name) is None and scope.may_hold(name):
+        if scope.resolve(name) is None and scope.may_hold(name):
             return _Found(_UNKNOWABLE, [])
         return _Found(_kind(scope, name), right)
+
+    def scope(self, owner: Element) -> Scope | None:
+        part = root_of(self.document).part_of(owner)
+        return part if isinstance(part, Scope) else None
 
     def in_urdf(self, owner: Element, slot: Slot, name: str) -> _Found:
         kinds: dict[str, str] = {}
@@ -109,18 +114,18 @@ class _References:
         if not delimiter:
             names = _named(owner, kind)
             return _Found(kind if name in names else None, names)
-        scope = scopes(self.document).by_element.get(owner) if self.is_sdf and slot.scoped else None
+        scope = self.scope(owner) if self.is_sdf and slot.scoped else None
         if scope is None:
             return _Found(None, _named(owner, kind))
-        model = scope.find(path)
-        if model is None or model.inner is None or not model.inner.complete:
+        model = scope.resolve(path)
+        if not isinstance(model, Scope) or not model.is_complete:
             return _Found(_UNKNOWABLE if scope.may_hold(name) else None, [])
-        names = _named(model.inner.element, kind)
+        names = _named(model.element, kind)
         return _Found(kind if last in names else None, [f"{path}::{own}" for own in names])
 
 
 def _kind(scope: Scope, name: str) -> str | None:
-    frame = None if name == "world" else scope.find(name)
+    frame = None if name == "world" else scope.resolve(name)
     return None if frame is None else frame.kind
 
 

@@ -1,0 +1,283 @@
+"""Changing a description: text edits that leave every other byte alone."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+from xml.sax.saxutils import escape
+
+from sdfcheck.files.overwrite import overwrite
+from sdfcheck.robot.load import Unreadable, as_text, load, parse
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.references import references
+from sdfcheck.robot.scope import Scope
+from sdfcheck.source.splice import replaced, splice
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.root import Root
+    from sdfcheck.robot.world import World
+    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.text import Span
+
+Writable = str | bool | float | Iterable[float]
+"""What can be written as a value: text, truth, a number, or several numbers (a vector, ``[*pose.xyz, *pose.rpy]``)."""
+
+
+class EditError(ValueError):
+    """A change that cannot be made; the message says why."""
+
+
+class Edit:
+    """A description that is being changed: ``with sdfcheck.edit("robot.sdf") as robot:``.
+
+    Parts are those of the file as it was read: they do not change while it is edited.
+    Leaving the block without an exception saves the file.
+    """
+
+    def __init__(self, root: Root, path: Path | None) -> None:
+        self.root = root
+        self._path = path
+        self._edits: dict[tuple[int, int], str] = {}
+
+    def __enter__(self) -> Edit:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if kind is None and self._path is not None:
+            self.save()
+
+    @property
+    def worlds(self) -> tuple[World, ...]:
+        """The worlds, as they were read."""
+        return self.root.worlds
+
+    @property
+    def models(self) -> tuple[Model, ...]:
+        """The models that are in no world, as they were read."""
+        return self.root.models
+
+    def world(self, key: str | int) -> World:
+        """A world by name or index; raises NotFound."""
+        return self.root.world(key)
+
+    def model(self, key: str | int) -> Model:
+        """A model that is in no world, by name or index; raises NotFound."""
+        return self.root.model(key)
+
+    @property
+    def text(self) -> str:
+        """The text with all changes so far."""
+        return replaced(self.root.document.source.text, self._sorted())
+
+    def save(self, path: str | os.PathLike[str] | None = None) -> None:
+        """Write the file, whole or not at all; by default where it was read.
+
+        Raises:
+            EditError: the changed text is not a description any more.
+            OSError: the file cannot be written.
+        """
+        target = self._path if path is None else Path(path)
+        if target is None:
+            raise EditError("a text has no file to be saved in: give a path")
+        try:
+            parse(self.text, self.root.document.path)
+        except Unreadable as error:
+            raise EditError(f"the changed text cannot be read: {error}") from None
+        data = self._path.read_bytes() if self._path is not None else None
+        new = self.text.encode() if data is None else splice(data, self._sorted())
+        if new != data or target != self._path:
+            overwrite(target, new)
+
+    # Changes
+
+    def rename(self, node: Node, name: str) -> None:
+        """Give a link, joint, frame or model another name, wherever the file refers to it.
+
+        That is in joints, poses, frames, mimics, plugins, ``<gazebo>`` blocks, transmissions
+        and ``ros2_control``, scoped names included. Other files are not looked at.
+
+        Raises EditError for a name that is taken or cannot be one.
+        """
+        scope = node.scope if isinstance(node.holder, Scope) else None
+        if not name.strip() or "::" in name or (name.startswith("__") and name.endswith("__")):
+            raise EditError(f"{name!r} cannot be a name")
+        if scope is not None and name in scope.nodes and scope.nodes[name] is not node:
+            raise EditError(f"{scope.title} has a {scope.nodes[name].kind} `{name}`")
+        if isinstance(node, Model) and node.include is not None:
+            given = node.include.find("name")
+            if given is None:
+                self.add(node.include, f"<name>{escape(name)}</name>")
+            else:
+                self._write(given.own_value, name)
+        elif node.document is not self.root.document or node.name_value is None:
+            raise EditError(
+                f"the name of {node.kind} `{node.name}` is not written in {self.root.document.path}"
+            )
+        else:
+            self._write(node.name_value, name)
+        for reference in references(self.root):
+            for position, step in enumerate(reference.nodes):
+                if step is node:
+                    self._write_step(reference.value, position, name)
+
+    def set(self, part: Part | Element, name: str, value: Writable) -> None:
+        """Write an attribute or a child element: ``set(link, "inertial/mass", 2.5)``.
+
+        What is there is replaced. What is not is added: in URDF, and where the name begins
+        with ``@``, as an attribute, else as a child element.
+
+        Raises EditError where the element around it is not there.
+        """
+        *path, last = name.split("/")
+        element = part if not isinstance(part, Part) else part.element
+        for step in path:
+            child = element.find(step)
+            if child is None:
+                raise EditError(f"{element.title} has no `{step}`")
+            element = child
+        text, is_attribute = _text(value), last.startswith("@")
+        last = last.removeprefix("@")
+        found = element.attribute(last) if is_attribute else element.value(last)
+        if found is not None:
+            self._write(found, text)
+        elif is_attribute or (isinstance(part, Part) and part.is_urdf):
+            end = self._span(element.document.spans.name(element)).end
+            self._replace(end, end, f' {last}="{_escaped(text)}"')
+        else:
+            self.add(element, f"<{last}>{escape(text)}</{last}>")
+
+    def add(self, part: Part | Element, text: str) -> None:
+        """Add an element, given as text, as the last child."""
+        element = part.element if isinstance(part, Part) else part
+        source, place = element.document.source, element.document.spans.place(element)
+        self._span(element.span)
+        outer = _indent(source.text, place.start)
+        children = list(element.children())
+        inner = (
+            _indent(source.text, element.document.spans.place(children[-1]).start)
+            if children
+            else outer + "  "
+        )
+        lines = f"\n{inner}".join(text.strip().splitlines())
+        if place.close == place.close_end:  # <link/> becomes <link>…</link>
+            start = source.text.rindex("/", place.start, place.close_end)
+            self._replace(start, place.close_end, f">\n{inner}{lines}\n{outer}</{element.name}>")
+            return
+        before = len(source.text[: place.close].rstrip())
+        between = source.text[before : place.close]
+        at = place.close if "\n" not in between else before
+        self._replace(
+            at, at, f"\n{inner}{lines}" + ("" if at == before and at != place.close else f"\n{outer}")
+        )
+
+    def remove(self, part: Part | Element) -> None:
+        """Take an element out, with the blanks before it."""
+        element = part.element if isinstance(part, Part) else part
+        span = self._span(element.document.spans.whole(element))
+        text, start = element.document.source.text, span.start
+        begin = len(text[:start].rstrip(" \t"))
+        line_end = begin - 1 if begin and text[begin - 1] == "\n" else begin
+        if line_end < begin and line_end and text[line_end - 1] == "\r":
+            line_end -= 1
+        is_alone = line_end < begin or begin == 0
+        self._replace(line_end if is_alone else start, span.end, "")
+
+    # Edits of the text
+
+    def _write(self, value: Value, text: str) -> None:
+        if value.attribute is None and not value.text:
+            element = value.element
+            place = element.document.spans.place(element)
+            self._span(element.span)
+            if place.close == place.close_end:
+                start = element.document.source.text.rindex("/", place.start, place.close_end)
+                self._replace(start, place.close_end, f">{escape(text)}</{element.name}>")
+            else:
+                self._replace(place.close, place.close, escape(text))
+            return
+        if value.attribute is not None and not value.text:
+            whole = self._span(value.element.document.spans.attribute_whole(value.element, value.attribute))
+            self._replace(whole.start, whole.end, f' {value.attribute}="{_escaped(text)}"')
+            return
+        span = self._span(value.span)
+        self._replace(span.start, span.end, _escaped(text) if value.attribute is not None else escape(text))
+
+    def _write_step(self, value: Value, position: int, name: str) -> None:
+        """Replace one part of a scoped name."""
+        span, text = self._span(value.span), value.text.strip()
+        steps = text.split("::")
+        raw = span.text
+        lead = len(raw) - len(raw.lstrip())
+        if raw.strip() != text:  # written with entities
+            steps[position] = name
+            self._replace(span.start, span.end, _escaped("::".join(steps)))
+            return
+        start = span.start + lead + sum(len(step) + 2 for step in steps[:position])
+        self._replace(start, start + len(steps[position]), _escaped(name))
+
+    def _span(self, span: Span) -> Span:
+        if span.source is not self.root.document.source:
+            raise EditError(f"{span.source.path} is another file than the one that is edited")
+        return span
+
+    def _replace(self, start: int, end: int, text: str) -> None:
+        """Note one edit; the same place again: insertions add up, replacements count anew."""
+        if start == end:
+            text = self._edits.get((start, end), "") + text
+        elif (start, end) not in self._edits:
+            for begin, stop in self._edits:
+                if begin < end and start < stop:
+                    raise EditError("two changes overlap: save after the first")
+        self._edits[start, end] = text
+
+    def _sorted(self) -> list[tuple[int, int, str]]:
+        return [(start, end, text) for (start, end), text in sorted(self._edits.items())]
+
+
+def edit(what: str | bytes | os.PathLike[str]) -> Edit:
+    """Open a file to change it: ``with sdfcheck.edit("robot.sdf") as robot:``.
+
+    ``what`` is the path of an SDFormat or URDF file, or a text (bytes, or a str that begins
+    with ``<``), whose changed ``text`` is then read from the result. What xacro makes of a
+    file cannot be edited: the file itself can.
+
+    Raises:
+        OSError: the file cannot be read.
+        Unreadable: it holds no robot description.
+        EditError: the file is one for xacro.
+    """
+    text = as_text(what)
+    root = load(what) if text is None else parse(text)  # type: ignore[arg-type]
+    if root.document.is_expanded:
+        raise EditError(
+            f"{root.document.path} is expanded by xacro: its text cannot be edited through the robot"
+        )
+    return Edit(root, Path(os.fsdecode(what)) if text is None else None)  # type: ignore[arg-type]
+
+
+def _text(value: Writable) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int | float):
+        return repr(float(value) if not isinstance(value, int) else int(value)).removesuffix(".0")
+    return " ".join(_text(float(number)) for number in value)
+
+
+def _escaped(text: str) -> str:
+    return escape(text, {'"': "&quot;", "'": "&apos;"})
+
+
+def _indent(text: str, at: int) -> str:
+    """The blanks at the beginning of a line."""
+    line = text[text.rfind("\n", 0, at) + 1 : at]
+    return line[: len(line) - len(line.lstrip())]

@@ -1,0 +1,124 @@
+"""Who refers to whom: every text of a description that names a link, joint, frame or model."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from sdfcheck.robot.node import Node
+from sdfcheck.robot.parts.include import Include
+from sdfcheck.robot.parts.plugin import Plugin
+from sdfcheck.robot.scope import Scope
+from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.root import Root
+    from sdfcheck.source.element import Element, Value
+
+_ATTRIBUTES = {
+    "frame": ("attached_to",),
+    "pose": ("relative_to", "frame"),
+    "xyz": ("expressed_in",),
+    "model": ("canonical_link", "placement_frame"),
+    "mimic": ("joint",),
+}
+"""Element of SDFormat → its attributes that name a node of the model or world around it."""
+
+_ELEMENTS = ("parent", "child", "gearbox_reference_body", "gripper_link", "palm_link")
+
+_URDF = {"parent": ("link",), "child": ("link",), "mimic": ("joint",), "gazebo": ("reference",)}
+_URDF_JOINTS = frozenset(("transmission", "ros2_control"))
+
+_NAMING = re.compile(r"link|joint|frame|body|model", re.IGNORECASE)
+"""Parameters of plugins that are called so are taken for names, where there is a node of that name."""
+
+
+class Reference(NamedTuple):
+    """A text that names a node: ``nodes`` are what its parts between ``::`` name, the last one is meant."""
+
+    value: Value
+    nodes: tuple[Node, ...]
+
+    @property
+    def target(self) -> Node:
+        return self.nodes[-1]
+
+
+def references(root: Root) -> Iterator[Reference]:
+    """The references of a file that name something, in no particular order."""
+    for element, value in _values(root):
+        scope = _scope(root, element)
+        nodes = _path(scope, value.text.strip()) if scope is not None else ()
+        if nodes:
+            yield Reference(value, nodes)
+
+
+def _values(root: Root) -> Iterator[tuple[Element, Value]]:
+    """Every text that may be a reference, and the element from which it looks."""
+    yield from _in_attributes(root)
+    for name in _ELEMENTS:
+        for element in root.elements.get(name, ()):
+            if element.content and element.attribute("link") is None:
+                yield element, element.own_value
+    for include in root.each(Include):
+        placement = include.find("placement_frame")
+        if placement is not None and placement.content:
+            yield placement, placement.own_value
+    for plugin in root.each(Plugin):
+        yield from _parameters(plugin)
+
+
+def _in_attributes(root: Root) -> Iterator[tuple[Element, Value]]:
+    for name, attributes in (_URDF if root.is_urdf else _ATTRIBUTES).items():
+        for element in root.elements.get(name, ()):
+            for value in filter(None, map(element.attribute, attributes)):
+                yield element, value
+    for name in _URDF_JOINTS if root.is_urdf else ():
+        for block in root.elements.get(name, ()):
+            for joint in block.children("joint"):
+                if (value := joint.attribute("name")) is not None:
+                    yield block, value
+
+
+def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:
+    waiting = list(plugin.children())
+    for element in waiting:
+        children = list(element.children())
+        waiting += children
+        if not children and element.content and _NAMING.search(element.name):
+            yield plugin.element, element.own_value
+
+
+def _scope(root: Root, element: Element) -> Scope | None:
+    """The model or world in which a reference is looked up."""
+    at: Part | None = root.part_of(element)
+    if isinstance(at, Scope) and element.tag == "model":
+        return at  # its canonical link and placement frame are its own
+    if element.tag == "placement_frame" and at is not None and isinstance(at.holder, Include):
+        return at.holder.model
+    if element.tag == "pose" and at is not None and isinstance(at.holder, Scope):
+        at = at.holder  # the pose of a model is written where the model is
+    while at is not None:
+        at = at.holder
+        if isinstance(at, Scope):
+            return at
+    return None
+
+
+def _path(scope: Scope, text: str) -> tuple[Node, ...]:
+    found: list[Node] = []
+    at: Node = scope
+    for step in text.split("::"):
+        node = at.resolve(step) if isinstance(at, Scope) else None
+        if node is None or (found and node is at):
+            return ()
+        found.append(node)
+        at = node
+    return tuple(found)
+
+
+def is_renamable(node: Node) -> bool:
+    """Is its name written in the file itself?"""
+    return node.name_value is not None and node.document is node.root.document
