@@ -260,7 +260,7 @@ def edit(what: str | bytes | os.PathLike[str]) -> Edit:
         raise EditError(
             f"{root.document.path} is expanded by xacro: its text cannot be edited through the robot"
         )
-    return Edit(root, Path(os.fsdecode(what)) if text is None else None)  # type: ignore[arg-type]
+    return Edit(root, Path(os.fsdecode(what)) if text is None else None)
 
 
 def _text(value: Writable) -> str:

@@ -78,8 +78,8 @@ def _in_attributes(root: Root) -> Iterator[tuple[Element, Value]]:
     for name in _URDF_JOINTS if root.is_urdf else ():
         for block in root.elements.get(name, ()):
             for joint in block.children("joint"):
-                if (value := joint.attribute("name")) is not None:
-                    yield block, value
+                if (name_value := joint.attribute("name")) is not None:
+                    yield block, name_value
 
 
 def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:
