@@ -74,6 +74,8 @@ class InvertedLimits(Rule):
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper = limit.lower, limit.upper
-        fix = make_fix("exchange them", (Edit(lower.span, upper.text), Edit(upper.span, lower.text)), unsafe=True)
+        fix = make_fix(
+            "exchange them", (Edit(lower.span, upper.text), Edit(upper.span, lower.text)), unsafe=True
+        )
         message = f"lower limit {lower.text} is above upper limit {upper.text}"
         yield self.diagnostic(lower, message, labels={upper: "the upper limit"}, fix=fix)

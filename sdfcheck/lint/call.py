@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
@@ -12,6 +13,9 @@ from sdfcheck.lint.run import Run
 from sdfcheck.lint.select import Choice, check_targets
 from sdfcheck.lint.session import Options, run
 from sdfcheck.robot.load import as_text
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
 
 
 def lint(  # noqa: PLR0913
@@ -27,12 +31,16 @@ def lint(  # noqa: PLR0913
     package_paths: Sequence[Path] = (),
     config: Path | None = None,
     isolated: bool = False,
+    executor: Executor | None = None,
 ) -> Run:
     """Lint files, folders, or a text.
 
     ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A
     text goes by ``name``. The other arguments are the options of the command; configuration
     files count as they do there, unless ``isolated``.
+
+    The workers of an ``executor`` lint portions of the files: processes, threads, or a cluster
+    that has the same files. Files whose worker died are in ``skipped``, with the reason.
 
     Raises:
         sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
@@ -49,7 +57,15 @@ def lint(  # noqa: PLR0913
         arguments=tuple((arguments or {}).items()),
         search=SearchPaths(tuple(model_paths), tuple(package_paths)),
     )
-    return run(paths, options)
+    return _run(paths, options, executor)
+
+
+def _run(paths: tuple[Path, ...], options: Options, executor: Executor | None) -> Run:
+    if executor is None:
+        return run(paths, options)
+    from sdfcheck.lint.parallel import run_on
+
+    return run_on(executor, paths, options)
 
 
 def _told_apart(

@@ -133,9 +133,9 @@ class Linter:
 
     __slots__ = ("_book", "_options", "_shelves")
 
-    def __init__(self, options: Options) -> None:
+    def __init__(self, options: Options, book: RuleBook | None = None) -> None:
         self._options = options
-        self._book = RuleBook(options.choice, options.target)
+        self._book = book or RuleBook(options.choice, options.target)
         self._shelves = Shelves(expand=options.expand, arguments=options.arguments)
 
     def __enter__(self) -> Linter:
@@ -160,9 +160,9 @@ class Linter:
                 part.files.append(file.path)
                 part.diagnostics.extend(kept)
                 suppressed += silenced
-            if active is not seen:
-                part.rules.update((facts.code, facts) for facts in active.facts)
-                seen = active
+                if active is not seen:
+                    part.rules.update((facts.code, facts) for facts in active.facts)
+                    seen = active
         for document in self._shelves.included(part.files):
             with _surviving(document.path, part.skipped, notify):
                 told = lint_included(document, book, options.configuration)

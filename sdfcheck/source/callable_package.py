@@ -3,22 +3,40 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from inspect import Signature
 
 
 class CallablePackage(ModuleType):
-    """Calls the function of the same name in the package's module ``call``.
-
-    Importing a module of a package makes the package an attribute of the one around it,
-    where a function of its name would have been: so the package itself is the function.
-    """
+    # Importing a module of a package makes the package an attribute of the one around it,
+    # where a function of its name would have been: so the package itself is the function
+    # of the same name in its module ``call``, with its signature and manual.
 
     def __call__(self, *arguments: Any, **options: Any) -> Any:
-        from importlib import import_module
+        return _function(self)(*arguments, **options)
 
-        function = getattr(import_module(f"{self.__name__}.call"), self.__name__.rpartition(".")[2])
-        return function(*arguments, **options)
+    @property
+    def __signature__(self) -> Signature:
+        from inspect import signature
+
+        return signature(_function(self))
+
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        name = self.__name__.rpartition(".")[2]
+        return f"{name}{self.__signature__}\n\n{_function(self).__doc__}"
+
+
+def _function(package: ModuleType) -> Callable[..., Any]:
+    from importlib import import_module
+
+    module = import_module(f"{package.__name__}.call")
+    function: Callable[..., Any] = getattr(module, package.__name__.rpartition(".")[2])
+    return function
 
 
 def make_callable(name: str) -> None:

@@ -4,49 +4,23 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from sdfcheck.cli.main import main
 from sdfcheck.lint import parallel, session
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.lint.one_file import lint_file
-from sdfcheck.lint.run import Run
+from sdfcheck.lint.one_file import Selected, lint_file
+from sdfcheck.lint.portions import DIED
 from sdfcheck.lint.session import InternalError, Notice, Options, run
-from sdfcheck.source.wrong_usage import WrongUsage
-
-PART = '<sdf version="1.12"><model name="part"><static>maybe</static><link name="l"/></model></sdf>'
-INCLUDE = "<include><uri>../parts/part.sdf</uri></include>"
-PREFIX = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    for name in ("parts", "worlds"):
-        (tmp_path / name).mkdir()
-    (tmp_path / "parts/part.sdf").write_text(PART)
-    for number in range(12):
-        text = f'<sdf version="1.12"><world name="w{number}" foo="1">{INCLUDE}</world></sdf>'
-        (tmp_path / f"worlds/{number:02}.sdf").write_text(text)
-    (tmp_path / "worlds/r.xacro").write_text(f'<robot name="r" {PREFIX}><link name="${{x}}"/></robot>')
-    (tmp_path / "worlds/a.sdf").write_text("no XML")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-def shape(done: Run) -> list[tuple[object, ...]]:
-    return [
-        (
-            d.code,
-            d.message,
-            str(d.span),
-            [str(label.span) for label in d.labels],
-            [str(o.span) for o in d.origins],
-        )
-        for d in done.diagnostics
-    ]
+from tests.unit.lint.many_files import folder as folder  # noqa: PLC0414
+from tests.unit.lint.many_files import shape
 
 
 @pytest.fixture
@@ -84,7 +58,7 @@ def test_one_process_needs_no_worker(
 ) -> None:
     monkeypatch.setattr(parallel, "LEAST", 1)
     monkeypatch.setattr(parallel, "processors", lambda: processors)
-    monkeypatch.setattr(parallel, "_share", None)
+    monkeypatch.setattr(parallel, "_processes", None)
     done = parallel.run_in_parallel([Path()], Options(Configuration(isolated=True)), jobs)
     assert len(done.files) == 14
 
@@ -107,40 +81,108 @@ def test_a_system_that_grants_no_process_gets_by_with_one(
     assert shape(parallel.run_in_parallel([Path()], options)) == shape(run([Path()], options))
 
 
-def test_what_goes_wrong_in_a_worker_is_told(
+def test_a_bug_in_a_worker_is_raised(
     folder: Path, two_processors: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    if not parallel.COPIES:
-        pytest.skip("a worker that is no copy of this process knows nothing of the planted bug")
-    here = os.getpid()
-
-    def slow_here_and_wrong_there(*given: Any) -> Any:
-        if os.getpid() != here:
-            raise ValueError("no luck")
-        time.sleep(0.05)
-        return lint_file(*given)
-
-    monkeypatch.setattr(session, "lint_file", slow_here_and_wrong_there)
+    needs_copies()
+    monkeypatch.setattr(session, "lint_file", in_workers(wrong))
     with pytest.raises(InternalError, match="no luck"):
         parallel.run_in_parallel([Path()], Options(Configuration(isolated=True)))
 
 
-def test_a_worker_that_is_killed_is_told_of(
-    folder: Path, two_processors: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def needs_copies() -> None:
     if not parallel.COPIES:
-        pytest.skip("a worker that is no copy of this process knows nothing of the planted end")
+        pytest.skip("a worker that is not a copy of this process knows nothing of what is planted here")
+
+
+def in_workers(act: Callable[[Selected], None]) -> Callable[..., Any]:
+    """``lint_file``, after ``act`` in every process but this one."""
     here = os.getpid()
 
-    def slow_here_and_killed_there(*given: Any) -> Any:
+    def lint_after(file: Selected, *given: Any) -> Any:
         if os.getpid() != here:
-            os.kill(os.getpid(), signal.SIGKILL)
-        time.sleep(0.05)
-        return lint_file(*given)
+            act(file)
+        return lint_file(file, *given)
 
-    monkeypatch.setattr(session, "lint_file", slow_here_and_killed_there)
-    with pytest.raises(WrongUsage, match="ended from outside"):
-        parallel.run_in_parallel([Path()], Options(Configuration(isolated=True)))
+    return lint_after
+
+
+def wrong(file: Selected) -> None:
+    raise ValueError("no luck")
+
+
+def killed(file: Selected) -> None:
+    if file.path.stem in DEADLY:
+        os.kill(os.getpid(), signal.SIGKILL)
+
+
+def ended(file: Selected) -> None:
+    if file.path.stem in DEADLY:
+        os._exit(0)
+
+
+DEADLY = ("03", "04", "11")
+
+
+@pytest.mark.parametrize("end", [killed, ended])
+def test_a_worker_that_dies_is_reported_with_its_file(
+    folder: Path, two_processors: None, monkeypatch: pytest.MonkeyPatch, end: Callable[[Selected], None]
+) -> None:
+    needs_copies()
+    expected = shape(run([Path()], Options(Configuration(isolated=True))))
+    monkeypatch.setattr(session, "lint_file", in_workers(end))
+    notices: list[Notice] = []
+    done = parallel.run_in_parallel([Path()], Options(Configuration(isolated=True)), notify=notices.append)
+    lost = [Path(f"worlds/{name}.sdf") for name in DEADLY]
+    assert [path for path, reason in done.skipped if reason == DIED] == lost
+    assert [notice.text for notice in notices if DIED in notice.text] == [
+        f"{path}: not linted: {DIED}" for path in lost
+    ]
+    assert not set(lost) & set(done.files)
+    assert len(done.files) == 14 - len(lost)
+    assert shape(done) == [row for row in expected if not any(f"{name}.sdf" in str(row) for name in DEADLY)]
+
+
+def test_the_command_reports_a_worker_that_dies(
+    folder: Path,
+    two_processors: None,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    needs_copies()
+    monkeypatch.setattr(session, "lint_file", in_workers(killed))
+    assert main(["lint", "--isolated", "--fail-on", "error"]) == 2
+    shown = capsys.readouterr()
+    assert "error: worlds/03.sdf: not linted: the process that linted it died" in shown.err
+    assert "worlds/02.sdf" in shown.out
+
+
+def test_an_interrupt_leaves_no_process(folder: Path, tmp_path: Path) -> None:
+    needs_copies()
+    child = subprocess.Popen([sys.executable, "-c", SLOW], stderr=subprocess.PIPE, text=True)
+    pids = tmp_path / "pids"
+    for _ in range(200):
+        if pids.exists() and len(pids.read_text().split()) == 2:
+            break
+        time.sleep(0.05)
+    child.send_signal(signal.SIGINT)
+    assert child.communicate(timeout=10)[1].strip() == ""
+    assert child.returncode == 130
+    for pid in pids.read_text().split():
+        assert not Path(f"/proc/{pid}").exists()
+
+
+SLOW = """
+import os, sys, time
+from sdfcheck.cli.main import main
+from sdfcheck.lint import parallel, session
+def slow(*given):
+    with open("pids", "a") as file:
+        file.write(f"{os.getpid()}\\n")
+    time.sleep(30)
+parallel.LEAST, parallel.processors, session.lint_file = 2, lambda: 2, slow
+sys.exit(main(["lint", "--isolated"]))
+"""
 
 
 def test_a_bug_comes_through_whole() -> None:
