@@ -1,4 +1,4 @@
-"""Records and tuples behave like what they stand in for."""
+"""Records and tuples behave like dataclasses and ``typing.NamedTuple``."""
 
 from __future__ import annotations
 
@@ -41,6 +41,8 @@ def test_a_record_is_frozen_and_equal_by_value() -> None:
         Size(2).width = 3  # type: ignore[misc]
     with pytest.raises(TypeError, match="Size takes width, height"):
         Size(1, 2, 3)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="Size takes width, height"):
+        Size(1, width=2)  # type: ignore[misc]
 
 
 @pytest.mark.parametrize(
@@ -67,7 +69,7 @@ def test_a_tuple_keeps_its_type() -> None:
 @pytest.mark.parametrize(
     ("values", "named", "says"),
     [
-        ((), {}, "needs 'line'"),
+        ((), {}, "takes line, column"),
         ((1, 2, 3), {}, "takes line, column"),
         ((1,), {"line": 1}, "takes line, column"),
         ((1,), {"row": 1}, "takes line, column"),
