@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from sdfcheck import problems
+    from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
     from sdfcheck.consumers.reaction import (
         REFUSES,
         Consumer,
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     )
     from sdfcheck.consumers.urdf_readers import lacking, repeating, undersized, unreadable
     from sdfcheck.convert.call import convert
+    from sdfcheck.convert.file_difference import FileDifference
     from sdfcheck.convert.loss import Loss, NotConvertible
     from sdfcheck.convert.result import Conversion
     from sdfcheck.lint.call import lint
@@ -75,7 +77,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
     from sdfcheck.robot.root import Root
     from sdfcheck.robot.scope import Scope
-    from sdfcheck.robot.values import Number, Vector
+    from sdfcheck.robot.values import Flag, Number, Text, Vector
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
@@ -85,6 +87,8 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _HOMES = {
+    "sdfcheck.api": "as_json diff fix inertia print targets",
+    "sdfcheck.convert.file_difference": "FileDifference",
     "sdfcheck.convert.loss": "Loss NotConvertible",
     "sdfcheck.convert.result": "Conversion",
     "sdfcheck.lint.diagnostic": "Diagnostic Label Origin Severity",
@@ -128,7 +132,7 @@ _HOMES = {
     "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
     "sdfcheck.robot.root": "Root",
     "sdfcheck.robot.scope": "Scope",
-    "sdfcheck.robot.values": "Number Vector",
+    "sdfcheck.robot.values": "Flag Number Text Vector",
     "sdfcheck.robot.world": "World",
     "sdfcheck.source.document": "Document",
     "sdfcheck.source.element": "Element Value",
@@ -164,7 +168,9 @@ __all__ = [
     "Edit",
     "EditError",
     "Element",
+    "FileDifference",
     "Fix",
+    "Flag",
     "Frame",
     "GazeboBlock",
     "Geometry",
@@ -209,6 +215,7 @@ __all__ = [
     "State",
     "Surface",
     "Target",
+    "Text",
     "Transmission",
     "Tree",
     "Unreadable",
@@ -221,9 +228,13 @@ __all__ = [
     "WrongUsage",
     "__version__",
     "accepts",
+    "as_json",
     "by_effect",
     "convert",
+    "diff",
     "edit",
+    "fix",
+    "inertia",
     "lacking",
     "lint",
     "listed",
@@ -231,10 +242,12 @@ __all__ = [
     "make_fix",
     "named",
     "parse",
+    "print",
     "problems",
     "refuses",
     "repeating",
     "replace",
+    "targets",
     "undersized",
     "unreadable",
     "used",

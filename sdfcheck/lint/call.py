@@ -45,19 +45,39 @@ def lint(  # noqa: PLR0913
     Raises:
         sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
     """
-    text, paths = _told_apart(what)
+    text, paths = told_apart(what)
+    options = options_of(
+        select=select,
+        extend_select=extend_select,
+        ignore=ignore,
+        target=target,
+        search=SearchPaths(tuple(model_paths), tuple(package_paths)),
+        config=config,
+        isolated=isolated,
+    )
+    options = options._replace(stdin=text, stdin_path=Path(name), arguments=tuple((arguments or {}).items()))
+    return _run(paths, options, executor)
+
+
+def options_of(  # noqa: PLR0913
+    *,
+    select: Sequence[str] | None = None,
+    extend_select: Sequence[str] = (),
+    ignore: Sequence[str] = (),
+    target: Sequence[str] | None = None,
+    search: SearchPaths | None = None,
+    config: Path | None = None,
+    isolated: bool = False,
+) -> Options:
+    """The options of the command; raises WrongUsage for an unknown target."""
     if target:
         check_targets(tuple(target))
-    options = Options(
+    return Options(
         Configuration(config, isolated=isolated),
         Choice(tuple(select) if select is not None else None, tuple(extend_select), tuple(ignore)),
         tuple(target) if target is not None else None,
-        stdin=text,
-        stdin_path=Path(name),
-        arguments=tuple((arguments or {}).items()),
-        search=SearchPaths(tuple(model_paths), tuple(package_paths)),
+        search=search or SearchPaths(),
     )
-    return _run(paths, options, executor)
 
 
 def _run(paths: tuple[Path, ...], options: Options, executor: Executor | None) -> Run:
@@ -68,7 +88,7 @@ def _run(paths: tuple[Path, ...], options: Options, executor: Executor | None) -
     return run_on(executor, paths, options)
 
 
-def _told_apart(
+def told_apart(
     what: str | bytes | os.PathLike[str] | Iterable[os.PathLike[str]],
 ) -> tuple[bytes | None, tuple[Path, ...]]:
     """The text or the paths."""

@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
-from sdfcheck.robot.values import Number, Vector
+from sdfcheck.robot.values import Flag, Number, Text, Vector
 
 if TYPE_CHECKING:
     from sdfcheck.robot.custom import Custom
+    from sdfcheck.robot.motion.pose import Pose
     from sdfcheck.robot.root import Root
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
@@ -132,8 +133,10 @@ class Part:
     def get(self, name: str, type: type[T]) -> T | None: ...
     @overload
     def get(self, name: str, type: type[Vector]) -> Vector | None: ...
+    @overload
+    def get(self, name: str, type: type[Pose]) -> Pose | None: ...
     def get(self, name: str, type: Any = str) -> Any:
-        """The value of an attribute, else of a child element: str, int, float, bool or :class:`Vector`.
+        """The value of an attribute, else of a child element: str, int, float, bool, Vector or Pose.
 
         ``name`` is as written, prefix included; ``camera/image/width`` leads to what is deeper.
         None if it is not there; ValueError, with the place, if it is not of the type.
@@ -144,6 +147,8 @@ class Part:
             at = None if at is None else at.find(step)
         if at is None:
             return None
+        if type not in {str, int, float, bool, Vector}:
+            return type.written(at, last)
         if type is not Vector:
             return at.get(last, type)
         value = at.value(last)
@@ -153,6 +158,16 @@ class Part:
         if value.text.strip() and not numbers:
             value.to(float)
         return numbers
+
+    def setting(self, name: str) -> Number | Vector | Flag | Text:
+        """A value of the standard, with the default of the format where it is not written.
+
+        ``name`` is that of an attribute or a child element, ``camera/image/width`` that of what
+        is deeper. Raises NotFound where the format has no such value here.
+        """
+        from sdfcheck.robot.defaults import setting
+
+        return setting(self, name)
 
     @property
     def custom(self) -> dict[str, Custom]:

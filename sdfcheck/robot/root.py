@@ -14,6 +14,7 @@ from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
     from sdfcheck.robot.parts.inertial import Inertial
     from sdfcheck.robot.parts.light import Light
@@ -184,6 +185,17 @@ class Root(Part):
         from sdfcheck.formats.sdf.survey import survey
 
         return [custom for custom, _, _ in survey(self.document).customs]
+
+    @property
+    def mass_properties(self) -> MassProperties | None:
+        """Mass (kg), center of mass (m) and inertia (kg·m²) of everything that is not static, all joints at zero.
+
+        In the frame of the world, or of the model where there is only one; None where nothing has
+        mass. Raises DescriptionError for numbers that cannot be read.
+        """
+        from sdfcheck.robot.motion.mass_report import mass_report
+
+        return mass_report(self.document).total
 
     # Parts by name
 

@@ -128,6 +128,53 @@ class Vector(tuple[float, ...]):
         return tuple, (tuple(self),)
 
 
+class Flag(int):
+    """A truth value as simulators read it, with its place: true if it is not 0."""
+
+    value: Value | None
+    element: Element
+
+    @classmethod
+    def of(cls, value: Value | None, element: Element, default: bool) -> Flag:
+        """What a text says: ``true`` and ``1`` are true, everything else is false."""
+        if value is None or not value.text.strip():
+            flag, value = cls(default), None
+        else:
+            flag = cls(is_true(value.text))
+        flag.value, flag.element = value, element
+        return flag
+
+    @property
+    def is_given(self) -> bool:
+        """Is it written in the text?"""
+        return self.value is not None
+
+    def __repr__(self) -> str:
+        return repr(bool(self))
+
+
+class Text(str):
+    """A text with its place, without blanks around it."""
+
+    value: Value | None
+    element: Element
+
+    @classmethod
+    def of(cls, value: Value | None, element: Element, default: str) -> Text:
+        """The text of a value, or the default."""
+        if value is None or not value.text.strip():
+            text, value = cls(default), None
+        else:
+            text = cls(value.text.strip())
+        text.value, text.element = value, element
+        return text
+
+    @property
+    def is_given(self) -> bool:
+        """Is it written in the text?"""
+        return self.value is not None
+
+
 def is_true(text: str) -> bool:
     """What the formats take for true."""
     return text.strip().lower() in {"true", "1"}

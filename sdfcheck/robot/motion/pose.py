@@ -13,6 +13,7 @@ from sdfcheck.robot.scope import Scope
 if TYPE_CHECKING:
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
+    from sdfcheck.source.element import Element
 
 
 class Pose:
@@ -26,6 +27,16 @@ class Pose:
     def __init__(self, transform: Array) -> None:
         self._transform = transform
         transform.setflags(write=False)
+
+    @classmethod
+    def written(cls, element: Element, name: str) -> Pose | None:
+        """The pose that a child element ``pose`` or ``origin`` writes; None if there is none."""
+        from sdfcheck.robot.motion.poses import origin_of, written_pose
+
+        child = element.find(name)
+        if child is None:
+            return None
+        return cls(origin_of(element) if name == "origin" else written_pose(child))
 
     @property
     def xyz(self) -> tuple[float, float, float]:

@@ -1,0 +1,160 @@
+"""What the commands do, as functions: fix, compare, judge, measure, write."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.root import Root
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.convert.file_difference import FileDifference
+    from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.lint.fix.fixer import Mended
+    from sdfcheck.lint.run import Run
+    from sdfcheck.lint.targets import Row
+    from sdfcheck.robot.motion.mass_report import MassReport
+    from sdfcheck.source.document import Document
+
+Description = Root | str | bytes | os.PathLike[str]
+"""A path, a text (bytes, or a str that begins with ``<``), or what :func:`sdfcheck.load` gave."""
+
+
+def fix(  # noqa: PLR0913
+    what: str | os.PathLike[str] | Iterable[os.PathLike[str]],
+    *,
+    unsafe: bool = False,
+    write: bool = True,
+    select: Sequence[str] | None = None,
+    ignore: Sequence[str] = (),
+    target: Sequence[str] | None = None,
+    config: Path | None = None,
+    isolated: bool = False,
+) -> tuple[Mended, ...]:
+    """Apply the fixes of what ``lint`` finds in files and folders.
+
+    Each result has the ``path``, the bytes ``before`` and ``after``, how many fixes were
+    applied (``fixed``) and, where none could be, the ``refusal``. Only bytes inside the fixes
+    change. ``unsafe``: apply those as well that may change the robot. ``write=False`` leaves
+    the files alone. The other arguments are those of ``lint``.
+
+    Raises:
+        sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
+        OSError: a file cannot be written.
+    """
+    from sdfcheck.files.overwrite import overwrite
+    from sdfcheck.lint.call import options_of, told_apart
+    from sdfcheck.lint.fix.fixer import mend
+    from sdfcheck.lint.session import run
+
+    text, paths = told_apart(what)
+    if text is not None:
+        raise WrongUsage("only files are fixed: give a path")
+    options = options_of(select=select, ignore=ignore, target=target, config=config, isolated=isolated)
+    changed = tuple(mend(run(paths, options), paths, options, unsafe=unsafe))
+    for each in changed:
+        if write and each.fixed:
+            overwrite(each.path, each.after)
+    return changed
+
+
+def diff(a: Description, b: Description, *, tolerance: float = 1e-9) -> FileDifference:
+    """What changed in the robot from ``a`` to ``b``, not in the text; they may be of different formats.
+
+    The result has ``changes`` by model: each a ``kind`` (added, removed, changed, renamed), the
+    ``part``, its ``name``, ``what`` of it, ``before`` and ``after``. Smaller differences than
+    ``tolerance`` (m, rad; relative for others) do not count.
+
+    Raises:
+        OSError, sdfcheck.Unreadable: as for ``load``.
+        sdfcheck.DescriptionError: a number or a pose cannot be worked out.
+    """
+    from sdfcheck.convert.file_difference import compare_files
+
+    return compare_files(_document(a), _document(b), tolerance=tolerance)
+
+
+def targets(
+    what: str | os.PathLike[str], *, config: Path | None = None, isolated: bool = False
+) -> tuple[Row, ...]:
+    """What Gazebo, Drake, urdfdom and MuJoCo make of a file, one row each.
+
+    A row has the simulator (``reader``), its ``verdict``, and the ``reasons``: diagnostics with
+    what the simulator does about them.
+
+    Raises sdfcheck.WrongUsage for a path that is not there or is not a robot description.
+    """
+    from sdfcheck.consumers.reaction import Consumer
+    from sdfcheck.lint.call import options_of
+    from sdfcheck.lint.session import run
+    from sdfcheck.lint.targets import matrix
+    from sdfcheck.source.sniff import sniff
+
+    path = Path(what)
+    options = options_of(target=[consumer.value for consumer in Consumer], config=config, isolated=isolated)
+    return matrix(run([path], options), sniff(path.read_bytes(), path), path)
+
+
+def inertia(what: Description) -> MassReport:
+    """Mass (kg), center of mass (m) and inertia (kg·m²): of each link and model, and in total.
+
+    In the frame of each model, all joints at zero; automatic inertias are computed.
+
+    Raises:
+        OSError, sdfcheck.Unreadable: as for ``load``.
+        sdfcheck.DescriptionError: the numbers of a URDF cannot be read.
+    """
+    from sdfcheck.robot.motion.mass_report import mass_report
+
+    return mass_report(_document(what))
+
+
+def print(  # noqa: A001 - the command's name
+    what: Description,
+    *,
+    degrees: bool | None = None,
+    snap: float | None = None,
+    precision: int | None = None,
+    expand_includes: bool = False,
+    expand_auto_inertials: bool = False,
+) -> str:
+    """The description in canonical form: the same robot, written one way.
+
+    ``degrees``: write angles of poses in degrees (True), radians (False) or as they are.
+    ``snap``: turn angles within so many degrees of a whole degree into that. ``precision``:
+    round to so many significant digits.
+
+    Raises:
+        OSError, sdfcheck.Unreadable: as for ``load``.
+        sdfcheck.WrongUsage: the text is broken, the format cannot hold what is asked for, or the
+            result would be another robot.
+    """
+    from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
+    from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
+
+    style = CanonicalStyle(NumberStyle(degrees, snap, precision), expand_includes, expand_auto_inertials)
+    return canonical(_document(what), style).text
+
+
+def as_json(what: Run | Diagnostic) -> Any:
+    """A run or one diagnostic as the command writes it with ``--output-format json``: dicts, lists, numbers, texts."""
+    from sdfcheck.lint.run import Run
+    from sdfcheck.report.json import diagnostic_lines, render
+    from sdfcheck.report.paths import Paths
+
+    if isinstance(what, Run):
+        return json.loads(render(what))
+    (line,) = diagnostic_lines(Run((what,), ()), Paths())
+    return json.loads(line)
+
+
+def _document(what: Description) -> Document:
+    if isinstance(what, Root):
+        return what.document
+    text = as_text(what)
+    return (load(what) if text is None else parse(text)).document  # type: ignore[arg-type]
