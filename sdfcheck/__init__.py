@@ -84,7 +84,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.text import Position, Source, Span
     from sdfcheck.source.wrong_usage import WrongUsage
 
-__version__ = "0.1.0"
+from sdfcheck.release import __version__
 
 _HOMES = {
     "sdfcheck.api": "as_json diff fix inertia print targets",

@@ -14,8 +14,8 @@ from typing import NoReturn
 
 import click
 
-from sdfcheck import __version__
 from sdfcheck.cli.group import LazyCommand, LazyGroup
+from sdfcheck.release import __version__
 from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 COMMANDS = {

@@ -10,10 +10,10 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from sdfcheck import __version__
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix.fix import Fix
 from sdfcheck.lint.run import Run
+from sdfcheck.release import __version__
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.text import Source, Span
 

@@ -8,11 +8,11 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 from urllib.parse import quote
 
-from sdfcheck import __version__
 from sdfcheck.consumers.reaction import lines
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix.fix import Edit, Fix
 from sdfcheck.lint.run import RuleFacts, Run
+from sdfcheck.release import __version__
 from sdfcheck.report.line_hash import line_hashes
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.text import Source, Span
