@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
+    from sdfcheck.release import __version__
     from sdfcheck.robot.custom import Custom
     from sdfcheck.robot.editing import EditError, edit
     from sdfcheck.robot.errors import DescriptionError
@@ -84,7 +85,6 @@ if TYPE_CHECKING:
     from sdfcheck.source.text import Position, Source, Span
     from sdfcheck.source.wrong_usage import WrongUsage
 
-from sdfcheck.release import __version__
 
 _HOMES = {
     "sdfcheck.api": "as_json diff fix inertia print targets",
@@ -103,6 +103,7 @@ _HOMES = {
     "sdfcheck.lint.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.robot.load": "Unreadable load parse",
+    "sdfcheck.release": "__version__",
     "sdfcheck.robot.custom": "Custom",
     "sdfcheck.robot.editing": "EditError edit",
     "sdfcheck.robot.errors": "DescriptionError",
