@@ -5,7 +5,104 @@
 
 from math import inf as math_inf
 from math import pi as math_pi
+from sdfcheck import Include as sdfcheck_Include
 import math as math_
+
+def FRM001_applies(reference):
+    return reference.is_unresolved
+
+def FRM002_applies(root):
+    return bool(root.rings)
+
+def FRM003_applies(model):
+    if model.canonical_link_value is None or model.is_urdf:
+        return False
+    name = model.canonical_link_name
+    node = model.resolve(name)
+    return model.lacks(name) if node is None else node.kind != 'link'
+
+def frm_unknown_placement_frame___model(placed):
+    return placed.content if isinstance(placed, sdfcheck_Include) else placed
+
+def FRM004_applies(placed):
+    value = placed.placement_frame_value
+    if value is None or placed.is_urdf:
+        return False
+    model, name = (frm_unknown_placement_frame___model(placed), value.text.strip())
+    is_kept = name == '__root__' and isinstance(placed, sdfcheck_Include)
+    return model is not None and (not is_kept) and model.lacks(name)
+
+def FRM005_applies(model):
+    if model.has('link') or model.has('model') or model.is_urdf:
+        return False
+    return not (model.links or model.models or (not model.is_complete) or model.stands_still or model.is_included_as_static or model.misspells('link') or model.misspells('model'))
+
+frm_degrees_as_radians___NOT_ROTATED = (' 0 0 0', ' 0.0 0.0 0.0')
+
+frm_degrees_as_radians___WHOLE_TURN = 2 * math_.pi
+
+frm_degrees_as_radians___STEP = 0.5
+
+def frm_degrees_as_radians___is_whole_degrees(word):
+    angle = float(word)
+    return abs(angle) > frm_degrees_as_radians___WHOLE_TURN and angle % frm_degrees_as_radians___STEP == 0
+
+def frm_degrees_as_radians___value(element):
+    return element.attribute('rpy') if element.tag == 'origin' else element.own_value
+
+def frm_degrees_as_radians___says_otherwise(pose):
+    if not pose.keys():
+        return False
+    given = pose.attributes
+    is_quaternion = given.get('rotation_format', '').strip() == 'quat_xyzw'
+    return is_quaternion or given.get('degrees', '').strip().lower() in {'true', '1'}
+
+def frm_degrees_as_radians___is_number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+def frm_degrees_as_radians___angles(element):
+    value = frm_degrees_as_radians___value(element)
+    words = value.text.split() if value is not None else []
+    first = 0
+    if element.tag == 'pose':
+        first = 3
+        if len(words) != 6 or frm_degrees_as_radians___says_otherwise(element):
+            return []
+    if not all(map(frm_degrees_as_radians___is_number, words)):
+        return []
+    return list(zip(range(first, first + 3), ('roll', 'pitch', 'yaw'), words[first:], strict=False))
+
+def FRM006_applies(element):
+    text = element.text
+    if text and text.endswith(frm_degrees_as_radians___NOT_ROTATED):
+        return False
+    return any((frm_degrees_as_radians___is_whole_degrees(word) for _, _, word in frm_degrees_as_radians___angles(element)))
+
+frm_non_unit_quaternion___NO_ROTATION = (0.0, 0.0, 0.0, 1.0)
+
+def frm_non_unit_quaternion___quaternion(pose):
+    if pose.attributes.get('rotation_format', '').strip() != 'quat_xyzw':
+        return frm_non_unit_quaternion___NO_ROTATION
+    try:
+        numbers = tuple(map(float, pose.content.split()))
+    except ValueError:
+        return frm_non_unit_quaternion___NO_ROTATION
+    return numbers[3:] if len(numbers) == 7 and all(map(math_.isfinite, numbers)) else frm_non_unit_quaternion___NO_ROTATION
+
+frm_non_unit_quaternion___ROUNDING = 0.001
+
+def FRM007_applies(pose):
+    if not pose.keys():
+        return False
+    length = math_.hypot(*frm_non_unit_quaternion___quaternion(pose))
+    return abs(length - 1) > frm_non_unit_quaternion___ROUNDING
+
+def FRM009_applies(reference):
+    return reference.scope is None and reference.owner_element.tag in {'model', 'include'}
 
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
@@ -160,6 +257,14 @@ def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
 
 CONDITIONS = {
+    'FRM001': FRM001_applies,
+    'FRM002': FRM002_applies,
+    'FRM003': FRM003_applies,
+    'FRM004': FRM004_applies,
+    'FRM005': FRM005_applies,
+    'FRM006': FRM006_applies,
+    'FRM007': FRM007_applies,
+    'FRM009': FRM009_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,

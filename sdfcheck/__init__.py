@@ -76,6 +76,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.sensor import Sensor
     from sdfcheck.robot.parts.setting import Setting
     from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
+    from sdfcheck.robot.reference import Reference
     from sdfcheck.robot.root import Root
     from sdfcheck.robot.scope import Scope
     from sdfcheck.robot.values import Flag, Number, Text, Vector
@@ -131,6 +132,7 @@ _HOMES = {
     "sdfcheck.robot.parts.sensor": "Sensor",
     "sdfcheck.robot.parts.setting": "Setting",
     "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
+    "sdfcheck.robot.reference": "Reference",
     "sdfcheck.robot.root": "Root",
     "sdfcheck.robot.scope": "Scope",
     "sdfcheck.robot.values": "Flag Number Text Vector",
@@ -202,6 +204,7 @@ __all__ = [
     "PoseError",
     "Position",
     "Reaction",
+    "Reference",
     "Root",
     "Ros2Control",
     "Rule",

@@ -16,13 +16,11 @@ if TYPE_CHECKING:
     from sdfcheck.formats.urdf.problems import *  # noqa: F403
     from sdfcheck.formats.vendor.problems import *  # noqa: F403
     from sdfcheck.robot.file_problems import *  # noqa: F403
-    from sdfcheck.robot.frames import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.include_problems import *  # noqa: F403
     from sdfcheck.robot.joint_problems import *  # noqa: F403
     from sdfcheck.robot.model_config import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.names import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.robot_problems import *  # noqa: F403
-    from sdfcheck.robot.rotation_checks import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
     from sdfcheck.xacro.problems import *  # noqa: F403
 
@@ -31,9 +29,7 @@ _HOMES = (
     "sdfcheck.formats.namespace_problems",
     "sdfcheck.formats.sdf.problems",
     "sdfcheck.robot.names",
-    "sdfcheck.robot.frames",
     "sdfcheck.robot.joint_problems",
-    "sdfcheck.robot.rotation_checks",
     "sdfcheck.formats.urdf.problems",
     "sdfcheck.robot.robot_problems",
     "sdfcheck.robot.file_problems",

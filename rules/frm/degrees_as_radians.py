@@ -8,14 +8,21 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Edit,
+    Element,
     Good,
     Rule,
     Severity,
+    Value,
     listed,
     make_fix,
-    problems,
     warns,
 )
+
+_WHOLE_TURN = 2 * math.pi
+_STEP = 0.5
+"""Degrees that people write by hand are multiples of it."""
+_NOT_ROTATED = (" 0 0 0", " 0.0 0.0 0.0")
+"""How most poses end: a world holds thousands, and hardly one rotation to look at."""
 
 
 class DegreesAsRadians(Rule):
@@ -29,7 +36,7 @@ class DegreesAsRadians(Rule):
     name = "degrees-as-radians"
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("takes it for radians"))
-    explains = (problems.DegreesAsRadians,)
+    selects = ("sdf:pose", "urdf:origin")
     scaffold = IN_LINK
 
     bad = (
@@ -60,15 +67,67 @@ class DegreesAsRadians(Rule):
         Good("<pose>0 0 1 0 0 6</pose>", why="less than a turn"),
     )
 
-    def check(self, problem: problems.DegreesAsRadians) -> Iterator[Diagnostic]:
-        words = problem.value.text.split()
-        told = listed(f"{name} {words[at]}" for at, name in problem.parts)
-        are, look = ("is", "looks") if len(problem.parts) == 1 else ("are", "look")
+    @staticmethod
+    def applies(element: Element) -> bool:
+        text = element.text
+        if text and text.endswith(_NOT_ROTATED):
+            return False
+        return any(_is_whole_degrees(word) for _, _, word in _angles(element))
+
+    def check(self, element: Element) -> Iterator[Diagnostic]:
+        value = _value(element)
+        found = [angle for angle in _angles(element) if _is_whole_degrees(angle[2])]
+        shown = listed(f"{name} {word}" for _, name, word in found)
+        are, look = ("is", "looks") if len(found) == 1 else ("are", "look")
         edits = tuple(
-            Edit(problem.value.part(at), repr(math.radians(float(words[at])))) for at, _ in problem.parts
+            Edit(value.part(at), repr(math.radians(float(word))))
+            for at, _, word in found
+            if value is not None
         )
         yield self.diagnostic(
             edits[0].span,
-            f"{told} {are} read as radians, and {look} like degrees",
+            f"{shown} {are} read as radians, and {look} like degrees",
             fix=make_fix("write radians", edits, unsafe=True),
         )
+
+
+def _value(element: Element) -> Value | None:
+    """The text with the angles."""
+    return element.attribute("rpy") if element.tag == "origin" else element.own_value
+
+
+def _angles(element: Element) -> list[tuple[int, str, str]]:
+    """The angles that are read as radians: the index of the word, what it is called, and the word."""
+    value = _value(element)
+    words = value.text.split() if value is not None else []
+    first = 0
+    if element.tag == "pose":
+        first = 3
+        if len(words) != 6 or _says_otherwise(element):
+            return []
+    if not all(map(_is_number, words)):
+        return []
+    return list(zip(range(first, first + 3), ("roll", "pitch", "yaw"), words[first:], strict=False))
+
+
+def _says_otherwise(pose: Element) -> bool:
+    """Does it say that it is in degrees, or a quaternion?"""
+    if not pose.keys():
+        return False
+    given = pose.attributes
+    is_quaternion = given.get("rotation_format", "").strip() == "quat_xyzw"
+    return is_quaternion or given.get("degrees", "").strip().lower() in {"true", "1"}
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def _is_whole_degrees(word: str) -> bool:
+    """Is it more than a turn in radians, and a round number of degrees?"""
+    angle = float(word)
+    return abs(angle) > _WHOLE_TURN and angle % _STEP == 0

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity
 
 _SHOWN = 6
 
@@ -17,7 +17,7 @@ class FrameCycle(Rule):
     name = "frame-cycle"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.FrameCycle,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -50,18 +50,24 @@ class FrameCycle(Rule):
         ),
     )
 
-    def check(self, problem: problems.FrameCycle) -> Iterator[Diagnostic]:
-        names, members = problem.names, problem.members
-        tied = "attached to" if problem.role == "attached_to" else "placed relative to"
-        if len(names) == 1:
-            yield self.diagnostic(members[0], f"`{names[0]}` is {tied} itself")
-            return
-        shown = [f"`{name}`" for name in names[:_SHOWN]]
-        more = ["…"] if len(names) > _SHOWN else []
-        ring = " → ".join((*shown, *more, f"`{names[0]}`"))
-        message = f"{len(names)} frames are {tied} each other in a ring: {ring}"
-        labels = {
-            value: f"leads on from `{name}`"
-            for value, name in zip(members[1:_SHOWN], names[1:], strict=False)
-        }
-        yield self.diagnostic(members[0], message, labels=labels)
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return bool(root.rings)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for ring in root.rings:
+            first, *others = ring.members
+            names = ring.names
+            tied = "attached to" if ring.role == "attached_to" else "placed relative to"
+            if not others:
+                yield self.diagnostic(first, f"`{names[0]}` is {tied} itself")
+                continue
+            shown = [f"`{name}`" for name in names[:_SHOWN]]
+            more = ["…"] if len(names) > _SHOWN else []
+            way = " → ".join((*shown, *more, f"`{names[0]}`"))
+            message = f"{len(names)} frames are {tied} each other in a ring: {way}"
+            labels = {
+                value: f"leads on from `{name}`"
+                for value, name in zip(others[: _SHOWN - 1], names[1:], strict=False)
+            }
+            yield self.diagnostic(first, message, labels=labels)

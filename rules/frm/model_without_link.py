@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity
 
 
 class ModelWithoutLink(Rule):
@@ -14,7 +14,7 @@ class ModelWithoutLink(Rule):
     name = "model-without-link"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.ModelWithoutLink,)
+    looks_at = (Model,)
     scaffold = SDF
 
     bad = (
@@ -33,6 +33,19 @@ class ModelWithoutLink(Rule):
         ),
     )
 
-    def check(self, problem: problems.ModelWithoutLink) -> Iterator[Diagnostic]:
-        element = problem.element
-        yield self.diagnostic(element, f"{element.title} has no link, and is not static")
+    @staticmethod
+    def applies(model: Model) -> bool:
+        if model.has("link") or model.has("model") or model.is_urdf:
+            return False
+        return not (
+            model.links
+            or model.models
+            or not model.is_complete
+            or model.stands_still
+            or model.is_included_as_static
+            or model.misspells("link")
+            or model.misspells("model")
+        )
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        yield self.diagnostic(model, f"{model.title} has no link, and is not static")

@@ -1,3 +1,4 @@
+import math
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -7,14 +8,17 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Edit,
+    Element,
     Good,
     Rule,
     Severity,
     make_fix,
-    problems,
     warns,
 )
 
+_NO_ROTATION = (0.0, 0.0, 0.0, 1.0)
+_ROUNDING = 1e-3
+"""How far from 1 the length may be by rounding the numbers."""
 _ROUNDED = 0.01
 """So far from 1 the length is a matter of rounding, and everybody means the same rotation."""
 
@@ -34,7 +38,7 @@ class NonUnitQuaternion(Rule):
         Consumer.GAZEBO: warns("takes it as it is"),
         Consumer.DRAKE: warns("normalizes it, and refuses zero"),
     }
-    explains = (problems.NonUnitQuaternion,)
+    selects = ("sdf:pose",)
     scaffold = IN_LINK
 
     bad = (
@@ -63,17 +67,36 @@ class NonUnitQuaternion(Rule):
         Good('<pose rotation_format="quat_xyzw"/>', why="the default"),
     )
 
-    def check(self, problem: problems.NonUnitQuaternion) -> Iterator[Diagnostic]:
-        value = problem.value
+    @staticmethod
+    def applies(pose: Element) -> bool:
+        if not pose.keys():
+            return False
+        length = math.hypot(*_quaternion(pose))
+        return abs(length - 1) > _ROUNDING
+
+    def check(self, pose: Element) -> Iterator[Diagnostic]:
+        value, numbers = pose.own_value, _quaternion(pose)
         first, last = value.part(3), value.part(6)
         span = first._replace(end=last.end)
-        if problem.length == 0:
+        length = math.hypot(*numbers)
+        if length == 0:
             fix = make_fix("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
             message = "the quaternion is zero, which is no rotation"
             affects = {Consumer.DRAKE: REFUSES}
             yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR, affects=affects)
             return
-        text = " ".join(f"{number:.14g}" for number in problem.normalized)
-        is_unsafe = abs(problem.length - 1) > _ROUNDED
+        text = " ".join(f"{number / length + 0.0:.14g}" for number in numbers)
+        is_unsafe = abs(length - 1) > _ROUNDED
         fix = make_fix("make its length 1", (Edit(span, text),), unsafe=is_unsafe)
-        yield self.diagnostic(span, f"the quaternion has the length {problem.length:.3g}, not 1", fix=fix)
+        yield self.diagnostic(span, f"the quaternion has the length {length:.3g}, not 1", fix=fix)
+
+
+def _quaternion(pose: Element) -> tuple[float, ...]:
+    """The quaternion of a pose; that of no rotation where it has none that can be read."""
+    if pose.attributes.get("rotation_format", "").strip() != "quat_xyzw":
+        return _NO_ROTATION
+    try:
+        numbers = tuple(map(float, pose.content.split()))
+    except ValueError:
+        return _NO_ROTATION
+    return numbers[3:] if len(numbers) == 7 and all(map(math.isfinite, numbers)) else _NO_ROTATION

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Edit, Good, Reference, Rule, Severity, make_fix
 
 
 class RelativeTopLevelPose(Rule):
@@ -14,7 +14,7 @@ class RelativeTopLevelPose(Rule):
     name = "relative-top-level-pose"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.TopLevelPose,)
+    looks_at = (Reference,)
     scaffold = SDF
 
     bad = (
@@ -32,10 +32,13 @@ class RelativeTopLevelPose(Rule):
         ),
     )
 
-    def check(self, problem: problems.TopLevelPose) -> Iterator[Diagnostic]:
-        value, pose = problem.value, problem.value.element
-        model = pose.parent if pose.parent is not None else pose
-        whole = pose.document.spans.attribute_whole(pose, value.attribute or "")
-        fix = make_fix(f"remove `{value.attribute}`", (Edit(whole, ""),), unsafe=True)
-        message = f"around {model.title} there is no frame `{value.text.strip()}`"
-        yield self.diagnostic(value, message, fix=fix)
+    @staticmethod
+    def applies(reference: Reference) -> bool:
+        return reference.scope is None and reference.owner_element.tag in {"model", "include"}
+
+    def check(self, reference: Reference) -> Iterator[Diagnostic]:
+        pose, attribute = reference.value.element, reference.value.attribute or ""
+        whole = pose.document.spans.attribute_whole(pose, attribute)
+        fix = make_fix(f"remove `{attribute}`", (Edit(whole, ""),), unsafe=True)
+        message = f"around {reference.owner_element.title} there is no frame `{reference.name}`"
+        yield self.diagnostic(reference, message, fix=fix)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, replace
 
 
 class UnknownCanonicalLink(Rule):
@@ -15,7 +15,7 @@ class UnknownCanonicalLink(Rule):
     name = "unknown-canonical-link"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.UnknownCanonicalLink,)
+    looks_at = (Model,)
     scaffold = SDF
 
     bad = (
@@ -36,13 +36,24 @@ class UnknownCanonicalLink(Rule):
         Good('<model name="m" canonical_link=""><link name="a"/></model>', why="empty is the default"),
     )
 
-    def check(self, problem: problems.UnknownCanonicalLink) -> Iterator[Diagnostic]:
-        value, meant = problem.value, problem.suggestion
-        name = value.text.strip()
-        if problem.found is not None:
-            yield self.diagnostic(value, f"`{name}` is a {problem.found}, not a link")
+    @staticmethod
+    def applies(model: Model) -> bool:
+        if model.canonical_link_value is None or model.is_urdf:
+            return False
+        name = model.canonical_link_name
+        node = model.resolve(name)
+        return model.lacks(name) if node is None else node.kind != "link"
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        value, name = model.canonical_link_value, model.canonical_link_name
+        if value is None:
             return
-        message = f"`{name}` is no link of {value.element.title}"
+        node = model.resolve(name)
+        if node is not None:
+            yield self.diagnostic(value, f"`{name}` is a {node.kind}, not a link")
+            return
+        message = f"`{name}` is no link of {model.title}"
+        meant = model.guess(name, kind="link").meant
         if meant is None:
             yield self.diagnostic(value, message)
             return

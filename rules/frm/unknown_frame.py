@@ -8,9 +8,9 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Reference,
     Rule,
     Severity,
-    problems,
     replace,
 )
 
@@ -29,7 +29,7 @@ class UnknownFrame(Rule):
     name = "unknown-frame"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.UnknownFrame,)
+    looks_at = (Reference,)
     scaffold = IN_MODEL
 
     bad = (
@@ -76,23 +76,29 @@ class UnknownFrame(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnknownFrame) -> Iterator[Diagnostic]:
-        value, meant = problem.value, problem.suggestion
-        name = value.text.strip()
-        message = f"`{value.attribute}` names `{name}`, which is no frame of {problem.scope.title}"
-        if meant is not None:
+    @staticmethod
+    def applies(reference: Reference) -> bool:
+        return reference.is_unresolved
+
+    def check(self, reference: Reference) -> Iterator[Diagnostic]:
+        name, scope = reference.name, reference.scope
+        if scope is None:
+            return
+        guess = scope.guess(name, but=(reference.owner_element.attributes.get("name", ""),))
+        message = f"`{reference.value.attribute}` names `{name}`, which is no frame of {scope.title}"
+        if (meant := guess.meant) is not None:
             is_deeper = meant.endswith(f"::{name}")
             message += (
                 f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
             )
-            yield self.diagnostic(value, message, fix=replace(value, meant, f"write `{meant}`", unsafe=True))
+            fix = replace(reference.value, meant, f"write `{meant}`", unsafe=True)
+            yield self.diagnostic(reference, message, fix=fix)
         elif name == "world":
-            yield self.diagnostic(
-                value, message, help="inside a model the frame of the world is out of reach"
-            )
-        elif problem.outside is not None:
+            hint = "inside a model the frame of the world is out of reach"
+            yield self.diagnostic(reference, message, help=hint)
+        elif guess.outside is not None:
             message += "; it is defined outside, out of reach"
-            labels = {problem.outside: f"`{name}` is defined here"}
-            yield self.diagnostic(value, message, labels=labels)
+            labels = {guess.outside: f"`{name}` is defined here"}
+            yield self.diagnostic(reference, message, labels=labels)
         else:
-            yield self.diagnostic(value, message)
+            yield self.diagnostic(reference, message)

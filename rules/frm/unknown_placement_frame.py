@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Include, Model, Rule, Severity, replace
 
 
 class UnknownPlacementFrame(Rule):
@@ -15,7 +15,10 @@ class UnknownPlacementFrame(Rule):
     name = "unknown-placement-frame"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.UnknownPlacementFrame,)
+    looks_at = (
+        Model,
+        Include,
+    )
     scaffold = SDF
 
     bad = (
@@ -35,11 +38,29 @@ class UnknownPlacementFrame(Rule):
         Good('<model name="m" placement_frame="__model__"><link name="base"/></model>'),
     )
 
-    def check(self, problem: problems.UnknownPlacementFrame) -> Iterator[Diagnostic]:
-        value, meant = problem.value, problem.suggestion
-        message = f"`{value.text.strip()}` is no frame of the model that is to be placed by it"
+    @staticmethod
+    def applies(placed: Model | Include) -> bool:
+        value = placed.placement_frame_value
+        if value is None or placed.is_urdf:
+            return False
+        model, name = _model(placed), value.text.strip()
+        is_kept = name == "__root__" and isinstance(placed, Include)  # reserved-name reports it
+        return model is not None and not is_kept and model.lacks(name)
+
+    def check(self, placed: Model | Include) -> Iterator[Diagnostic]:
+        value, model = placed.placement_frame_value, _model(placed)
+        if value is None or model is None:
+            return
+        name = value.text.strip()
+        message = f"`{name}` is no frame of the model that is to be placed by it"
+        meant = model.guess(name).meant
         if meant is None:
             yield self.diagnostic(value, message)
             return
         fix = replace(value, meant, f"write `{meant}`", unsafe=True)
         yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix)
+
+
+def _model(placed: Model | Include) -> Model | None:
+    """The model that has to have the frame."""
+    return placed.content if isinstance(placed, Include) else placed

@@ -80,6 +80,9 @@ for _element, _home in _HOMES.items():
     _class = _home.partition(":")[2]
     ELEMENTS[_class] = (*ELEMENTS.get(_class, ()), _element)
 
+SPECIAL = ("Custom", "Reference", "Root")
+"""What rules can look at besides what elements of certain names become."""
+
 
 def part_class(holder: Part, element: Element) -> type[Part]:
     """The class of the part that an element in a holder makes."""

@@ -113,6 +113,13 @@ class Model(Scope):
         return self.is_static or (value is not None and value.text.lower() not in _BOOLEANS)
 
     @property
+    def is_included_as_static(self) -> bool:
+        """Is it the model of a file that was reached by an include which makes it static?"""
+        from sdfcheck.robot.includes import is_made_static
+
+        return self.holder is self.root and is_made_static(self.document)
+
+    @property
     def static_value(self) -> Value | None:
         """Where it says whether it is static."""
         given = self.include.find("static") if self.include is not None else None
@@ -165,6 +172,12 @@ class Model(Scope):
     def pose_element(self) -> Element | None:
         own = self.include.find("pose") if self.include is not None else None
         return self.find("pose") if own is None and self.is_readable else own
+
+    @property
+    def placement_frame_value(self) -> Value | None:
+        """What the model itself writes as the frame that its pose places, with its place."""
+        value = self.attribute("placement_frame")
+        return value if value is not None and value.text.strip() else None
 
     @property
     def placement_frame(self) -> str:

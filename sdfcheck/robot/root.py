@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
+    from sdfcheck.robot.reference import Reference
+    from sdfcheck.robot.rings import Ring
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element
@@ -122,6 +124,9 @@ class Root(Part):
         if name == "Root":
             yield self
             return
+        if name == "Reference":
+            yield from self.references
+            return
         index = self.elements
         elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
         if name == "Custom":
@@ -136,6 +141,20 @@ class Root(Part):
                 part = self.scopes[0]
             if isinstance(part, cls):
                 yield part
+
+    @lazy
+    def references(self) -> tuple[Reference, ...]:
+        """The references to frames that the file writes, resolved or not."""
+        from sdfcheck.robot.reference import references
+
+        return tuple(references(self))
+
+    @lazy
+    def rings(self) -> tuple[Ring, ...]:
+        """The frames that are attached to, or placed relative to, each other in a ring."""
+        from sdfcheck.robot.rings import rings
+
+        return rings(self) if self.references else ()
 
     def outermost(self, node: Node) -> Node:
         """The world around a node, or what stands for it where there is none."""

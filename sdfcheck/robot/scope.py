@@ -129,6 +129,12 @@ class Scope(Node):
         model = self.nodes.get(head) if delimiter else None
         return isinstance(model, Scope) and model.may_hold(rest)
 
+    def lacks(self, reference: str) -> bool:
+        """Does a reference surely name nothing here? Not known where a part of it is empty."""
+        if self.resolve(reference) is not None or "" in reference.split("::"):
+            return False
+        return not self.may_hold(reference)
+
     def guess(self, reference: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
         """What a reference that names nothing here was meant to be: none of ``but``, and of ``kind``."""
         from sdfcheck.robot.guess import guess

@@ -10,6 +10,7 @@ from sdfcheck.robot.values import lazy
 if TYPE_CHECKING:
     from sdfcheck.robot.includes import Included
     from sdfcheck.robot.model import Model
+    from sdfcheck.robot.node import Node
     from sdfcheck.source.element import Value
 
 
@@ -48,10 +49,30 @@ class Include(Part):
         return included(self.document, self.element)
 
     @property
-    def model(self) -> Model | None:
-        """The model that it brings whole; None if it brings none, or merges it."""
+    def placement_frame_value(self) -> Value | None:
+        """The name of the frame of the model that its pose places, with its place; None if there is none."""
+        placement = self.find("placement_frame")
+        return placement.own_value if placement is not None and placement.content else None
+
+    @lazy
+    def node(self) -> Node | None:
+        """The model that it brings whole, or the frame that stands for one that it merges; None if neither."""
         from sdfcheck.robot.scope import Scope
 
         if not isinstance(self.holder, Scope):
             return None
-        return next((model for model in self.holder.models if model.include is self.element), None)
+        return next((node for node in self.holder.nodes.values() if node.place is self.element), None)
+
+    @property
+    def model(self) -> Model | None:
+        """The model that it brings whole; None if it brings none, or merges it."""
+        from sdfcheck.robot.model import Model
+
+        return self.node if isinstance(self.node, Model) else None
+
+    @property
+    def content(self) -> Model | None:
+        """The model that it brings, whole or merged."""
+        from sdfcheck.robot.frame import MergedFrame
+
+        return self.node.model if isinstance(self.node, MergedFrame) else self.model

@@ -7,16 +7,27 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.files.library import Library
-from sdfcheck.robot import frames
+import sdfcheck
+from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
+from tests.unit.robot.files import document
 
 NESTED = '<model name="n"><pose relative_to="f"/><link name="l"/></model>'
 
 
-def found(text: str, version: str = "1.12") -> list[frames.Problem]:
+def root(text: str, version: str = "1.12") -> Root:
     whole = f'<sdf version="{version}">{text}</sdf>'
-    return frames.problems(read(whole.encode(), Path("example.sdf")))
+    return root_of(read(whole.encode(), Path("example.sdf")))
+
+
+def unresolved(text: str, version: str = "1.12") -> list[tuple[str, str]]:
+    references = root(text, version).references
+    return [(reference.role, reference.name) for reference in references if reference.is_unresolved]
+
+
+def reported(text: str, code: str) -> list[sdfcheck.Diagnostic]:
+    run = sdfcheck.lint(f'<sdf version="1.12">{text}</sdf>', isolated=True, name="model.sdf")
+    return [diagnostic for diagnostic in run.diagnostics if diagnostic.code == code]
 
 
 def model(text: str, attributes: str = "") -> str:
@@ -38,9 +49,8 @@ def model(text: str, attributes: str = "") -> str:
     ],
 )
 def test_unknown_frames(text: str, role: str) -> None:
-    (problem,) = found(model(text))
-    assert isinstance(problem, frames.UnknownFrame)
-    assert problem.role == role
+    ((found, _),) = unresolved(model(text))
+    assert found == role
 
 
 @pytest.mark.parametrize(
@@ -54,31 +64,41 @@ def test_unknown_frames(text: str, role: str) -> None:
     ],
 )
 def test_what_is_no_reference_or_a_sound_one(text: str) -> None:
-    assert found(model(text)) == []
+    assert unresolved(model(text)) == []
 
 
 def test_the_old_spelling_of_references() -> None:
     text = model('<link name="l"><pose frame="q"/></link>')
-    assert [type(problem) for problem in found(text, "1.6")] == [frames.UnknownFrame]
-    assert found(text, "1.7") == []
+    assert unresolved(text, "1.6") == [("relative_to", "q")]
+    assert unresolved(text, "1.7") == []
 
 
-def test_what_was_meant() -> None:
-    inner = '<model name="n"><link name="palm"/></model>'
-    (near,) = found(model('<frame name="f" attached_to="Base"/>'))
-    (deeper,) = found(model(f'{inner}<frame name="f" attached_to="palm"/>'))
-    (outside,) = found(model('<model name="n"><link name="l"><pose relative_to="base"/></link></model>'))
-    itself = found(model('<frame name="frame1" attached_to="frame2"/>'))
-    assert isinstance(near, frames.UnknownFrame)
-    assert near.suggestion == "base"
-    assert isinstance(deeper, frames.UnknownFrame)
-    assert deeper.suggestion == "n::palm"
-    assert isinstance(outside, frames.UnknownFrame)
-    assert outside.suggestion is None
-    assert outside.outside is not None
-    assert outside.outside.title == "link `base`"
-    assert isinstance(itself[0], frames.UnknownFrame)
-    assert itself[0].suggestion is None
+def test_references_know_what_they_name() -> None:
+    inner = '<model name="n"><link name="palm"/><frame name="f" attached_to="palm"/></model>'
+    first, second = root(model(f'{inner}<frame name="g" attached_to="n::f"/>')).references
+    assert first.scope is not None
+    assert (first.scope.name, first.target, first.owner.name) == ("n", first.scope.nodes["palm"], "f")
+    assert second.target is first.owner
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ('<frame name="f" attached_to="Base"/>', "did you mean `base`?"),
+        (
+            '<model name="n"><link name="palm"/></model><frame name="f" attached_to="palm"/>',
+            "there is `n::palm`",
+        ),
+        (
+            '<model name="n"><link name="l"><pose relative_to="base"/></link></model>',
+            "it is defined outside, out of reach",
+        ),
+        ('<frame name="frame1" attached_to="frame2"/>', "is no frame of model `m`"),
+    ],
+)
+def test_what_was_meant(text: str, says: str) -> None:
+    (diagnostic,) = reported(model(text), "FRM001")
+    assert diagnostic.message.endswith(says)
 
 
 @pytest.mark.parametrize(
@@ -95,16 +115,28 @@ def test_what_was_meant() -> None:
     ],
 )
 def test_a_ring_is_told_once(text: str, names: tuple[str, ...]) -> None:
-    (problem,) = found(model(text))
-    assert isinstance(problem, frames.FrameCycle)
-    assert problem.names == names
+    (ring,) = root(model(text)).rings
+    assert ring.names == names
 
 
 def test_placement_frames_lead_nowhere() -> None:
-    assert (
-        found(model('<model name="n" placement_frame="l"><pose relative_to="base"/><link name="l"/></model>'))
-        == []
-    )
+    inner = '<model name="n" placement_frame="l"><pose relative_to="base"/><link name="l"/></model>'
+    assert root(model(inner)).rings == ()
+
+
+def test_a_ring_by_way_of_an_included_file(tmp_path: Path) -> None:
+    include = '<include><uri>arm.sdf</uri><pose relative_to="arm::grip"/></include>'
+    (ring,) = root_of(document(tmp_path, f'<sdf version="1.12">{model(include)}</sdf>')).rings
+    assert (ring.role, ring.names[0]) == ("relative_to", "arm")
+
+
+def test_a_ring_of_an_included_file_is_reported_there(tmp_path: Path) -> None:
+    ring = '<frame name="a" attached_to="b"/><frame name="b" attached_to="a"/>'
+    other = f'<sdf version="1.12"><model name="other"><link name="l"/>{ring}</model></sdf>'
+    text = model('<include><uri>other.sdf</uri></include><frame name="f" attached_to="other::a"/>')
+    found = root_of(document(tmp_path, f'<sdf version="1.12">{text}</sdf>', other=other))
+    assert [reference.target is not None for reference in found.references] == [True]
+    assert found.rings == ()
 
 
 @pytest.mark.parametrize(
@@ -120,17 +152,17 @@ def test_placement_frames_lead_nowhere() -> None:
     ],
 )
 def test_models_without_links(text: str, bare: list[str]) -> None:
-    told = [p.element.attributes["name"] for p in found(text) if isinstance(p, frames.ModelWithoutLink)]
-    assert told == bare
+    assert [diagnostic.message.split("`")[1] for diagnostic in reported(text, "FRM005")] == bare
 
 
 @pytest.mark.parametrize(("name", "kind"), [("q", None), ("f", "frame"), ("n", "model")])
 def test_canonical_links_are_links(name: str, kind: str | None) -> None:
     text = '<frame name="f"/><model name="n"><link name="l"/></model>'
-    (problem,) = found(model(text, f' canonical_link="{name}"'))
-    assert isinstance(problem, frames.UnknownCanonicalLink)
-    assert problem.found == kind
-    assert found(model(text, ' canonical_link="n::l"')) == []
+    (diagnostic,) = reported(model(text, f' canonical_link="{name}"'), "FRM003")
+    assert diagnostic.message == (
+        f"`{name}` is a {kind}, not a link" if kind else "`q` is no link of model `m`"
+    )
+    assert reported(model(text, ' canonical_link="n::l"'), "FRM003") == []
 
 
 def test_placement_frames_of_includes(tmp_path: Path) -> None:
@@ -143,20 +175,18 @@ def test_placement_frames_of_includes(tmp_path: Path) -> None:
     )
     parts = "".join(include.format(name) for name in ("hand", "foot"))
     file.write_text(f'<sdf version="1.12"><world name="w">{parts}</world></sdf>')
-    document = Library().document(file)
-    assert document is not None
-    (problem,) = frames.problems(document)
-    assert isinstance(problem, frames.UnknownPlacementFrame)
-    assert problem.value.text == "foot"
+    run = sdfcheck.lint(file, isolated=True, select=["FRM004"])
+    assert [diagnostic.span.text for diagnostic in run.diagnostics] == ["foot"]
 
 
 def test_poses_at_the_top_of_the_file() -> None:
-    (problem,) = found('<model name="m"><pose relative_to="world"/><link name="l"/></model>')
-    assert isinstance(problem, frames.TopLevelPose)
+    text = '<model name="m"><pose relative_to="world"/><link name="l"/></model>'
+    assert [diagnostic.code for diagnostic in reported(text, "FRM009")] == ["FRM009"]
+    assert unresolved(text) == []
 
 
 def test_thousands_of_unknown_names_take_no_minute() -> None:
     text = "".join(f'<frame name="frame_{n}" attached_to="nothing_{n}"/>' for n in range(3000))
     start = time.perf_counter()
-    assert len(found(model(text))) == 3000
+    assert len(reported(model(text), "FRM001")) == 3000
     assert time.perf_counter() - start < 20

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+import sdfcheck
 from sdfcheck.robot.motion.rotations import (
     about_axis,
     angle_between,
@@ -17,8 +17,6 @@ from sdfcheck.robot.motion.rotations import (
     to_rpy,
     transform,
 )
-from sdfcheck.robot.rotation_checks import DegreesAsRadians, NonUnitQuaternion, problems, urdf_problems
-from sdfcheck.source.document import read
 
 ANGLES = [(0.0, 0.0, 0.0), (0.1, -0.2, 0.3), (3.0, 1.5, -3.0), (-2.0, -1.2, 0.7)]
 
@@ -61,48 +59,54 @@ def test_tiny_angles_between_rotations() -> None:
     assert angle_between(np.eye(3), from_rpy(math.pi, 0, 0)) == pytest.approx(math.pi)
 
 
-def poses(*texts: str) -> list[object]:
-    links = "".join(f'<link name="l{number}">{text}</link>' for number, text in enumerate(texts))
-    text = f'<sdf version="1.12"><model name="m">{links}</model></sdf>'
-    return list(problems(read(text.encode(), Path("example.sdf"))))
+def reported(pose: str, code: str) -> list[sdfcheck.Diagnostic]:
+    text = f'<sdf version="1.12"><model name="m"><link name="l">{pose}</link></model></sdf>'
+    run = sdfcheck.lint(text, isolated=True, name="model.sdf")
+    return [diagnostic for diagnostic in run.diagnostics if diagnostic.code == code]
 
 
 @pytest.mark.parametrize(
     ("pose", "parts"),
     [
-        ("0 0 0 0 0 90", ((5, "yaw"),)),
-        ("0 0 0 -45 22.5 1.57", ((3, "roll"), (4, "pitch"))),
-        ("90 0 0", ()),
-        ("0 0 0 90 0 0", ((3, "roll"),)),
-        ("0 0 0 0 0 6", ()),
-        ("0 0 0 0 0 7.853981633974483", ()),
-        ("0 0 0 0 0 inf", ()),
-        ("90 90 90 0 0 0", ()),
+        ("0 0 0 0 0 90", "yaw 90"),
+        ("0 0 0 -45 22.5 1.57", "roll -45 and pitch 22.5"),
+        ("90 0 0", None),
+        ("0 0 0 90 0 0", "roll 90"),
+        ("0 0 0 0 0 6", None),
+        ("0 0 0 0 0 7.853981633974483", None),
+        ("0 0 0 0 0 inf", None),
+        ("90 90 90 0 0 0", None),
+        ("0 0 0 x 0 90", None),
     ],
 )
-def test_degrees_as_radians(pose: str, parts: tuple[tuple[int, str], ...]) -> None:
-    told = poses(f"<pose>{pose}</pose>")
-    assert [p.parts for p in told if isinstance(p, DegreesAsRadians)] == ([parts] if parts else [])
+def test_degrees_as_radians(pose: str, parts: str | None) -> None:
+    shown = [
+        each.message.partition(" is ")[0].partition(" are ")[0]
+        for each in reported(f"<pose>{pose}</pose>", "FRM006")
+    ]
+    assert shown == ([] if parts is None else [parts])
 
 
 def test_degrees_that_say_so() -> None:
-    assert poses('<pose degrees="true">0 0 0 0 0 90</pose>') == []
+    assert reported('<pose degrees="true">0 0 0 0 0 90</pose>', "FRM006") == []
+    assert reported('<pose rotation_format="quat_xyzw">0 0 0 0 0 90 0</pose>', "FRM006") == []
 
 
 @pytest.mark.parametrize(
     ("quaternion", "length"),
     [
-        ("0 0 1 1", math.sqrt(2)),
-        ("0 0 0 0", 0.0),
+        ("0 0 1 1", "1.41"),
+        ("0 0 0 0", "zero"),
         ("0 0 0.7071 0.7071", None),
         ("1 0 0 0", None),
         ("0 0 1", None),
+        ("0 0 x 1", None),
     ],
 )
-def test_quaternions_of_other_lengths(quaternion: str, length: float | None) -> None:
-    told = poses(f'<pose rotation_format="quat_xyzw">0 0 0 {quaternion}</pose>')
-    found = [p.length for p in told if isinstance(p, NonUnitQuaternion)]
-    assert found == ([pytest.approx(length)] if length is not None else [])
+def test_quaternions_of_other_lengths(quaternion: str, length: str | None) -> None:
+    found = reported(f'<pose rotation_format="quat_xyzw">0 0 0 {quaternion}</pose>', "FRM007")
+    assert len(found) == (length is not None)
+    assert all(str(length) in diagnostic.message for diagnostic in found)
 
 
 def test_urdf_angles() -> None:
@@ -110,6 +114,6 @@ def test_urdf_angles() -> None:
         '<robot name="r"><link name="l"><visual><origin xyz="90 0 0" rpy="0 0 90"/><geometry>'
         '<sphere radius="1"/></geometry></visual></link></robot>'
     )
-    (problem,) = urdf_problems(read(text.encode(), Path("example.urdf")))
-    assert isinstance(problem, DegreesAsRadians)
-    assert problem.parts == ((2, "yaw"),)
+    run = sdfcheck.lint(text, isolated=True, name="robot.urdf")
+    (found,) = (diagnostic for diagnostic in run.diagnostics if diagnostic.code == "FRM006")
+    assert found.message.startswith("yaw 90")

@@ -1,0 +1,95 @@
+"""References: the names of frames that poses, attachments and axes write."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.robot.values import lazy
+from sdfcheck.source.element import Value
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.root import Root
+    from sdfcheck.robot.scope import Scope
+    from sdfcheck.source.element import Element
+    from sdfcheck.source.text import Span
+
+_SEVEN = Version(1, 7)
+
+
+class Reference:
+    """The name of a frame in SDFormat, as it is written.
+
+    ``role`` is ``relative_to`` (of a pose, also where it was called ``frame``),
+    ``attached_to`` (of a frame) or ``expressed_in`` (of an axis).
+    """
+
+    __slots__ = ("__dict__", "role", "root", "value")
+
+    def __init__(self, root: Root, role: str, value: Value) -> None:
+        self.root = root
+        self.role = role
+        self.value = value
+
+    def __repr__(self) -> str:
+        return f"Reference({self.role} {self.name!r})"
+
+    @property
+    def name(self) -> str:
+        """The name that it writes."""
+        return self.value.text.strip()
+
+    @property
+    def span(self) -> Span:
+        """The place of the name."""
+        return self.value.span
+
+    @property
+    def owner_element(self) -> Element:
+        """The element that it is about: what has the pose, the frame, or the ``xyz`` of the axis."""
+        element = self.value.element
+        parent = element.parent if element.tag == "pose" else None
+        return element if parent is None else parent
+
+    @property
+    def owner(self) -> Part:
+        """The part that it is about."""
+        return self.root.part_of(self.owner_element)
+
+    @lazy
+    def scope(self) -> Scope | None:
+        """The world or model in which the name is looked up; None around what is at the top of the file."""
+        return self.root.scope_of(self.owner_element)
+
+    @lazy
+    def target(self) -> Node | None:
+        """What it names; None if that is nothing known."""
+        return None if self.scope is None else self.scope.resolve(self.name)
+
+    @property
+    def is_unresolved(self) -> bool:
+        """Does it surely name nothing?"""
+        return self.scope is not None and self.scope.lacks(self.name)
+
+
+def references(root: Root) -> Iterator[Reference]:
+    """The references to frames that a file of SDFormat writes; those that nobody reads are left out."""
+    if root.is_urdf:
+        return
+    surveyed = survey(root.document)
+    for pose in surveyed.index.get("pose", ()):
+        for name, text in pose.items():
+            is_read = name == "relative_to" or (name == "frame" and surveyed.version < _SEVEN)
+            if is_read and text.strip():
+                reference = Reference(root, "relative_to", Value(pose, name, text))
+                if reference.owner_element.tag != "inertial":
+                    yield reference
+    for kind, role in (("xyz", "expressed_in"), ("frame", "attached_to")):
+        for element in surveyed.index.get(kind, ()):
+            value = element.attribute(role)
+            if value is not None and value.text.strip():
+                yield Reference(root, role, value)
