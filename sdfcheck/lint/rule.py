@@ -37,8 +37,9 @@ class Rule:
     name: ClassVar[str]
     severity: ClassVar[Severity]
     looks_at: ClassVar[tuple[type, ...]] = ()
-    """Classes of the robot; :class:`Element` may be named with ``selects``, which implies it."""
+    """Classes of the robot; :class:`Element` may be named with ``selects``."""
     selects: ClassVar[tuple[str, ...]] = ()
+    """The elements that are looked at, or where the objects of the classes in ``looks_at`` have to be."""
     explains: ClassVar[tuple[type, ...]] = ()
     affects: ClassVar[Affects] = {}
     """Which readers are concerned, and what they do; empty: none, the file itself is at fault."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from lxml import etree
 
@@ -11,20 +11,24 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
 
-def subjects(document: Document, looks_at: Iterable[str], selects: Iterable[str]) -> list[object]:
-    """The objects of the named classes, and the elements that the selectors choose."""
+def subjects(document: Document, looks_at: Sequence[str], selects: Sequence[str]) -> list[object]:
+    """The objects of the named classes: all of them, or with selectors those that the selected elements make.
+
+    Where :class:`Element` is named, or no class is, the selected elements themselves.
+    """
     found: list[object] = []
     if document.root is None:
         return found
-    if document.kind in (Kind.SDF, Kind.URDF):
+    selected = [element for selector in selects for element in _selected(document, selector)]
+    classes = [name for name in looks_at if name != Element.__name__]
+    is_narrowed = bool(selects) and len(classes) == len(looks_at) > 0
+    if document.kind in (Kind.SDF, Kind.URDF) and (selected or not is_narrowed):
         from sdfcheck.robot.root import root_of
 
-        for name in looks_at:
-            if name != Element.__name__:
-                found += root_of(document).each(name)
-    for selector in selects:
-        found += _selected(document, selector)
-    return found
+        root = root_of(document)
+        for name in classes:
+            found += root.made_of(selected, name) if is_narrowed else root.each(name)
+    return found if is_narrowed else [*found, *selected]
 
 
 def _selected(document: Document, selector: str) -> Iterator[Element]:

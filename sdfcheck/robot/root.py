@@ -131,9 +131,12 @@ class Root(Part):
         elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
         if name == "Custom":
             elements = self._customs
-        if not elements:
-            return
-        cls = class_named(name)
+        if elements:
+            yield from self.made_of(elements, name)
+
+    def made_of(self, elements: Iterable[Element], kind: str) -> Iterator[Any]:
+        """The parts of a class that elements of this file make; that of ``robot`` is its model."""
+        cls = class_named(kind)
         part_of = self.part_of
         for element in elements:
             part = part_of(element)

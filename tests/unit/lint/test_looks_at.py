@@ -57,6 +57,9 @@ class Root:
             if isinstance(element, Element) and element.name.title() == kind:
                 yield KINDS[kind](element, str(element.attributes["name"]))
 
+    def made_of(self, elements: Iterable[Element], kind: str) -> Iterable[object]:
+        return (each for each in self.each(kind) if any(each.element is e for e in elements))  # type: ignore[attr-defined]
+
 
 class LongName(Rule):
     """A name is long."""
@@ -94,6 +97,21 @@ class AnyLink(Rule):
             yield self.diagnostic(link, "an element")
         else:
             yield self.diagnostic(link.element, f"the object {link.name}")
+
+
+class LinkInModel(Rule):
+    """A link is in a model, seen as an object."""
+
+    code = "XYZ004"
+    name = "link-in-model"
+    severity = Severity.INFO
+    looks_at = (Link, Frame)
+    selects = ("sdf:model/link", "urdf:joint/frame")
+    bad = ()
+    good = ()
+
+    def check(self, named: Link | Frame) -> Iterator[Diagnostic]:
+        yield self.diagnostic(named, f"{type(named).__name__} {named.name}")
 
 
 class Broken(Rule):
@@ -134,6 +152,11 @@ def test_objects_of_several_classes_are_looked_at() -> None:
     found = lint(LongName)
     assert [(d.message, d.span.text) for d in found] == [("long name bb", "link"), ("long name cc", "frame")]
     assert {d.severity for d in lint(LongName, severity=Severity.ERROR)} == {Severity.ERROR}
+
+
+def test_selectors_narrow_the_objects() -> None:
+    assert [d.message for d in lint(LinkInModel)] == ["Link a", "Link bb"]
+    assert lint(LinkInModel, text='<sdf version="1.12"><world name="w"/></sdf>') == []
 
 
 def test_objects_and_elements_are_looked_at_together() -> None:
