@@ -7,6 +7,7 @@ from math import inf as math_inf
 from math import pi as math_pi
 from sdfcheck import Include as sdfcheck_Include
 import math as math_
+import re as re_
 
 def FRM001_applies(reference):
     return reference.is_unresolved
@@ -256,6 +257,116 @@ jnt_non_unit_axis__ROUNDING = 0.001
 def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
 
+def URD003_applies(robot):
+    return any((len(group) > 1 for group in robot.tree.loose_groups))
+
+def URD004_applies(robot):
+    return bool(robot.link_names.misspelled) or any((len(group) == 1 for group in robot.tree.loose_groups))
+
+urd_missing_limit__BOUNDED = ('revolute', 'prismatic')
+
+urd_missing_limit__REQUIRED = ('effort', 'velocity')
+
+def urd_missing_limit__is_locked(limit):
+    lower, upper = (limit.attribute('lower'), limit.attribute('upper'))
+    return lower is None and upper is None and (limit.joint.type in urd_missing_limit__BOUNDED)
+
+def URD005_applies(part):
+    if part.kind == 'joint':
+        return not part.has('limit') and part.type in urd_missing_limit__BOUNDED and part.lacks('limit')
+    return any(map(part.lacks, urd_missing_limit__REQUIRED)) or urd_missing_limit__is_locked(part)
+
+def urd_undefined_material__is_empty(material):
+    return not material.has_look and material.lacks('color') and material.lacks('texture')
+
+def URD006_applies(robot):
+    names = robot.material_names
+    return bool(names.undefined or names.redefined) or any(map(urd_undefined_material__is_empty, robot.materials))
+
+urd_missing_geometry__SHAPES = ('box', 'capsule', 'cylinder', 'mesh', 'sphere')
+
+def urd_missing_geometry__lacks_shape(geometry):
+    mesh = geometry.find('mesh')
+    if mesh is not None and geometry.part(mesh).lacks('filename'):
+        return True
+    return geometry.shape not in urd_missing_geometry__SHAPES and (not geometry.is_unfinished)
+
+def URD007_applies(shape):
+    return urd_missing_geometry__lacks_shape(shape.geometry) if shape.geometry.is_given else shape.lacks('geometry')
+
+def URD008_applies(link):
+    if link.name == 'world' or not link.has_mass:
+        return False
+    return bool(link.child_joints) and link in link.model.tree.main_roots
+
+urd_incomplete_inertia__PARTS = ('mass', 'inertia')
+
+def URD010_applies(inertial):
+    return bool(inertial.missing_moments) or any(map(inertial.lacks, urd_incomplete_inertia__PARTS))
+
+def URD011_applies(transmission):
+    return bool(transmission.unresolved)
+
+def URD012_applies(control):
+    return bool(control.unresolved)
+
+def URD013_applies(robot):
+    lumping = robot.lumping
+    return not lumping.with_mass.issuperset(lumping.tops)
+
+def urd_massless_moving_link__is_apart(link):
+    joint = link.parent_joints[0]
+    return joint.moves or joint.is_preserved
+
+def urd_massless_moving_link__dropped(robot):
+    lumping = robot.lumping
+    found = []
+    for top in lumping.tops:
+        members = list(top.below())
+        if any((link.has_mass for link in members)):
+            found += [link for link in members[1:] if link not in lumping.with_mass and urd_massless_moving_link__is_apart(link)]
+    return found
+
+def URD014_applies(robot):
+    return bool(urd_massless_moving_link__dropped(robot))
+
+urd_colon_in_comment__QUICK = re_.compile('<!--(?:(?!-->)[^:])*(?::|\\Z)')
+
+urd_colon_in_comment__COLON = re_.compile(':(?=\\s)')
+
+def urd_colon_in_comment__colons(root):
+    source = root.document.source
+    return [source.span(*match.span()) for start, end in root.document.scan.comments for match in urd_colon_in_comment__COLON.finditer(source.text, start + 4, end - 3)]
+
+def URD015_applies(root):
+    return root.is_urdf and urd_colon_in_comment__QUICK.search(root.document.source.text) is not None and bool(urd_colon_in_comment__colons(root))
+
+urd_singular_pitch__POLE = 0.99999
+
+def urd_singular_pitch__error(origin):
+    if len(origin.rotation) != 3 or not math_.isfinite(origin.rotation[1]):
+        return 0.0
+    sine = abs(math_.sin(origin.rotation[1]))
+    return math_.pi / 2 - math_.asin(min(sine, 1.0)) if sine >= urd_singular_pitch__POLE else 0.0
+
+urd_singular_pitch__NOTABLE = 0.0001
+
+def URD016_applies(origin):
+    return not origin.is_quaternion and urd_singular_pitch__error(origin) > urd_singular_pitch__NOTABLE
+
+def urd_delimiter_in_extension__delimited(block):
+    named = (element.attribute('name') for element in block.all_elements() if element.name != 'plugin')
+    return [value for value in named if value is not None and '::' in value.text]
+
+def URD017_applies(block):
+    return '::' in block.document.source.text and bool(urd_delimiter_in_extension__delimited(block))
+
+def URD018_applies(mimic):
+    return not mimic.joint.is_fixed and mimic.leader is not None and mimic.leader.is_fixed
+
+def URD020_applies(joint):
+    return joint.type in ('floating', 'planar')
+
 CONDITIONS = {
     'FRM001': FRM001_applies,
     'FRM002': FRM002_applies,
@@ -279,4 +390,20 @@ CONDITIONS = {
     'JNT010': JNT010_applies,
     'JNT011': JNT011_applies,
     'JNT013': JNT013_applies,
+    'URD003': URD003_applies,
+    'URD004': URD004_applies,
+    'URD005': URD005_applies,
+    'URD006': URD006_applies,
+    'URD007': URD007_applies,
+    'URD008': URD008_applies,
+    'URD010': URD010_applies,
+    'URD011': URD011_applies,
+    'URD012': URD012_applies,
+    'URD013': URD013_applies,
+    'URD014': URD014_applies,
+    'URD015': URD015_applies,
+    'URD016': URD016_applies,
+    'URD017': URD017_applies,
+    'URD018': URD018_applies,
+    'URD020': URD020_applies,
 }

@@ -1,6 +1,10 @@
+import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Root, Rule, Severity, Span, make_fix
+
+QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
+COLON = re.compile(r":(?=\s)")
 
 
 class ColonInComment(Rule):
@@ -15,7 +19,7 @@ class ColonInComment(Rule):
     code = "URD015"
     name = "colon-in-comment"
     severity = Severity.INFO
-    explains = (problems.ColonInComment,)
+    looks_at = (Root,)
     scaffold = IN_ROBOT
 
     bad = (
@@ -31,9 +35,23 @@ class ColonInComment(Rule):
         Good('<link name="x"/><!-- no -->'),
     )
 
-    def check(self, problem: problems.ColonInComment) -> Iterator[Diagnostic]:
-        count = len(problem.colons)
-        what = "a colon in a comment breaks" if count == 1 else f"{count} colons in comments break"
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return root.is_urdf and QUICK.search(root.document.source.text) is not None and bool(colons(root))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        found = colons(root)
+        what = "a colon in a comment breaks" if len(found) == 1 else f"{len(found)} colons in comments break"
         message = f"{what} launch files that read the description as YAML"
-        fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in problem.colons))
-        yield self.diagnostic(problem.span, message, fix=fix)
+        fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in found))
+        yield self.diagnostic(found[0], message, fix=fix)
+
+
+def colons(root: Root) -> list[Span]:
+    """All of them: a fix of one has to be a fix of all."""
+    source = root.document.source
+    return [
+        source.span(*match.span())
+        for start, end in root.document.scan.comments
+        for match in COLON.finditer(source.text, start + 4, end - 3)
+    ]

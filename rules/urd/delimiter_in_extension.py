@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, Value, refuses
 
 
 class DelimiterInExtension(Rule):
@@ -15,7 +15,8 @@ class DelimiterInExtension(Rule):
     name = "delimiter-in-extension"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: refuses("refuses the robot")}
-    explains = (problems.DelimiterInExtension,)
+    looks_at = (GazeboBlock,)
+    selects = ("urdf:robot/gazebo",)
     scaffold = IN_ROBOT
 
     bad = (
@@ -31,7 +32,16 @@ class DelimiterInExtension(Rule):
         ),
     )
 
-    def check(self, problem: problems.DelimiterInExtension) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"the name `{value.text}` contains `::`, for which libsdformat refuses the robot"
-        yield self.diagnostic(value, message)
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        return "::" in block.document.source.text and bool(delimited(block))
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        for value in delimited(block):
+            message = f"the name `{value.text}` contains `::`, for which libsdformat refuses the robot"
+            yield self.diagnostic(value, message)
+
+
+def delimited(block: GazeboBlock) -> list[Value]:
+    named = (element.attribute("name") for element in block.all_elements() if element.name != "plugin")
+    return [value for value in named if value is not None and "::" in value.text]

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, warns
 
 
 class DisconnectedLink(Rule):
@@ -19,7 +19,8 @@ class DisconnectedLink(Rule):
         Consumer.URDFDOM: REFUSES,
         Consumer.MUJOCO: warns("fixes it to the world"),
     }
-    explains = (problems.DisconnectedLink, problems.MisnamedLink)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = IN_ROBOT
 
     bad = (
@@ -44,16 +45,24 @@ class DisconnectedLink(Rule):
         ),
     )
 
-    def check(self, problem: problems.DisconnectedLink | problems.MisnamedLink) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.MisnamedLink):
-            value, count = problem.value, len(problem.ends)
-            message = f"no joint names link `{value.text}`, and {count} name `{problem.meant}`, which is none"
+    @staticmethod
+    def applies(robot: Model) -> bool:
+        return bool(robot.link_names.misspelled) or any(len(group) == 1 for group in robot.tree.loose_groups)
+
+    def check(self, robot: Model) -> Iterator[Diagnostic]:
+        names, tree = robot.link_names, robot.tree
+        for meant, link in names.misspelled.items():
+            ends = names.unknown[meant]
+            message = f"no joint names link `{link.name}`, and {len(ends)} name `{meant}`, which is none"
             yield self.diagnostic(
-                value,
+                link.name_value or link,
                 message,
-                labels={problem.ends[0]: "the first of them"},
+                labels={ends[0]: "the first of them"},
                 affects=dict.fromkeys(Consumer, REFUSES),
             )
-            return
-        message = f"no joint ties {problem.link.title} to the rest of the robot"
-        yield self.diagnostic(problem.link, message, labels={problem.main: "the root of the rest"})
+        for group in tree.loose_groups:
+            if len(group) == 1:
+                message = f"no joint ties {group[0].title} to the rest of the robot"
+                yield self.diagnostic(
+                    group[0], message, labels={tree.top(tree.groups[0]): "the root of the rest"}
+                )

@@ -7,12 +7,14 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Inertial,
     Rule,
     Severity,
     named,
-    problems,
     warns,
 )
+
+PARTS = ("mass", "inertia")
 
 
 class IncompleteInertia(Rule):
@@ -32,7 +34,8 @@ class IncompleteInertia(Rule):
         Consumer.URDFDOM: warns("drops the rest of the link"),
         Consumer.MUJOCO: REFUSES,
     }
-    explains = (problems.IncompleteInertial,)
+    looks_at = (Inertial,)
+    selects = ("urdf:link/inertial",)
     scaffold = IN_URDF_LINK
 
     bad = (
@@ -55,6 +58,14 @@ class IncompleteInertia(Rule):
         ),
     )
 
-    def check(self, problem: problems.IncompleteInertial) -> Iterator[Diagnostic]:
-        message = f"the {problem.element.name} of {problem.link.title} has no {named(problem.missing, 'or')}"
-        yield self.diagnostic(problem.element, message)
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return bool(inertial.missing_moments) or any(map(inertial.lacks, PARTS))
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        link = inertial.link.title
+        for part in filter(inertial.lacks, PARTS):
+            yield self.diagnostic(inertial, f"the inertial of {link} has no `{part}`")
+        if inertial.missing_moments and inertial.inertia is not None:
+            missing = named(inertial.missing_moments, "or")
+            yield self.diagnostic(inertial.inertia, f"the inertia of {link} has no {missing}")

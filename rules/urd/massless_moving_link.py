@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 MASS = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
@@ -26,7 +26,8 @@ class MasslessMovingLink(Rule):
         Consumer.GAZEBO: warns("drops the link and those below it"),
         Consumer.DRAKE: warns("cannot simulate it"),
     }
-    explains = (problems.MasslessMovingLink,)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = ARM
 
     bad = (
@@ -47,11 +48,33 @@ class MasslessMovingLink(Rule):
         ),
     )
 
-    def check(self, problem: problems.MasslessMovingLink) -> Iterator[Diagnostic]:
-        below = problem.lost - 1
-        others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
-        is_kept = problem.joint.attributes.get("type") == "fixed"
-        what = "is not to be merged" if is_kept else "moves"
-        message = f"{problem.link.title} {what} and has no mass, so libsdformat drops it{others}"
-        label = "is kept" if is_kept else "moves it"
-        yield self.diagnostic(problem.mass or problem.link, message, labels={problem.joint: label})
+    @staticmethod
+    def applies(robot: Model) -> bool:
+        return bool(dropped(robot))
+
+    def check(self, robot: Model) -> Iterator[Diagnostic]:
+        for link in dropped(robot):
+            joint = link.parent_joints[0]
+            below = sum(1 for _ in link.below()) - 1
+            others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
+            what = "is not to be merged" if joint.is_fixed else "moves"
+            message = f"{link.title} {what} and has no mass, so libsdformat drops it{others}"
+            label = "is kept" if joint.is_fixed else "moves it"
+            mass = link.inertial.mass
+            yield self.diagnostic(mass if mass.is_given else link, message, labels={joint: label})
+
+
+def dropped(robot: Model) -> list[Link]:
+    """Links that stay links of their own, without mass; a robot without any is reported for its root."""
+    lumping = robot.lumping
+    found: list[Link] = []
+    for top in lumping.tops:
+        members = list(top.below())
+        if any(link.has_mass for link in members):
+            found += [link for link in members[1:] if link not in lumping.with_mass and is_apart(link)]
+    return found
+
+
+def is_apart(link: Link) -> bool:
+    joint = link.parent_joints[0]
+    return joint.moves or joint.is_preserved

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, warns
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Mimic, Rule, Severity, refuses, warns
 
 ROBOT = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
@@ -27,7 +27,8 @@ class MimicOfFixedJoint(Rule):
         Consumer.URDFDOM: warns("takes it as it is"),
         Consumer.MUJOCO: warns("ignores it"),
     }
-    explains = (problems.MimicOfFixedJoint,)
+    looks_at = (Mimic,)
+    selects = ("urdf:joint/mimic",)
 
     bad = (Bad(ROBOT.replace("{}", "fixed"), says="joint `k` follows joint `j`, which is fixed"),)
     good = (
@@ -38,7 +39,12 @@ class MimicOfFixedJoint(Rule):
         ),
     )
 
-    def check(self, problem: problems.MimicOfFixedJoint) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"{problem.joint.title} follows joint `{value.text}`, which is fixed"
-        yield self.diagnostic(value, message, labels={problem.leader: "its type"})
+    @staticmethod
+    def applies(mimic: Mimic) -> bool:
+        return not mimic.joint.is_fixed and mimic.leader is not None and mimic.leader.is_fixed
+
+    def check(self, mimic: Mimic) -> Iterator[Diagnostic]:
+        leader, name = mimic.leader, mimic.leader_value
+        if leader is not None and name is not None:
+            message = f"{mimic.joint.title} follows joint `{name.text}`, which is fixed"
+            yield self.diagnostic(name, message, labels={leader.type_value or leader: "its type"})

@@ -4,17 +4,22 @@ from sdfcheck import (
     IN_URDF_LINK,
     REFUSES,
     Bad,
+    Collision,
     Consumer,
     Diagnostic,
+    Element,
+    Geometry,
     Good,
     Rule,
     Severity,
+    Visual,
     accepts,
-    problems,
     refuses,
     unreadable,
     warns,
 )
+
+SHAPES = ("box", "capsule", "cylinder", "mesh", "sphere")
 
 
 class MissingGeometry(Rule):
@@ -34,7 +39,8 @@ class MissingGeometry(Rule):
         Consumer.URDFDOM: warns("drops the rest of the link"),
         Consumer.MUJOCO: refuses("refuses it in a collision"),
     }
-    explains = (problems.MissingGeometry, problems.UnknownShape)
+    looks_at = (Visual, Collision)
+    selects = ("urdf:link/visual", "urdf:link/collision")
     scaffold = IN_URDF_LINK
 
     bad = (
@@ -59,20 +65,33 @@ class MissingGeometry(Rule):
     )
     good = (Good('<visual><geometry><mesh filename="package://p/m.stl"/></geometry></visual>'),)
 
-    def check(self, problem: problems.MissingGeometry | problems.UnknownShape) -> Iterator[Diagnostic]:
-        element, shown = problem.element, problem.shown
-        affects = {Consumer.MUJOCO: unreadable(shown)[Consumer.MUJOCO]}
-        if element.name.startswith("drake:"):
+    @staticmethod
+    def applies(shape: Visual | Collision) -> bool:
+        return lacks_shape(shape.geometry) if shape.geometry.is_given else shape.lacks("geometry")
+
+    def check(self, shape: Visual | Collision) -> Iterator[Diagnostic]:
+        geometry, mesh = shape.geometry, shape.geometry.find("mesh")
+        if not geometry.is_given:
+            yield self.about(shape, shape.element, f"{shape.title} has no `geometry`")
+        elif geometry.shape_element is None:
+            yield self.about(shape, geometry.element, f"the geometry of {shape.title} has no shape")
+        elif geometry.shape not in SHAPES:
+            near = geometry.nearest(geometry.shape, SHAPES)
+            guess = f"; did you mean `{near}`?" if near else ""
+            yield self.about(shape, geometry.shape_element, f"`{geometry.shape}` is no shape of URDF{guess}")
+        if mesh is not None and geometry.part(mesh).lacks("filename"):
+            yield self.about(shape, mesh, f"the mesh of {shape.title} has no `filename`")
+
+    def about(self, shape: Visual | Collision, place: Element, message: str) -> Diagnostic:
+        affects = {Consumer.MUJOCO: unreadable(shape.element)[Consumer.MUJOCO]}
+        if place.name.startswith("drake:"):
             affects[Consumer.DRAKE] = accepts("knows it")
-        if isinstance(problem, problems.UnknownShape):
-            guess = f"; did you mean `{problem.suggestion}`?" if problem.suggestion else ""
-            severity = Severity.WARNING if element.is_custom else None
-            yield self.diagnostic(
-                element, f"`{element.name}` is no shape of URDF{guess}", severity=severity, affects=affects
-            )
-        elif element.name == "mesh":
-            yield self.diagnostic(element, f"the mesh of {shown.title} has no `filename`", affects=affects)
-        elif element.name == "geometry":
-            yield self.diagnostic(element, f"the geometry of {shown.title} has no shape", affects=affects)
-        else:
-            yield self.diagnostic(element, f"{shown.title} has no `geometry`", affects=affects)
+        severity = Severity.WARNING if place.is_custom else None
+        return self.diagnostic(place, message, severity=severity, affects=affects)
+
+
+def lacks_shape(geometry: Geometry) -> bool:
+    mesh = geometry.find("mesh")
+    if mesh is not None and geometry.part(mesh).lacks("filename"):
+        return True
+    return geometry.shape not in SHAPES and not geometry.is_unfinished

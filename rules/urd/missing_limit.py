@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from typing import Any
 
 from sdfcheck import (
     IN_URDF_JOINT,
@@ -7,12 +8,16 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Joint,
+    Limit,
     Rule,
     Severity,
     listed,
-    problems,
     warns,
 )
+
+BOUNDED = ("revolute", "prismatic")
+REQUIRED = ("effort", "velocity")
 
 
 class MissingLimit(Rule):
@@ -32,7 +37,8 @@ class MissingLimit(Rule):
         Consumer.URDFDOM: REFUSES,
         Consumer.MUJOCO: warns("takes no limits"),
     }
-    explains = (problems.MissingLimit, problems.LockedByDefault)
+    looks_at = (Joint, Limit)
+    selects = ("urdf:robot/joint", "urdf:joint/limit")
     scaffold = IN_URDF_JOINT
 
     bad = (
@@ -56,16 +62,26 @@ class MissingLimit(Rule):
         ),
     )
 
-    def check(self, problem: problems.MissingLimit | problems.LockedByDefault) -> Iterator[Diagnostic]:
-        joint = problem.joint
-        if isinstance(problem, problems.LockedByDefault):
-            message = (
-                f"the limit of {joint.title} has no `lower` and no `upper`, so both are 0 and it cannot move"
-            )
+    @staticmethod
+    def applies(part: Any) -> bool:
+        if part.kind == "joint":
+            return not part.has("limit") and part.type in BOUNDED and part.lacks("limit")
+        return any(map(part.lacks, REQUIRED)) or is_locked(part)
+
+    def check(self, part: Joint | Limit) -> Iterator[Diagnostic]:
+        if isinstance(part, Joint):
+            yield self.diagnostic(part, f"{part.title} is {part.type} and has no `limit`")
+            return
+        joint = part.joint.title
+        if missing := [name for name in REQUIRED if part.lacks(name)]:
+            lacks = listed(f"no `{name}`" for name in missing)
+            yield self.diagnostic(part, f"the limit of {joint} has {lacks}")
+        if is_locked(part):
+            message = f"the limit of {joint} has no `lower` and no `upper`, so both are 0 and it cannot move"
             affects = dict.fromkeys(Consumer, warns("locks the joint"))
-            yield self.diagnostic(problem.limit, message, severity=Severity.WARNING, affects=affects)
-        elif problem.limit is None:
-            yield self.diagnostic(joint, f"{joint.title} is {problem.type} and has no `limit`")
-        else:
-            lacks = listed(f"no `{name}`" for name in problem.missing)
-            yield self.diagnostic(problem.limit, f"the limit of {joint.title} has {lacks}")
+            yield self.diagnostic(part, message, severity=Severity.WARNING, affects=affects)
+
+
+def is_locked(limit: Limit) -> bool:
+    lower, upper = limit.attribute("lower"), limit.attribute("upper")
+    return lower is None and upper is None and limit.joint.type in BOUNDED

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Severity
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 JOINT = '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
@@ -17,7 +17,8 @@ class RootWithInertia(Rule):
     code = "URD008"
     name = "root-with-inertia"
     severity = Severity.INFO
-    explains = (problems.RootWithInertia,)
+    looks_at = (Link,)
+    selects = ("urdf:robot/link",)
 
     bad = (
         Bad(
@@ -31,7 +32,14 @@ class RootWithInertia(Rule):
         Good(f'<robot name="r"><link name="a">{MASS}</link></robot>', why="a thing, not a chain of links"),
     )
 
-    def check(self, problem: problems.RootWithInertia) -> Iterator[Diagnostic]:
-        message = f"root {problem.link.title} has mass, which KDL drops"
+    @staticmethod
+    def applies(link: Link) -> bool:
+        # A root called `world` is the world; one of a second tree is an error of its own.
+        if link.name == "world" or not link.has_mass:
+            return False
+        return bool(link.child_joints) and link in link.model.tree.main_roots
+
+    def check(self, link: Link) -> Iterator[Diagnostic]:
+        message = f"root {link.title} has mass, which KDL drops"
         advice = "put an empty link above it, with a fixed joint"
-        yield self.diagnostic(problem.inertial, message, labels={problem.link: "the root"}, help=advice)
+        yield self.diagnostic(link.inertial, message, labels={link: "the root"}, help=advice)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, warns
 
 TREES = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>{}'
@@ -25,7 +25,8 @@ class SeveralRoots(Rule):
         Consumer.URDFDOM: REFUSES,
         Consumer.MUJOCO: warns("fixes all of them to the world"),
     }
-    explains = (problems.SeveralRoots,)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = TREES
 
     bad = (
@@ -41,6 +42,16 @@ class SeveralRoots(Rule):
         ),
     )
 
-    def check(self, problem: problems.SeveralRoots) -> Iterator[Diagnostic]:
-        message = f"{problem.root.title} is the root of a second tree ({problem.size} links)"
-        yield self.diagnostic(problem.root, message, labels={problem.main: "the root of the largest"})
+    @staticmethod
+    def applies(robot: Model) -> bool:
+        return any(len(group) > 1 for group in robot.tree.loose_groups)
+
+    def check(self, robot: Model) -> Iterator[Diagnostic]:
+        tree = robot.tree
+        for group in tree.loose_groups:
+            if len(group) > 1:
+                root = tree.top(group)
+                message = f"{root.title} is the root of a second tree ({len(group)} links)"
+                yield self.diagnostic(
+                    root, message, labels={tree.top(tree.groups[0]): "the root of the largest"}
+                )

@@ -1,8 +1,14 @@
+import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Placement, Rule, Severity, warns
 
 VISUAL = '<visual><origin rpy="{}"/><geometry><sphere radius="1"/></geometry></visual>'
+
+POLE = 0.99999
+"""Where the sine of the pitch is beyond this, urdfdom takes the angle for a right one."""
+NOTABLE = 1e-4
+"""An error in radians that is worth a report: 1.5708 is right, 1.57 is not."""
 
 
 class SingularPitch(Rule):
@@ -17,7 +23,8 @@ class SingularPitch(Rule):
     name = "singular-pitch"
     severity = Severity.INFO
     affects = {Consumer.GAZEBO: warns("turns the shape to 90°")}
-    explains = (problems.SingularPitch,)
+    looks_at = (Placement,)
+    selects = ("urdf:visual/origin", "urdf:collision/origin")
     scaffold = IN_URDF_LINK
 
     bad = (
@@ -30,7 +37,21 @@ class SingularPitch(Rule):
         Good(VISUAL.replace("{}", "1.57 0 1.57"), why="only the pitch is singular"),
     )
 
-    def check(self, problem: problems.SingularPitch) -> Iterator[Diagnostic]:
-        pitch = problem.value.part(1)
-        message = f"pitch {pitch.text} is taken for 90°, which is off by {problem.error * 1000:.1f} mrad"
-        yield self.diagnostic(pitch, message)
+    @staticmethod
+    def applies(origin: Placement) -> bool:
+        return not origin.is_quaternion and error(origin) > NOTABLE
+
+    def check(self, origin: Placement) -> Iterator[Diagnostic]:
+        value = origin.rotation.value
+        if value is not None:
+            pitch = value.part(1)
+            message = f"pitch {pitch.text} is taken for 90°, which is off by {error(origin) * 1000:.1f} mrad"
+            yield self.diagnostic(pitch, message)
+
+
+def error(origin: Placement) -> float:
+    """How far the pitch is from 90°, in radians, if urdfdom takes it for that; else 0."""
+    if len(origin.rotation) != 3 or not math.isfinite(origin.rotation[1]):
+        return 0.0
+    sine = abs(math.sin(origin.rotation[1]))
+    return math.pi / 2 - math.asin(min(sine, 1.0)) if sine >= POLE else 0.0

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, refuses
 
 
 class UnconvertedJoint(Rule):
@@ -15,7 +15,8 @@ class UnconvertedJoint(Rule):
     name = "unconverted-joint"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: refuses("refuses the robot")}
-    explains = (problems.UnconvertedJoint,)
+    looks_at = (Joint,)
+    selects = ("urdf:robot/joint",)
     scaffold = (
         '<robot name="r"><link name="a"/><link name="b"/>'
         '<joint name="j" type="{}"><parent link="a"/><child link="b"/></joint></robot>'
@@ -27,7 +28,11 @@ class UnconvertedJoint(Rule):
     )
     good = (Good("continuous", why="a revolute joint without limits"), Good("fixed"))
 
-    def check(self, problem: problems.UnconvertedJoint) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"{problem.joint.title} is {value.text}, which SDFormat has no joint for"
-        yield self.diagnostic(value, message)
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        return joint.type in ("floating", "planar")
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        yield self.diagnostic(
+            joint.type_value or joint, f"{joint.title} is {joint.type}, which SDFormat has no joint for"
+        )

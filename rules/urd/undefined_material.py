@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used, warns
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Material, Model, Rule, Severity, used, warns
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 LINK = f'<robot name="r">{{}}<link name="a"><visual>{SHAPE}<material name="grey"/></visual></link></robot>'
@@ -23,7 +23,8 @@ class UndefinedMaterial(Rule):
         Consumer.DRAKE: REFUSES,
         Consumer.URDFDOM: warns("leaves out the material"),
     }
-    explains = (problems.UndefinedMaterial, problems.EmptyMaterial, problems.DifferentMaterial)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = LINK
 
     bad = (
@@ -60,30 +61,41 @@ class UndefinedMaterial(Rule):
         Good('<material name="grey"><texture filename="package://p/grey.png"/></material>'),
     )
 
-    def check(
-        self, problem: problems.UndefinedMaterial | problems.EmptyMaterial | problems.DifferentMaterial
-    ) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.EmptyMaterial):
-            yield self.diagnostic(
-                problem.material, f"{problem.material.title} has neither colour nor texture"
-            )
-            return
-        value = problem.value
-        name = value.text
-        if isinstance(problem, problems.DifferentMaterial):
-            yield self.diagnostic(
-                value,
-                f"material `{name}` was defined otherwise before",
-                labels={problem.first: "what most readers take"},
-                severity=Severity.WARNING,
-                affects={
-                    reader: warns("takes one of the two") for reader in (Consumer.GAZEBO, Consumer.URDFDOM)
-                },
-            )
-            return
-        if problem.later is not None:
-            message = f"material `{name}` is not defined yet{used(problem.uses)}"
-            yield self.diagnostic(value, message, labels={problem.later: "defined here"})
-        else:
-            guess = f"; did you mean `{problem.suggestion}`?" if problem.suggestion else ""
-            yield self.diagnostic(value, f"material `{name}` is not defined{used(problem.uses)}{guess}")
+    @staticmethod
+    def applies(robot: Model) -> bool:
+        names = robot.material_names
+        return bool(names.undefined or names.redefined) or any(map(is_empty, robot.materials))
+
+    def check(self, robot: Model) -> Iterator[Diagnostic]:
+        for material in filter(is_empty, robot.materials):
+            yield self.diagnostic(material, f"{material.title} has neither colour nor texture")
+        for material, first in robot.material_names.redefined:
+            yield self.redefined(material, first)
+        for name, uses in robot.material_names.undefined.items():
+            yield self.undefined(robot, name, uses)
+
+    def redefined(self, material: Material, first: Material) -> Diagnostic:
+        return self.diagnostic(
+            material.name_value or material,
+            f"material `{material.get('name')}` was defined otherwise before",
+            labels={first.name_value or first: "what most readers take"},
+            severity=Severity.WARNING,
+            affects={
+                consumer: warns("takes one of the two") for consumer in (Consumer.GAZEBO, Consumer.URDFDOM)
+            },
+        )
+
+    def undefined(self, robot: Model, name: str, uses: list[Material]) -> Diagnostic:
+        defined = robot.material_names.defined
+        place = uses[0].name_value or uses[0]
+        if name in defined:
+            message = f"material `{name}` is not defined yet{used(len(uses))}"
+            later = defined[name]
+            return self.diagnostic(place, message, labels={later.name_value or later: "defined here"})
+        near = robot.nearest(name, defined)
+        guess = f"; did you mean `{near}`?" if near else ""
+        return self.diagnostic(place, f"material `{name}` is not defined{used(len(uses))}{guess}")
+
+
+def is_empty(material: Material) -> bool:
+    return not material.has_look and material.lacks("color") and material.lacks("texture")

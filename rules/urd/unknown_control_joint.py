@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Ros2Control, Rule, Severity, warns
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 CONTROL = (
@@ -21,7 +21,8 @@ class UnknownControlJoint(Rule):
     name = "unknown-control-joint"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: warns("does not drive the joint")}
-    explains = (problems.UnknownControlJoint,)
+    looks_at = (Ros2Control,)
+    selects = ("urdf:robot/ros2_control",)
     scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')
 
     bad = (
@@ -38,9 +39,13 @@ class UnknownControlJoint(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnknownControlJoint) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"{problem.control.title} is for joint `{value.text}`, which does not exist"
-        if problem.suggestion is not None:
-            message += f"; did you mean `{problem.suggestion}`?"
-        yield self.diagnostic(value, message)
+    @staticmethod
+    def applies(control: Ros2Control) -> bool:
+        return bool(control.unresolved)
+
+    def check(self, control: Ros2Control) -> Iterator[Diagnostic]:
+        for value in control.unresolved:
+            message = f"{control.title} is for joint `{value.text}`, which does not exist"
+            if near := control.nearest(value.text, control.model.driven_names):
+                message += f"; did you mean `{near}`?"
+            yield self.diagnostic(value, message)

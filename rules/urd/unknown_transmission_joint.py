@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_URDF_JOINT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    Transmission,
+    warns,
+)
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 TRANSMISSION = (
@@ -21,7 +32,8 @@ class UnknownTransmissionJoint(Rule):
     name = "unknown-transmission-joint"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: warns("does not drive the joint"), Consumer.DRAKE: REFUSES}
-    explains = (problems.UnknownTransmissionJoint,)
+    looks_at = (Transmission,)
+    selects = ("urdf:robot/transmission",)
     scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')
 
     bad = (
@@ -32,9 +44,13 @@ class UnknownTransmissionJoint(Rule):
     )
     good = (Good(TRANSMISSION.replace("{}", "shoulder")),)
 
-    def check(self, problem: problems.UnknownTransmissionJoint) -> Iterator[Diagnostic]:
-        value = problem.value
-        message = f"{problem.transmission.title} is for joint `{value.text}`, which does not exist"
-        if problem.suggestion is not None:
-            message += f"; did you mean `{problem.suggestion}`?"
-        yield self.diagnostic(value, message)
+    @staticmethod
+    def applies(transmission: Transmission) -> bool:
+        return bool(transmission.unresolved)
+
+    def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
+        for value in transmission.unresolved:
+            message = f"{transmission.title} is for joint `{value.text}`, which does not exist"
+            if near := transmission.nearest(value.text, transmission.model.driven_names):
+                message += f"; did you mean `{near}`?"
+            yield self.diagnostic(value, message)

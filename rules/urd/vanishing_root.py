@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, refuses
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 LINKS = f'<link name="b">{MASS}</link>'
@@ -20,7 +20,8 @@ class VanishingRoot(Rule):
     name = "vanishing-root"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: refuses("loads an empty model")}
-    explains = (problems.VanishingRoot,)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = '<robot name="r">{}</robot>'
 
     bad = (
@@ -38,14 +39,20 @@ class VanishingRoot(Rule):
         ),
     )
 
-    def check(self, problem: problems.VanishingRoot) -> Iterator[Diagnostic]:
-        link = problem.link
-        if problem.massless:
-            robot = link.parent.title if link.parent is not None else "the robot"
-            message = f"no link of {robot} has mass, so libsdformat makes an empty model of it"
-            yield self.diagnostic(link, message, severity=Severity.INFO)
-            return
-        below = problem.links - 1
-        links = "link" if below == 1 else "links"
-        message = f"root {link.title} has no mass, so libsdformat drops it and the {below} {links} below it"
-        yield self.diagnostic(link, message)
+    @staticmethod
+    def applies(robot: Model) -> bool:
+        lumping = robot.lumping
+        return not lumping.with_mass.issuperset(lumping.tops)
+
+    def check(self, robot: Model) -> Iterator[Diagnostic]:
+        for top in robot.lumping.tops:
+            if top in robot.lumping.with_mass:
+                continue
+            links = list(top.below())
+            if not any(link.has_mass for link in links):
+                message = f"no link of {robot.title} has mass, so libsdformat makes an empty model of it"
+                yield self.diagnostic(top, message, severity=Severity.INFO)
+                continue
+            below = f"{len(links) - 1} link{'s' * (len(links) != 2)}"
+            message = f"root {top.title} has no mass, so libsdformat drops it and the {below} below it"
+            yield self.diagnostic(top, message)

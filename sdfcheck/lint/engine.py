@@ -52,7 +52,6 @@ _ANALYSES = {
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",
-        "sdfcheck.formats.urdf.comments:problems",
         "sdfcheck.robot.urdf_links:problems",
         "sdfcheck.robot.urdf_joints:problems",
         "sdfcheck.robot.urdf_references:problems",

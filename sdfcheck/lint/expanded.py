@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle
-from sdfcheck.robot.root import inertials_of
+from sdfcheck.robot.macros import parts_in_macros
 from sdfcheck.source.document import Document
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.prepare import prepare
@@ -28,7 +28,7 @@ def lint_xacro(
     if document.root is not None and document.root.name == "robot":
         bodies = Bodies(document, unexpanded(document, is_expanded=bool(prepared.documents)))
         found += explain(bodies.problems, document, dispatch)
-        found += look_at(inertials_of(document, bodies.links), document, dispatch)
+        found += look_at(list(parts_in_macros(document, bodies.elements)), document, dispatch)
     for expanded in prepared.documents:
         found += settle(lint_document(expanded, dispatch), expanded)
     return fold(found)

@@ -22,7 +22,7 @@ def subjects(document: Document, looks_at: Sequence[str], selects: Sequence[str]
     selected = [element for selector in selects for element in _selected(document, selector)]
     classes = [name for name in looks_at if name != Element.__name__]
     is_narrowed = bool(selects) and len(classes) == len(looks_at) > 0
-    if document.kind in (Kind.SDF, Kind.URDF) and (selected or not is_narrowed):
+    if classes and document.kind in (Kind.SDF, Kind.URDF) and (selected or not is_narrowed):
         from sdfcheck.robot.root import root_of
 
         root = root_of(document)

@@ -86,7 +86,9 @@ SPECIAL = ("Custom", "Reference", "Root")
 
 def part_class(holder: Part, element: Element) -> type[Part]:
     """The class of the part that an element in a holder makes."""
-    return _class_in(holder.element.name, holder.kind, element.name)
+    place = holder.element.name
+    # A macro of xacro stands for the link or joint to which its content belongs.
+    return _class_in(holder.kind if place.startswith("xacro:") else place, holder.kind, element.name)
 
 
 @lru_cache(maxsize=1000)

@@ -11,6 +11,7 @@ from sdfcheck.robot.values import is_true, lazy
 if TYPE_CHECKING:
     from sdfcheck.robot.includes import Included
     from sdfcheck.robot.link_names import LinkNames
+    from sdfcheck.robot.material_names import MaterialNames
     from sdfcheck.robot.motion.lumping import Lumping
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.tree import Tree
@@ -205,11 +206,24 @@ class Model(Scope):
         return found
 
     @lazy
+    def driven_names(self) -> frozenset[str]:
+        """In URDF: the names of all joints that something can drive, Drake's own (``drake:joint``) among them."""
+        own = (joint.attributes.get("name", "") for joint in self.children("drake:joint"))
+        return frozenset((*self.joints_by_name, *own))
+
+    @lazy
     def link_names(self) -> LinkNames:
         """In URDF: the names by which joints call links, and those that the links have."""
         from sdfcheck.robot.link_names import LinkNames
 
         return LinkNames(self)
+
+    @lazy
+    def material_names(self) -> MaterialNames:
+        """In URDF: what the names of its materials reach."""
+        from sdfcheck.robot.material_names import MaterialNames
+
+        return MaterialNames(self)
 
     @lazy
     def lumping(self) -> Lumping:

@@ -8,10 +8,11 @@ False.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
 from sdfcheck.robot.values import Flag, Number, Text, Vector
+from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.robot.custom import Custom
@@ -112,9 +113,9 @@ class Part:
         if not self.is_given:
             return False
         if self.is_urdf:
-            from sdfcheck.formats.suggest import suggest
+            from sdfcheck.formats.urdf.misspellings import misspells
 
-            return any(suggest(child.name, (name,)) == name for child in self.children())
+            return misspells(self.element, name)
         from sdfcheck.formats.sdf.survey import survey
 
         return (self.element, name) in survey(self.document).misspelled
@@ -126,6 +127,35 @@ class Part:
     def children(self, name: str | None = None) -> Iterator[Element]:
         """The child elements, or those of one name."""
         return self.element.children(name) if self.is_given else iter(())
+
+    def lacks(self, name: str) -> bool:
+        """Is there neither an attribute nor a child element of a name, not even a misspelled one?"""
+        if self.value(name) is not None or self.misspells(name):
+            return False
+        if not self.is_unfinished:
+            return True
+        from sdfcheck.formats.urdf.misspellings import definition
+        from sdfcheck.xacro.static.macro_survey import may_get
+
+        return not may_get(self.element, name, definition(self.element))
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Is it in a file for xacro, which will put something into it?"""
+        if self.document.kind is not Kind.XACRO or not self.is_given:
+            return False
+        from sdfcheck.xacro.static.macro_survey import is_unfinished
+
+        return is_unfinished(self.element)
+
+    def nearest(self, name: str, candidates: Iterable[str]) -> str | None:
+        """The candidate that a misspelled name was probably meant to be; None if none is near.
+
+        A document full of unknown names is not guessed at without end.
+        """
+        from sdfcheck.formats.suggest import suggest_in
+
+        return suggest_in(self.document, name, candidates)
 
     @overload
     def get(self, name: str) -> str | None: ...

@@ -16,9 +16,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
-    from sdfcheck.robot.parts.inertial import Inertial
     from sdfcheck.robot.parts.light import Light
-    from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
     from sdfcheck.robot.reference import Reference
     from sdfcheck.robot.rings import Ring
@@ -244,13 +242,6 @@ class Outside(Node):
 def root_of(document: Document) -> Root:
     """What a document of SDFormat or URDF says, read once."""
     return document.view(Root)
-
-
-def inertials_of(document: Document, links: Iterable[Element]) -> list[Inertial]:
-    """The inertials of links of URDF that are not in the robot yet, but in the macros of a document of xacro."""
-    robot = root_of(document).scopes[0]
-    found = (cast("Link", robot.part(link)).inertial for link in links)
-    return [inertial for inertial in found if inertial.is_given]
 
 
 def is_readable(document: Document) -> bool:

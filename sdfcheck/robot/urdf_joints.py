@@ -4,17 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.problems import MissingAttribute
-from sdfcheck.formats.suggest import suggest, suggest_in
-from sdfcheck.formats.urdf.problems import LockedByDefault, MissingLimit
+from sdfcheck.formats.suggest import suggest_in
 from sdfcheck.robot import joint_problems as kinds
-from sdfcheck.robot.robot_problems import MimicOfFixedJoint, UnconvertedJoint
 from sdfcheck.robot.urdf_tree import UrdfJoint, UrdfTree, tree
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
-
-_BOUNDED = frozenset({"revolute", "prismatic"})
-_UNCONVERTED = frozenset({"floating", "planar"})
+from sdfcheck.source.element import Value
 
 
 def problems(document: Document) -> Iterator[object]:
@@ -28,9 +22,6 @@ def problems(document: Document) -> Iterator[object]:
             yield kinds.SelfJoint(joint.child, joint.parent, joint.element)
         else:
             yield from _world_as_child(robot, joint)
-        if joint.type in _UNCONVERTED and (kind := joint.element.attribute("type")) is not None:
-            yield UnconvertedJoint(kind, joint.element)
-        yield from _limits(joint)
         yield from _mimic(robot, joint)
     for name, (first, *others) in unknown.items():
         if name not in explained:
@@ -77,25 +68,6 @@ def _loop(robot: UrdfTree, loop: list[UrdfJoint]) -> kinds.JointLoop:
     return kinds.JointLoop(tuple(ends), tuple(end.text for end in ends), refused=True)
 
 
-def _limits(joint: UrdfJoint) -> Iterator[object]:
-    element = joint.element
-    limit, dynamics = element.find("limit"), element.find("dynamics")
-    if joint.type in _BOUNDED:
-        if limit is None and not _is_misspelt(element, "limit"):
-            yield MissingLimit(element, None, joint.type, ())
-        elif limit is not None and limit.attribute("lower") is limit.attribute("upper") is None:
-            yield LockedByDefault(limit, element, joint.type)
-    if dynamics is not None and not any(
-        suggest(name, ("damping", "friction")) for name in dynamics.attributes
-    ):
-        yield MissingAttribute(dynamics, "damping", empty=False)
-
-
-def _is_misspelt(element: Element, name: str) -> bool:
-    """Whether another child was meant to be the one of that name."""
-    return any(suggest(child.name, (name,)) for child in element.children())
-
-
 def _leader(joint: UrdfJoint) -> Value | None:
     mimic = joint.element.find("mimic")
     value = mimic.attribute("joint") if mimic is not None else None
@@ -114,8 +86,6 @@ def _mimic(robot: UrdfTree, joint: UrdfJoint) -> Iterator[object]:
         yield kinds.UnknownMimicLeader(
             value, joint.element, suggest_in(joint.element.document, value.text, candidates)
         )
-    elif leader.type == "fixed" and (kind := leader.element.attribute("type")) is not None:
-        yield MimicOfFixedJoint(value, joint.element, kind)
 
 
 def _mimic_cycles(robot: UrdfTree) -> Iterator[object]:

@@ -16,11 +16,14 @@ from sdfcheck.formats.sdf.value_problems import problem_of
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.urdf import problems as urdf_problems
+from sdfcheck.formats.urdf.misspellings import meant_attribute, meant_child
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, UrdfElement, is_expression, known_parents
 from sdfcheck.formats.urdf.values import read
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Source
 
+_ASKED_BY_RULES = frozenset(("inertia", "limit", "mesh"))
+"""Elements for whose missing attributes there are rules of their own."""
 _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
@@ -66,16 +69,8 @@ class UrdfFindings:
 
     def shape(self, geometry: Element, place: UrdfElement, seen: dict[str, Element]) -> None:
         """A geometry: urdfdom looks at its first element and at nothing else."""
-        shown = geometry.parent if geometry.parent is not None else geometry
-        children = list(geometry.children())
-        if not children:
-            self.found.append(urdf_problems.MissingGeometry(geometry, shown))
-            return
-        first = children[0]
-        if first.name not in place.children:
-            suggestion = suggest(first.name, place.children)
-            self.found.append(urdf_problems.UnknownShape(first, shown, suggestion))
-        for other in children[1:]:
+        first, *others = list(geometry.children()) or [geometry]
+        for other in others:
             if other.name not in place.children:
                 if ":" not in other.name:
                     self.places[geometry] = place
@@ -86,15 +81,9 @@ class UrdfFindings:
 
     def missing_child(self, parent: Element, name: str) -> None:
         place = self.places.get(parent)
-        if place and any(_meant(child, place) == name for child in parent.children()):
+        if place and any(meant_child(child, place) == name for child in parent.children()):
             return  # it is there, misspelt
-        if parent.tag == "inertial":
-            link = parent.parent
-            assert link is not None
-            self.found.append(urdf_problems.IncompleteInertial(parent, link, (name,)))
-        elif name == "geometry":
-            self.found.append(urdf_problems.MissingGeometry(parent, parent))
-        else:
+        if parent.tag != "inertial" and name != "geometry":  # which rules look at
             self.found.append(problems.MissingElement(parent, name, None, refused=True))
 
     def too_new(self, element: Element, since: Version) -> None:
@@ -145,7 +134,7 @@ class UrdfFindings:
 
     def missing_attributes(self, element: Element, missing: tuple[str, ...]) -> None:
         if place := self.places.get(element):
-            meant = {_meant_attribute(element, key, place) for key in element.attributes}
+            meant = {meant_attribute(element, key, place) for key in element.attributes}
             missing = tuple(each for each in missing if each not in meant)
             if not missing:
                 return
@@ -154,15 +143,13 @@ class UrdfFindings:
         if name == "axis" and not _moves(parent):
             return
         self.stray.add(element)  # its text is where the value was put
-        if name == "limit" and parent is not None:
-            kind = parent.attributes.get("type", "")
-            self.found.append(urdf_problems.MissingLimit(parent, element, kind, missing))
-        elif name == "inertia" and parent is not None and parent.parent is not None:
-            self.found.append(urdf_problems.IncompleteInertial(element, parent.parent, missing))
-        elif name == "mesh" and parent is not None and parent.parent is not None:
-            self.found.append(urdf_problems.MissingGeometry(element, parent.parent))
-        else:
+        if name not in _ASKED_BY_RULES:
             self.found += [problems.MissingAttribute(element, each, empty=False) for each in missing]
+
+    def dynamics(self, element: Element) -> None:
+        """An element ``dynamics`` with neither of the two attributes of which it needs one."""
+        if not any(suggest(name, ("damping", "friction")) for name in element.attributes):
+            self.found.append(problems.MissingAttribute(element, "damping", empty=False))
 
     # Values
 
@@ -204,7 +191,7 @@ class UrdfFindings:
         """Everything found, once the walk is over."""
         for uses in self.unknown.values():
             parent = self.parents[uses[0]]
-            near = _meant(uses[0], self.places[parent])
+            near = meant_child(uses[0], self.places[parent])
             needed = near is not None and _needs(parent, self.places[parent], near)
             places = known_parents(uses[0].name)
             self.found.append(
@@ -213,7 +200,7 @@ class UrdfFindings:
         for values in self.unknown_values.values():
             element, name = values[0].element, values[0].attribute
             assert name is not None
-            near = _meant_attribute(element, name, self.places[element])
+            near = meant_attribute(element, name, self.places[element])
             needed = near in self.places[element].required_attributes
             needed = needed and (element.name != "axis" or _moves(element.parent))
             if element.name == "dynamics":
@@ -224,21 +211,6 @@ class UrdfFindings:
                 urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more)
             )
         return folded(self.found)
-
-
-def _meant(child: Element, place: UrdfElement) -> str | None:
-    """What an unknown element was probably meant to be, among what its parent lacks."""
-    name = child.name
-    if name in place.children or child.parent is None:
-        return None
-    siblings = {sibling.name for sibling in child.parent.children()}
-    return suggest(name, [n for n, each in place.children.items() if n not in siblings or not each.single])
-
-
-def _meant_attribute(element: Element, name: str, place: UrdfElement) -> str | None:
-    if name in place.attributes:
-        return None
-    return suggest(name, [each for each in place.attributes if each not in element.attributes])
 
 
 def _needs(parent: Element, place: UrdfElement, child: str) -> bool:

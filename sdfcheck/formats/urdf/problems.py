@@ -47,58 +47,8 @@ class FeatureAboveVersion(Record):
     declared: str
 
 
-class MissingLimit(Record):
-    """A limit that is required and absent: all of it (``missing`` is empty) or some of its attributes."""
-
-    joint: Element
-    limit: Element | None
-    type: str
-    missing: tuple[str, ...]
-
-
-class LockedByDefault(Record):
-    """A limit with neither ``lower`` nor ``upper`` on a joint that they bound: both are 0."""
-
-    limit: Element
-    joint: Element
-    type: str
-
-
-class IncompleteInertial(Record):
-    """An ``inertial`` or ``inertia`` that lacks a child or attributes."""
-
-    element: Element
-    link: Element
-    missing: tuple[str, ...]
-
-
-class MissingGeometry(Record):
-    """A visual or collision without geometry, a geometry without shape, or a mesh without file.
-
-    ``element`` is the one that lacks something, ``shown`` the visual or collision.
-    """
-
-    element: Element
-    shown: Element
-
-
-class UnknownShape(Record):
-    """A geometry whose first element is no shape that urdfdom knows."""
-
-    element: Element
-    shown: Element
-    suggestion: str | None
-
-
 class UnexpandedExpression(Record):
     """``${…}`` or ``$(…)``, which only xacro understands: ``span`` is the first of ``count``."""
 
     span: Span
     count: int
-
-
-class ColonInComment(Record):
-    """A colon and a blank after it, in a comment. ``colons`` are all of them, ``span`` the first."""
-
-    span: Span
-    colons: tuple[Span, ...]

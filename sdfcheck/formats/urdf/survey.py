@@ -102,6 +102,9 @@ class UrdfWalk:
 
     def conclude(self) -> list[object]:
         """All problems, once every element is walked over."""
+        for dynamics in self.index.get("dynamics", ()):
+            if not {"damping", "friction"}.intersection(dynamics.keys()):
+                self.findings.dynamics(dynamics)
         if "<gazebo" in self.source.text:
             self.extensions()
         return self.explained.conclude() if self.explained else []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
+from sdfcheck.formats.urdf.table import is_expression
 from sdfcheck.robot.part import Part
 
 if TYPE_CHECKING:
@@ -31,6 +32,12 @@ class _JointNames(Part):
         """The names of joints that it writes, with their places."""
         values = (joint.attribute("name") for joint in self.joint_elements)
         return tuple(value for value in values if value is not None and value.text)
+
+    @property
+    def unresolved(self) -> tuple[Value, ...]:
+        """The names that no joint of the robot has; what is yet to be expanded is left out."""
+        known = self.model.driven_names
+        return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
 
 
 class Transmission(_JointNames):

@@ -86,6 +86,10 @@ class GazeboBlock(Part):
         """Is a setting of this name true?"""
         return any(value.text.strip().lower() in _TRUE for value in self.settings(name))
 
+    def all_elements(self) -> Iterator[Element]:
+        """All elements in it, those of plugins as well, in the order of the file."""
+        return self.element.iterdescendants("*")  # type: ignore[return-value]
+
     def elements(self) -> Iterator[Element]:
         """All elements in it but those of plugins."""
         waiting = [self.element]

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.element import Element, Value
 
 MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_BY_ROWS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 _DEFAULT_MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -90,6 +91,15 @@ class Inertial(Part):
             written.misspells(name) or (written.value(name) is not None and not moment.is_given)
             for name, moment in self.moments.items()
         )
+
+    @property
+    def missing_moments(self) -> tuple[str, ...]:
+        """The names of the moments that an ``inertia`` of URDF does not write."""
+        inertia = self.inertia
+        if inertia is None or not self.is_urdf:
+            return ()
+        part = self.part(inertia)
+        return tuple(name for name in _BY_ROWS if name not in inertia.keys() and part.lacks(name))  # noqa: SIM118
 
     @lazy
     def tensor(self) -> Moments:

@@ -47,6 +47,15 @@ class Material(Part):
         return self.has("color") or self.has("texture") if self.is_urdf else self.is_given
 
     @property
+    def look(self) -> tuple[object, object]:
+        """In URDF: color and texture, to be compared; None for one that it does not have."""
+        color = self.color
+        return (
+            None if color is None else tuple(color) or color.text,
+            self.texture if self.has("texture") else None,
+        )
+
+    @property
     def defined(self) -> Material:
         """In URDF: itself, or the robot's material of this name where only the name is given."""
         from sdfcheck.robot.model import Model

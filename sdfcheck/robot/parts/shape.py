@@ -192,8 +192,12 @@ class Visual(Shape):
     @lazy
     def material(self) -> Material:
         """Its material; in URDF the one that the robot defines by that name, where only the name is given."""
-        own = self._only("material", Material)
-        return own.defined if self.is_urdf else own
+        return self.own_material.defined if self.is_urdf else self.own_material
+
+    @lazy
+    def own_material(self) -> Material:
+        """Its material as it is written in it, maybe only a name."""
+        return self._only("material", Material)
 
 
 class Collision(Shape):

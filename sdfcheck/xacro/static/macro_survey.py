@@ -18,7 +18,7 @@ from sdfcheck.xacro.static.elements import lacks_prefix
 
 _PREFIX = "xacro:"
 _BLOCK = "xacro:insert_block"
-_TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
+TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
 _PLACES = ("", "link", "joint", "link/inertial", "link/visual", "link/visual/geometry", "joint/limit")
 """Where macros are called: what their bodies hold may be at one of these paths below ``robot``."""
 _SHARE = 3
@@ -26,9 +26,9 @@ _SHARE = 3
 
 
 class Bodies:
-    """Some elements of a xacro document that no expansion shows: what is wrong, and the links in them."""
+    """Some elements of a xacro document that no expansion shows: what is wrong, and what is in them."""
 
-    __slots__ = ("links", "problems")
+    __slots__ = ("elements", "problems")
 
     def __init__(self, document: Document, bodies: Iterable[Element]) -> None:
         walk = _BodyWalk(document, VERSIONS[0])
@@ -37,24 +37,20 @@ class Bodies:
             if place is not None:
                 walk.content(body, place)
         self.problems = walk.conclude()
-        self.links = walk.index["link"]
+        self.elements = [element for elements in walk.index.values() for element in elements]
 
 
 class _BodyWalk(UrdfWalk):
     """The walk over a document, for elements that are not all there yet."""
 
     def children(self, parent: Element, place: UrdfElement) -> None:
-        put_in = [child for child in parent.children() if _is_of_xacro(child)]
-        if not put_in:
+        if not is_unfinished(parent):
             super().children(parent, place)
             return
         self.content(parent, place)
-        blocks = {child.attributes.get("name", "") for child in put_in if child.name == _BLOCK}
-        # A block is called after what it is.
-        if len(blocks) == len(put_in) and blocks <= place.children.keys():
-            for name in place.required_children:
-                if name not in blocks and not parent.has(name):
-                    self.findings.missing_child(parent, name)
+        for name in place.required_children:
+            if not parent.has(name) and not may_get(parent, name, place):
+                self.findings.missing_child(parent, name)
 
     def content(self, parent: Element, place: UrdfElement) -> None:
         """Check each child for itself: what else will be there is not known."""
@@ -66,6 +62,19 @@ class _BodyWalk(UrdfWalk):
                 self.element(child, definition)
 
 
+def is_unfinished(element: Element) -> bool:
+    """Will xacro put something into an element?"""
+    return any(map(_is_of_xacro, element.children()))
+
+
+def may_get(parent: Element, name: str, place: UrdfElement | None) -> bool:
+    """May xacro put a child of that name into an element? A block is called after what it is."""
+    put_in = [child for child in parent.children() if _is_of_xacro(child)]
+    blocks = {child.attributes.get("name", "") for child in put_in if child.name == _BLOCK}
+    is_known = place is not None and len(blocks) == len(put_in) and blocks <= place.children.keys()
+    return name in blocks if is_known else bool(put_in)
+
+
 def _is_of_xacro(element: Element) -> bool:
     return element.name.startswith(_PREFIX) or lacks_prefix(element)
 
@@ -73,7 +82,7 @@ def _is_of_xacro(element: Element) -> bool:
 def content(parent: Element) -> Iterator[Element]:
     """The elements that an element holds once xacro has decided, without those that it puts in."""
     for child in parent.children():
-        if child.name in _TRANSPARENT:
+        if child.name in TRANSPARENT:
             yield from content(child)
         elif not _is_of_xacro(child):
             yield child

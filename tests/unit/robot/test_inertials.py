@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
+from sdfcheck.robot.macros import parts_in_macros
 from sdfcheck.robot.parts.inertial import Inertial
-from sdfcheck.robot.root import inertials_of, root_of
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
@@ -90,7 +91,9 @@ def test_inertials_of_macros_have_no_solids_yet() -> None:
     document = read(text.encode(), Path("r.xacro"), Kind.XACRO)
     assert document.root is not None
     (macro,) = document.root.children()
-    (found,) = inertials_of(document, macro.children("link"))
+    inertials = [element for link in macro.children("link") for element in link.children("inertial")]
+    (found,) = parts_in_macros(document, inertials)
+    assert isinstance(found, Inertial)
     assert found.link.name == "a"
     assert found.link.solids == ()
     assert math.isnan(found.solid_trace)

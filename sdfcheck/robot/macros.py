@@ -1,0 +1,37 @@
+"""Parts of URDF in macros of xacro, where no robot shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.xacro.static.macro_survey import TRANSPARENT
+
+_OWNERS: dict[str, type[Link | Joint]] = {
+    "collision": Link,
+    "inertial": Link,
+    "limit": Joint,
+    "visual": Link,
+}
+"""What is looked at → what it belongs to: a macro without that stands for it."""
+
+
+def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator[Part]:
+    """The parts of links and joints that elements in macros of a document for xacro make."""
+    robot = root_of(document).scopes[0]
+    for element in elements:
+        owner = _OWNERS.get(element.name)
+        around = element.parent
+        while around is not None and around.name in TRANSPARENT:
+            around = around.parent
+        if owner is None or around is None:
+            continue
+        holder = robot.registry.get(around)
+        if holder is None:
+            holder = robot.registry[around] = owner(robot, around)
+        yield holder.part(element)
