@@ -102,6 +102,12 @@ def FRM007_applies(pose):
     length = math_.hypot(*frm_non_unit_quaternion___quaternion(pose))
     return abs(length - 1) > frm_non_unit_quaternion___ROUNDING
 
+def FRM008_applies(joint):
+    parent, child = (joint.parent, joint.child)
+    if joint.is_urdf or parent is None or child is None or (joint.parent_name == joint.child_name):
+        return False
+    return any((end.carrier is not None and end.carrier.kind == 'model' for end in (parent, child)))
+
 def FRM009_applies(reference):
     return reference.scope is None and reference.owner_element.tag in {'model', 'include'}
 
@@ -188,8 +194,56 @@ def INR008_applies(inertial):
     collisions = inertial.link.collisions
     return not collisions or any((inr_unusable_automatic_inertia___has_no_mass(inr_unusable_automatic_inertia___density(inertial, collision)) or collision.geometry.shape in inr_unusable_automatic_inertia___NO_SOLID for collision in collisions))
 
+def jnt_unknown_joint_end___joint_name(end):
+    joint = end.element.parent
+    return '' if joint is None else joint.attributes.get('name', '').strip()
+
+def jnt_unknown_joint_end___unknown_ends(joint):
+    parent, child = (joint.parent_value, joint.child_value)
+    unknown = [parent] if parent is not None and joint.parent is None else []
+    unknown += [child] if child is not None and joint.child is None else []
+    if not unknown or joint.is_extension:
+        return []
+    scope = joint.scope
+    found = []
+    for value in unknown:
+        ends = scope.unresolved.get(value.text)
+        if ends is None or value.text in scope.lost_names:
+            continue
+        if not joint.is_urdf:
+            if value.text == joint.name:
+                found.append((value, []))
+                continue
+            ends = [end for end in ends if jnt_unknown_joint_end___joint_name(end) != value.text]
+        if ends[0].element is value.element:
+            found.append((value, ends[1:]))
+    return found
+
+def JNT001_applies(joint):
+    return bool(jnt_unknown_joint_end___unknown_ends(joint))
+
+def JNT002_applies(joint):
+    child, parent = (joint.child_value, joint.parent_value)
+    if child is None or parent is None or joint.is_extension:
+        return False
+    if child.text == parent.text:
+        return joint.is_urdf or child.text != 'world'
+    return joint.child_link is not None and joint.child_link is joint.parent_link
+
+def JNT003_applies(joint):
+    if joint.parent_value is None or joint.child_value is None or joint.is_extension:
+        return False
+    if joint.is_urdf:
+        is_link = joint.child_name == 'world' and joint.child is not None
+        return is_link and joint.parent_name != 'world'
+    if joint.child_name == 'world':
+        return True
+    child = joint.child
+    carrier = None if child is None or joint.parent is None else child.carrier
+    return carrier is not None and carrier.kind == 'world'
+
 def JNT004_applies(joint):
-    return not joint.is_urdf and any((not axis.is_given and (not joint.misspells(name)) for axis, name in zip(joint.axes, ('axis', 'axis2'), strict=False)))
+    return not (joint.is_urdf or joint.is_extension) and any((not axis.is_given and (not joint.misspells(name)) for axis, name in zip(joint.axes, ('axis', 'axis2'), strict=False)))
 
 jnt_inverted_limits__BOUNDED = frozenset(('prismatic', 'revolute'))
 
@@ -199,7 +253,7 @@ def JNT005_applies(limit):
         return False
     if limit.is_urdf and (not (limit.joint.type in jnt_inverted_limits__BOUNDED and math_inf > lower.number and (upper.number > -math_inf))):
         return False
-    return limit.joint.element.name == 'joint' and limit.axis.limit is limit
+    return limit.axis.limit is limit and (not limit.is_extension)
 
 jnt_directions__NO_LENGTH = 1e-06
 
@@ -210,12 +264,29 @@ jnt_directions__WITH_AXIS = frozenset(('continuous', 'planar', 'prismatic', 'rev
 
 def jnt_directions__is_used(axis):
     joint = axis.joint
-    if axis is not joint.axis and axis is not joint.axis2:
+    if axis.is_extension or (axis is not joint.axis and axis is not joint.axis2):
         return False
     return not axis.is_urdf or joint.type in jnt_directions__WITH_AXIS
 
 def JNT006_applies(axis):
     return jnt_directions__has_no_length(axis) and jnt_directions__is_used(axis)
+
+def JNT007_applies(root):
+    return any((not joint.is_urdf or joint.name != joints[0].name for joints in root.parent_joints.values() for joint in joints[1:]))
+
+def JNT008_applies(root):
+    return bool(root.loops)
+
+def JNT009_applies(mimic):
+    value, joint = (mimic.leader_value, mimic.joint)
+    if value is None or mimic.is_extension or mimic is not mimic.axis.mimic:
+        return False
+    if mimic.leader is not None:
+        return mimic.is_without_axis
+    if mimic.is_urdf:
+        return not joint.is_fixed
+    name, scope = (mimic.leader_name, joint.scope)
+    return scope.resolve(name) is not None or not ('' in name.split('::') or scope.may_hold(name))
 
 jnt_negative_limit__NO_LIMIT = (-1.0, -math_inf)
 
@@ -229,7 +300,9 @@ def jnt_negative_limit___negative(part):
     return [(name, number) for name, number in found if not is_limit or number.number not in jnt_negative_limit__NO_LIMIT]
 
 def JNT010_applies(part):
-    return bool(jnt_negative_limit___negative(part)) and part in (part.axis.limit, part.axis.dynamics)
+    if not jnt_negative_limit___negative(part) or part.is_extension:
+        return False
+    return part is part.axis.limit or part is part.axis.dynamics
 
 jnt_useless_limit__ENDLESS_TYPES = frozenset(('continuous', 'floating', 'planar'))
 
@@ -250,7 +323,25 @@ def jnt_useless_limit___useless(limit):
     return [value for value in (lower, upper) if value.is_given and abs(value.number) < jnt_useless_limit__UNLIMITED]
 
 def JNT011_applies(limit):
-    return bool(jnt_useless_limit___useless(limit)) and limit.axis.limit is limit
+    return bool(jnt_useless_limit___useless(limit)) and limit.axis.limit is limit and (not limit.is_extension)
+
+def jnt_mimic_cycle___rings(root):
+    found = []
+    done = set()
+    for start in root.each('Mimic'):
+        path = {}
+        at = start
+        while at is not None and at not in path and (at not in done):
+            path[at] = None
+            at = at.next
+        if at in path:
+            members = list(path)
+            found.append(members[members.index(at):])
+        done.update(path)
+    return found
+
+def JNT012_applies(root):
+    return bool(jnt_mimic_cycle___rings(root))
 
 jnt_non_unit_axis__ROUNDING = 0.001
 
@@ -375,6 +466,7 @@ CONDITIONS = {
     'FRM005': FRM005_applies,
     'FRM006': FRM006_applies,
     'FRM007': FRM007_applies,
+    'FRM008': FRM008_applies,
     'FRM009': FRM009_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
@@ -384,11 +476,18 @@ CONDITIONS = {
     'INR006': INR006_applies,
     'INR007': INR007_applies,
     'INR008': INR008_applies,
+    'JNT001': JNT001_applies,
+    'JNT002': JNT002_applies,
+    'JNT003': JNT003_applies,
     'JNT004': JNT004_applies,
     'JNT005': JNT005_applies,
     'JNT006': JNT006_applies,
+    'JNT007': JNT007_applies,
+    'JNT008': JNT008_applies,
+    'JNT009': JNT009_applies,
     'JNT010': JNT010_applies,
     'JNT011': JNT011_applies,
+    'JNT012': JNT012_applies,
     'JNT013': JNT013_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,

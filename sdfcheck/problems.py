@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from sdfcheck.formats.vendor.problems import *  # noqa: F403
     from sdfcheck.robot.file_problems import *  # noqa: F403
     from sdfcheck.robot.include_problems import *  # noqa: F403
-    from sdfcheck.robot.joint_problems import *  # noqa: F403
     from sdfcheck.robot.model_config import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.names import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.robot_problems import *  # noqa: F403
@@ -29,7 +28,6 @@ _HOMES = (
     "sdfcheck.formats.namespace_problems",
     "sdfcheck.formats.sdf.problems",
     "sdfcheck.robot.names",
-    "sdfcheck.robot.joint_problems",
     "sdfcheck.formats.urdf.problems",
     "sdfcheck.robot.robot_problems",
     "sdfcheck.robot.file_problems",

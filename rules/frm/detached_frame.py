@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    warns,
-)
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
 
 
 class DetachedFrame(Rule):
@@ -26,7 +15,7 @@ class DetachedFrame(Rule):
     name = "detached-frame"
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES, Consumer.GAZEBO: warns("refuses the file in some versions")}
-    explains = (problems.DetachedFrame,)
+    looks_at = (Joint,)
     scaffold = IN_MODEL
 
     bad = (
@@ -55,7 +44,16 @@ class DetachedFrame(Rule):
         ),
     )
 
-    def check(self, problem: problems.DetachedFrame) -> Iterator[Diagnostic]:
-        model = problem.model
-        message = f"`{problem.value.text}` moves with no link, because {model.title} is static"
-        yield self.diagnostic(problem.value, message)
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        parent, child = joint.parent, joint.child
+        if joint.is_urdf or parent is None or child is None or joint.parent_name == joint.child_name:
+            return False
+        return any(end.carrier is not None and end.carrier.kind == "model" for end in (parent, child))
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        for value, end in ((joint.parent_value, joint.parent), (joint.child_value, joint.child)):
+            model = end.carrier if end is not None else None
+            if value is not None and model is not None and model.kind == "model":
+                message = f"`{value.text}` moves with no link, because {model.title} is static"
+                yield self.diagnostic(value, message)

@@ -1,8 +1,9 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity
 
-_SHOWN = 6
+SHOWN = 6
+"""So many joints of a loop are shown."""
 
 
 class JointLoop(Rule):
@@ -22,7 +23,7 @@ class JointLoop(Rule):
         Consumer.URDFDOM: REFUSES,
         Consumer.MUJOCO: REFUSES,
     }
-    explains = (problems.JointLoop,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -46,15 +47,20 @@ class JointLoop(Rule):
         ),
     )
 
-    def check(self, problem: problems.JointLoop) -> Iterator[Diagnostic]:
-        links, ends = problem.links, problem.ends
-        shown = [f"`{name}`" for name in links[:_SHOWN]]
-        more = ["…"] if len(links) > _SHOWN else []
-        loop = " → ".join((*shown, *more, f"`{links[0]}`"))
-        labels = dict.fromkeys(ends[1:_SHOWN], "and on from here")
-        yield self.diagnostic(
-            ends[0],
-            f"joints lead from link `{links[0]}` back to it: {loop}",
-            labels=labels,
-            severity=Severity.ERROR if problem.refused else None,
-        )
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return bool(root.loops)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for loop in root.loops:
+            names = [link.name for joint in loop if (link := joint.child_link) is not None]
+            first, *others = [joint.child_value or joint for joint in loop]
+            shown = [f"`{name}`" for name in names[:SHOWN]]
+            more = ["…"] if len(names) > SHOWN else []
+            ring = " → ".join((*shown, *more, f"`{names[0]}`"))
+            yield self.diagnostic(
+                first,
+                f"joints lead from link `{names[0]}` back to it: {ring}",
+                labels=dict.fromkeys(others[: SHOWN - 1], "and on from here"),
+                severity=Severity.ERROR if root.is_urdf else None,
+            )

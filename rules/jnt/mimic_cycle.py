@@ -7,14 +7,16 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Mimic,
+    Root,
     Rule,
     Severity,
-    problems,
     refuses,
     warns,
 )
 
-_SHOWN = 6
+SHOWN = 6
+"""So many joints of a ring are shown."""
 _LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
 
 
@@ -34,7 +36,7 @@ class MimicCycle(Rule):
         Consumer.URDFDOM: warns("takes it as it is"),
         Consumer.MUJOCO: refuses("refuses a joint that mimics itself"),
     }
-    explains = (problems.MimicCycle,)
+    looks_at = (Root,)
     scaffold = IN_JOINT
 
     bad = (
@@ -60,20 +62,41 @@ class MimicCycle(Rule):
         ),
     )
 
-    def check(self, problem: problems.MimicCycle) -> Iterator[Diagnostic]:
-        names, leaders = problem.joints, problem.leaders
-        if len(names) == 1:
-            yield self.diagnostic(leaders[0], f"joint `{names[0]}` mimics itself")
-            return
-        shown = [f"`{name}`" for name in names[:_SHOWN]]
-        more = ["…"] if len(names) > _SHOWN else []
-        ring = " → ".join((*shown, *more, f"`{names[0]}`"))
-        labels = {
-            leader: f"the leader of `{name}`"
-            for leader, name in zip(leaders[1:_SHOWN], names[1:], strict=False)
-        }
-        message, affects = (
-            f"joints mimic each other in a ring: {ring}",
-            dict.fromkeys(Consumer, warns("takes it as it is")),
-        )
-        yield self.diagnostic(leaders[0], message, labels=labels, affects=affects)
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return bool(_rings(root))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for ring in _rings(root):
+            names = [mimic.joint.name for mimic in ring]
+            first, *others = [mimic.leader_value or mimic for mimic in ring]
+            if not others:
+                yield self.diagnostic(first, f"joint `{names[0]}` mimics itself")
+                continue
+            shown = [f"`{name}`" for name in names[:SHOWN]]
+            more = ["…"] if len(names) > SHOWN else []
+            text = " → ".join((*shown, *more, f"`{names[0]}`"))
+            leaders = zip(others[: SHOWN - 1], names[1:], strict=False)
+            yield self.diagnostic(
+                first,
+                f"joints mimic each other in a ring: {text}",
+                labels={leader: f"the leader of `{name}`" for leader, name in leaders},
+                affects=dict.fromkeys(Consumer, warns("takes it as it is")),
+            )
+
+
+def _rings(root: Root) -> list[list[Mimic]]:
+    """The mimics that lead round in a ring, each ring from where the first mimic of the file reaches it."""
+    found: list[list[Mimic]] = []
+    done: set[Mimic] = set()
+    for start in root.each("Mimic"):
+        path: dict[Mimic, None] = {}
+        at = start
+        while at is not None and at not in path and at not in done:
+            path[at] = None
+            at = at.next
+        if at in path:
+            members = list(path)
+            found.append(members[members.index(at) :])
+        done.update(path)
+    return found

@@ -37,7 +37,7 @@ class MissingAxis(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return not joint.is_urdf and any(
+        return not (joint.is_urdf or joint.is_extension) and any(
             not axis.is_given and not joint.misspells(name)
             for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False)
         )

@@ -66,7 +66,9 @@ class NegativeLimit(Rule):
 
     @staticmethod
     def applies(part: Limit | Dynamics) -> bool:
-        return bool(_negative(part)) and part in (part.axis.limit, part.axis.dynamics)
+        if not _negative(part) or part.is_extension:
+            return False
+        return part is part.axis.limit or part is part.axis.dynamics
 
     def check(self, part: Limit | Dynamics) -> Iterator[Diagnostic]:
         for quantity, number in _negative(part):

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity
 
 
 class SelfJoint(Rule):
@@ -14,7 +14,7 @@ class SelfJoint(Rule):
     name = "self-joint"
     severity = Severity.ERROR
     affects = dict.fromkeys(Consumer, REFUSES)
-    explains = (problems.SelfJoint,)
+    looks_at = (Joint,)
     scaffold = IN_MODEL
 
     bad = (
@@ -44,11 +44,22 @@ class SelfJoint(Rule):
         ),
     )
 
-    def check(self, problem: problems.SelfJoint) -> Iterator[Diagnostic]:
-        child, parent, joint = problem.child, problem.parent, problem.joint
-        if problem.link is None:
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        child, parent = joint.child_value, joint.parent_value
+        if child is None or parent is None or joint.is_extension:
+            return False
+        if child.text == parent.text:
+            return joint.is_urdf or child.text != "world"  # otherwise the business of world-as-child
+        return joint.child_link is not None and joint.child_link is joint.parent_link
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        child, parent, link = joint.child_value, joint.parent_value, joint.child_link
+        assert child is not None
+        assert parent is not None
+        if child.text == parent.text:
             message = f"parent and child of {joint.title} are both `{child.text}`"
         else:
             ends = f"parent `{parent.text}` and child `{child.text}` of {joint.title}"
-            message = f"{ends} are both on link `{problem.link}`"
+            message = f"{ends} are both on link `{link.name if link is not None else ''}`"
         yield self.diagnostic(child, message, labels={parent: "the parent"})

@@ -7,13 +7,14 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Element,
     Good,
+    Joint,
+    Link,
+    Root,
     Rule,
     Severity,
     accepts,
     named,
-    problems,
     refuses,
     warns,
 )
@@ -35,7 +36,7 @@ class SeveralParents(Rule):
         Consumer.URDFDOM: warns("keeps one of the joints only"),
         Consumer.MUJOCO: REFUSES,
     }
-    explains = (problems.SeveralParents,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -70,21 +71,29 @@ class SeveralParents(Rule):
         ),
     )
 
-    def check(self, problem: problems.SeveralParents) -> Iterator[Diagnostic]:
-        joints = named(problem.joints, most=4)
-        holders = (problem.child.element.parent, problem.first.element.parent)
-        is_held = any(joint is not None and _is_held(joint) for joint in holders)
-        affects = {Consumer.DRAKE: accepts("holds the link")} if is_held else {}
-        yield self.diagnostic(
-            problem.child,
-            f"link `{problem.link}` is child of {len(problem.joints)} joints: {joints}",
-            labels={problem.first: "first a child here"},
-            severity=Severity.ERROR if problem.refused else None,
-            affects=affects,
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(
+            not joint.is_urdf or joint.name != joints[0].name
+            for joints in root.parent_joints.values()
+            for joint in joints[1:]
         )
 
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for link, (first, *others) in root.parent_joints.items():
+            names = [joint.name for joint in (first, *others)]
+            for joint in others:
+                if joint.is_urdf and joint.name == first.name:
+                    continue  # the business of duplicate-name
+                yield self._one_more(link, joint, first, names)
 
-def _is_held(joint: Element) -> bool:
-    """Does a joint of SDFormat hold its child to the world? Then another one makes no loop."""
-    parent = joint.find("parent")
-    return parent is not None and parent.content.strip() == "world"
+    def _one_more(self, link: Link, joint: Joint, first: Joint, names: list[str]) -> Diagnostic:
+        is_held = not joint.is_urdf and "world" in (joint.parent_name, first.parent_name)
+        return self.diagnostic(
+            joint.child_value or joint,
+            f"link `{link.name}` is child of {len(names)} joints: {named(names, most=4)}",
+            labels={first.child_value or first: "first a child here"},
+            severity=Severity.ERROR if joint.is_urdf else None,
+            # What a joint holds to the world makes no loop with another one.
+            affects={Consumer.DRAKE: accepts("holds the link")} if is_held else {},
+        )

@@ -9,11 +9,12 @@ from sdfcheck import (
     Diagnostic,
     Edit,
     Good,
+    Joint,
     Rule,
     Severity,
+    Value,
     accepts,
     make_fix,
-    problems,
 )
 
 _ARM = '<link name="arm"/>'
@@ -32,7 +33,7 @@ class UnknownJointEnd(Rule):
     name = "unknown-joint-end"
     severity = Severity.ERROR
     affects = dict.fromkeys(Consumer, REFUSES)
-    explains = (problems.UnknownJointEnd,)
+    looks_at = (Joint,)
     scaffold = IN_MODEL
 
     bad = (
@@ -85,26 +86,63 @@ class UnknownJointEnd(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnknownJointEnd) -> Iterator[Diagnostic]:
-        value, joint, meant = problem.value, problem.joint, problem.suggestion
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        return bool(_unknown_ends(joint))
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        for value, others in _unknown_ends(joint):
+            if value.text == joint.name and not joint.is_urdf:
+                yield self.diagnostic(value, f"{joint.title} names itself as its {value.element.name}")
+            else:
+                yield self._unknown(joint, value, others)
+
+    def _unknown(self, joint: Joint, value: Value, others: list[Value]) -> Diagnostic:
         name = value.text.strip()
-        if name == joint.attributes.get("name", "").strip() and joint.document.root is not joint.parent:
-            yield self.diagnostic(value, f"{joint.title} names itself as its {problem.role}")
-            return
-        message = f"{problem.role} `{name}` of {joint.title}"
-        if problem.outside is not None:
-            labels = {problem.outside: f"`{name}` is defined here"}
-            yield self.diagnostic(value, f"{message} is outside, out of reach", labels=labels)
-            return
+        message = f"{value.element.name} `{name}` of {joint.title}"
+        is_urdf = joint.is_urdf
+        but = (joint.parent_name, joint.child_name, *(() if is_urdf else (joint.name,)))
+        meant, outside = joint.scope.guess(value.text, but=but, kind="link" if is_urdf else "")
+        if outside is not None:
+            labels = {outside: f"`{name}` is defined here"}
+            return self.diagnostic(value, f"{message} is outside, out of reach", labels=labels)
         message += " does not exist"
-        if problem.others:
-            message += f" (named {1 + len(problem.others)} times)"
+        if others:
+            message += f" (named {1 + len(others)} times)"
         if meant is None:
             advice = "only Drake takes `world` for granted, others want a link of that name"
             known = {Consumer.DRAKE: accepts("takes it for granted")} if name == "world" else {}
-            yield self.diagnostic(value, message, help=advice if known else None, affects=known)
-            return
+            return self.diagnostic(value, message, help=advice if known else None, affects=known)
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
-        edits = tuple(Edit(end.span, meant) for end in (value, *problem.others))
-        yield self.diagnostic(value, message, fix=make_fix(f"write `{meant}`", edits, unsafe=True))
+        edits = tuple(Edit(end.span, meant) for end in (value, *others))
+        return self.diagnostic(value, message, fix=make_fix(f"write `{meant}`", edits, unsafe=True))
+
+
+def _unknown_ends(joint: Joint) -> list[tuple[Value, list[Value]]]:
+    """The ends that name nothing, with those of other joints of that name; each name once, where it is first."""
+    parent, child = joint.parent_value, joint.child_value
+    unknown = [parent] if parent is not None and joint.parent is None else []
+    unknown += [child] if child is not None and joint.child is None else []
+    if not unknown or joint.is_extension:
+        return []
+    scope = joint.scope
+    found: list[tuple[Value, list[Value]]] = []
+    for value in unknown:
+        ends = scope.unresolved.get(value.text)
+        if ends is None or value.text in scope.lost_names:
+            continue
+        if not joint.is_urdf:
+            if value.text == joint.name:
+                found.append((value, []))
+                continue
+            ends = [end for end in ends if _joint_name(end) != value.text]
+        if ends[0].element is value.element:
+            found.append((value, ends[1:]))
+    return found
+
+
+def _joint_name(end: Value) -> str:
+    """The name of the joint of which it is an end."""
+    joint = end.element.parent
+    return "" if joint is None else joint.attributes.get("name", "").strip()

@@ -8,9 +8,9 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Mimic,
     Rule,
     Severity,
-    problems,
     replace,
     warns,
 )
@@ -34,7 +34,7 @@ class UnknownMimicLeader(Rule):
         Consumer.URDFDOM: warns("takes it as it is"),
         Consumer.MUJOCO: warns("ignores it"),
     }
-    explains = (problems.UnknownMimicLeader,)
+    looks_at = (Mimic,)
     scaffold = IN_JOINT
 
     bad = (
@@ -69,13 +69,27 @@ class UnknownMimicLeader(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnknownMimicLeader) -> Iterator[Diagnostic]:
-        value, joint, meant = problem.value, problem.joint, problem.suggestion
-        if problem.axis is not None:
-            message = f"{joint.title} mimics `{problem.axis}` of a joint that has no such axis"
-            yield self.diagnostic(value, message)
+    @staticmethod
+    def applies(mimic: Mimic) -> bool:
+        value, joint = mimic.leader_value, mimic.joint
+        if value is None or mimic.is_extension or mimic is not mimic.axis.mimic:
+            return False
+        if mimic.leader is not None:
+            return mimic.is_without_axis
+        if mimic.is_urdf:
+            return not joint.is_fixed
+        name, scope = mimic.leader_name, joint.scope
+        return scope.resolve(name) is not None or not ("" in name.split("::") or scope.may_hold(name))
+
+    def check(self, mimic: Mimic) -> Iterator[Diagnostic]:
+        value, joint = mimic.leader_value, mimic.joint
+        assert value is not None
+        if mimic.leader is not None:
+            message = f"{joint.title} mimics `{mimic.leader_axis}` of a joint that has no such axis"
+            yield self.diagnostic(mimic.attribute("axis") or value, message)
             return
-        message = f"{joint.title} mimics `{value.text.strip()}`, which is no joint of its model"
+        message = f"{joint.title} mimics `{mimic.leader_name}`, which is no joint of its model"
+        meant = mimic.leader_guess
         if meant is None:
             yield self.diagnostic(value, message)
             return

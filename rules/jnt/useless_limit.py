@@ -50,7 +50,7 @@ class UselessLimit(Rule):
 
     @staticmethod
     def applies(limit: Limit) -> bool:
-        return bool(_useless(limit)) and limit.axis.limit is limit
+        return bool(_useless(limit)) and limit.axis.limit is limit and not limit.is_extension
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         first, *others = _useless(limit)

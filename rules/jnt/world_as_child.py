@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity
 
 
 class WorldAsChild(Rule):
@@ -19,7 +19,7 @@ class WorldAsChild(Rule):
         Consumer.URDFDOM: REFUSES,
         Consumer.MUJOCO: REFUSES,
     }
-    explains = (problems.WorldAsChild,)
+    looks_at = (Joint,)
     scaffold = IN_MODEL
 
     bad = (
@@ -36,9 +36,23 @@ class WorldAsChild(Rule):
     )
     good = (Good('<joint name="j" type="fixed"><parent>world</parent><child>base</child></joint>'),)
 
-    def check(self, problem: problems.WorldAsChild) -> Iterator[Diagnostic]:
-        child, joint = problem.child, problem.joint
-        if child.text.strip() == "world":
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        if joint.parent_value is None or joint.child_value is None or joint.is_extension:
+            return False
+        if joint.is_urdf:
+            is_link = joint.child_name == "world" and joint.child is not None
+            return is_link and joint.parent_name != "world"  # otherwise the business of self-joint
+        if joint.child_name == "world":
+            return True
+        child = joint.child
+        carrier = None if child is None or joint.parent is None else child.carrier
+        return carrier is not None and carrier.kind == "world"
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        child = joint.child_value
+        assert child is not None
+        if child.text == "world":
             message = f"the child of {joint.title} is the world"
         else:
             message = f"the child `{child.text}` of {joint.title} is attached to the world"

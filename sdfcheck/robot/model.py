@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.material import Material
     from sdfcheck.robot.parts.plugin import Plugin
+    from sdfcheck.robot.unresolved import Unresolved
     from sdfcheck.source.element import Element, Value
 
 _MOST_INCLUDED = 10_000
@@ -210,6 +211,14 @@ class Model(Scope):
         """In URDF: the names of all joints that something can drive, Drake's own (``drake:joint``) among them."""
         own = (joint.attributes.get("name", "") for joint in self.children("drake:joint"))
         return frozenset((*self.joints_by_name, *own))
+
+    @lazy
+    def unresolved(self) -> Unresolved:
+        return self.link_names.unknown if self.is_urdf else super().unresolved
+
+    @lazy
+    def lost_names(self) -> frozenset[str]:
+        return frozenset(self.link_names.explained) if self.is_urdf else super().lost_names
 
     @lazy
     def link_names(self) -> LinkNames:

@@ -108,6 +108,11 @@ class Part:
         """Is there a child element of that name, prefix included?"""
         return self.is_given and self.element.has(name)
 
+    @property
+    def is_extension(self) -> bool:
+        """Is it in a ``<gazebo>`` block of a URDF file, so that only Gazebo reads it?"""
+        return self.root.is_urdf and not self.is_urdf
+
     def misspells(self, name: str) -> bool:
         """Does it lack a child or attribute of that name only because it is misspelled?"""
         if not self.is_given:

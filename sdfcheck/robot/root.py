@@ -16,7 +16,9 @@ if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
+    from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.light import Light
+    from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
     from sdfcheck.robot.reference import Reference
     from sdfcheck.robot.rings import Ring
@@ -156,6 +158,20 @@ class Root(Part):
         from sdfcheck.robot.rings import rings
 
         return rings(self) if self.references else ()
+
+    @lazy
+    def parent_joints(self) -> dict[Link, list[Joint]]:
+        """Link → the joints of this file that carry it, whichever world or model they are in."""
+        from sdfcheck.robot.motion.tree import parents_in
+
+        return parents_in(self.each("Joint"))
+
+    @lazy
+    def loops(self) -> list[list[Joint]]:
+        """The joints of this file that lead round in a circle, whichever world or model they are in."""
+        from sdfcheck.robot.motion.tree import loops
+
+        return loops(self.parent_joints, self.each("Joint"))
 
     def outermost(self, node: Node) -> Node:
         """The world around a node, or what stands for it where there is none."""

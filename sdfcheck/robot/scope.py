@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.unresolved import Unresolved
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element
 
@@ -36,7 +37,7 @@ WORLD_FRAME = "world"
 NEVER_A_REFERENCE = "__root__"
 
 _SEVEN = Version(1, 7)
-_NODES = frozenset({"link", "joint", "frame", "model"})
+NODES = frozenset({"link", "joint", "frame", "model"})
 _LOADED = ("model", "link", "joint", "frame")
 """The order in which libsdformat takes them in."""
 
@@ -141,6 +142,20 @@ class Scope(Node):
 
         return guess(self, reference, but, kind)
 
+    @lazy
+    def unresolved(self) -> Unresolved:
+        """The names by which its joints refer to nothing, with the ends of joints that use them."""
+        from sdfcheck.robot.unresolved import unresolved_ends
+
+        return unresolved_ends(self)
+
+    @lazy
+    def lost_names(self) -> frozenset[str]:
+        """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
+        from sdfcheck.robot.unresolved import lost_names
+
+        return lost_names(self, self.unresolved)
+
     def names(self) -> Iterator[str]:
         """The names that a reference here can use, scoped ones included; not all of very many."""
         return islice(self._names(), _MOST_NAMES)
@@ -202,7 +217,7 @@ class Scope(Node):
                         self._take(source, nodes, name, child)
             return
         for kind, name, child in _named_children(source):
-            if kind in _NODES and (name := name.strip()):
+            if kind in NODES and (name := name.strip()):
                 self._take(source, nodes, name, child)
         if survey(source.document).index.get("include"):
             from sdfcheck.robot.includes import included
@@ -255,7 +270,7 @@ def _named_children(source: Scope) -> Iterable[Child]:
 
 def _without_clashes(children: Iterable[Child]) -> Iterable[Child]:
     """As libsdformat has it before 1.7: of two kinds with one name, the one taken in later gets another."""
-    found = [entry for entry in children if entry[0] in _NODES]
+    found = [entry for entry in children if entry[0] in NODES]
     if len({name for _, name, _ in found}) == len(found):
         return found
     taken: dict[str, str] = {}

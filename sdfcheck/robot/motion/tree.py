@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from sdfcheck.robot.values import lazy
@@ -124,25 +124,43 @@ class Tree:
 
         Each begins with its first joint in the order of the file.
         """
-        found: list[list[Joint]] = []
-        done: set[Link] = set()
-        for start in self.parents:
-            path: list[Joint] = []
-            on_path: dict[Link, int] = {}
-            link: Link | None = start
-            while link is not None and link not in done and link not in on_path and link in self.parents:
-                on_path[link] = len(path)
-                path.append(self.parents[link][0])
-                link = path[-1].parent_link
-            if link is not None and link in on_path:
-                found.append(self._from_first(path[on_path[link] :][::-1]))
-            done.update(on_path)
-        return found
+        return loops(self.parents, self.joints)
 
-    def _from_first(self, ring: list[Joint]) -> list[Joint]:
-        order = {joint: number for number, joint in enumerate(self.joints)}
-        first = min(range(len(ring)), key=lambda number: order[ring[number]])
-        return ring[first:] + ring[:first]
+
+def parents_in(joints: Iterable[Joint]) -> dict[Link, list[Joint]]:
+    """Link → the joints that carry it: those whose parent moves with something else, or is the world.
+
+    The links may be of several models. A gearbox carries nothing: it couples what others carry.
+    """
+    found: dict[Link, list[Joint]] = {}
+    for joint in joints:
+        child, parent = joint.child_link, joint.parent
+        if child is None or parent is None or joint.type == "gearbox":
+            continue
+        if (carrier := parent.carrier) is not None and carrier is not child:
+            found.setdefault(child, []).append(joint)
+    return found
+
+
+def loops(parents: Mapping[Link, Sequence[Joint]], joints: Iterable[Joint]) -> list[list[Joint]]:
+    """The same for any links and the joints that lead to them, given in the order of the file."""
+    found: list[list[Joint]] = []
+    done: set[Link] = set()
+    order = {joint: number for number, joint in enumerate(joints)}
+    for start in parents:
+        path: list[Joint] = []
+        on_path: dict[Link, int] = {}
+        link: Link | None = start
+        while link is not None and link not in done and link not in on_path and link in parents:
+            on_path[link] = len(path)
+            path.append(parents[link][0])
+            link = path[-1].parent_link
+        if link is not None and link in on_path:
+            ring = path[on_path[link] :][::-1]
+            first = min(range(len(ring)), key=lambda number: order[ring[number]])
+            found.append(ring[first:] + ring[:first])
+        done.update(on_path)
+    return found
 
 
 def _is_name_in_urdf(name: str) -> bool:

@@ -198,8 +198,35 @@ class Mimic(_AxisPart):
         if self.is_urdf:  # where joints and links have names of their own
             name = self.leader_value.text if self.leader_value is not None else ""
             return model.joints_by_name.get(name) if model is not None and name else None
-        found = self.joint.scope.resolve(self.leader_name) if self.leader_name else None
+        found = self.joint.look_up(self.leader_name) if self.leader_name else None
         return found if isinstance(found, Joint) else None
+
+    @property
+    def leader_guess(self) -> str | None:
+        """The joint that it was probably meant to follow, where the name is not that of a joint."""
+        joint, model = self.joint, self.joint.model
+        if not self.is_urdf or model is None:
+            return joint.scope.guess(self.leader_name, but=(joint.name,), kind="joint").meant
+        from sdfcheck.formats.suggest import suggest_in
+
+        candidates = (name for name in model.joints_by_name if name != joint.name)
+        return suggest_in(self.document, self.leader_name, candidates)
+
+    @property
+    def is_without_axis(self) -> bool:
+        """Does its leader lack the axis that it follows?"""
+        leader = self.leader
+        if leader is None or self.is_urdf:
+            return False
+        return self.leader_axis not in {"axis", "axis2"} or not leader.has(self.leader_axis)
+
+    @property
+    def next(self) -> Mimic | None:
+        """The mimic of the axis that it follows: that axis follows another one, in turn."""
+        leader = self.leader
+        if leader is None or self.is_without_axis:
+            return None
+        return leader.axis2.mimic if self.leader_axis == "axis2" else leader.axis.mimic
 
     @property
     def leader_axis(self) -> str:

@@ -1,4 +1,4 @@
-"""Axes, limits and ends of joints: what the rules about them report, and what they leave to others."""
+"""Axes and limits of joints: what the rules about them report, and what they leave to others."""
 
 from __future__ import annotations
 
