@@ -5,6 +5,7 @@
 
 from math import inf as math_inf
 from math import pi as math_pi
+from pathlib import PurePosixPath as pathlib_PurePosixPath
 from sdfcheck import Include as sdfcheck_Include
 import math as math_
 import re as re_
@@ -348,6 +349,77 @@ jnt_non_unit_axis__ROUNDING = 0.001
 def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
 
+def muj_meshes__compiler(model):
+    found = {}
+    for extension in model.children('mujoco'):
+        for settings in extension.children('compiler'):
+            found |= settings.attributes
+    return found
+
+def muj_meshes__mesh_files(model):
+    settings = muj_meshes__compiler(model)
+    kinds = ('collision', 'visual') if settings.get('discardvisual') == 'false' else ('collision',)
+    for link in model.links:
+        for shape in link.shapes:
+            value = shape.geometry.uri_value
+            if value is None or shape.kind not in kinds or shape.geometry.shape != 'mesh':
+                continue
+            if '${' not in value.text and '$(' not in value.text:
+                yield value
+
+def muj_unopened_mesh___by_scheme(model):
+    found = {}
+    if not model.is_urdf or muj_meshes__compiler(model).get('strippath') == 'true':
+        return found
+    for value in muj_meshes__mesh_files(model):
+        scheme, delimiter, _ = value.text.strip().partition(':/')
+        if delimiter:
+            found.setdefault(scheme, []).append(value)
+    return found
+
+def MUJ001_applies(model):
+    return bool(muj_unopened_mesh___by_scheme(model))
+
+muj_undecoded_mesh__DECODED = frozenset(('.msh', '.obj', '.stl'))
+
+def muj_undecoded_mesh___by_suffix(model):
+    found = {}
+    for value in muj_meshes__mesh_files(model) if model.is_urdf else ():
+        suffix = pathlib_PurePosixPath(value.text.strip()).suffix.lower()
+        if suffix not in muj_undecoded_mesh__DECODED:
+            found.setdefault(suffix, []).append(value)
+    return found
+
+def MUJ002_applies(model):
+    return bool(muj_undecoded_mesh___by_suffix(model))
+
+muj_massless_body__LEAST = 1e-15
+
+def muj_massless_body___has_mass(link):
+    inertial = link.inertial
+    if not inertial.is_given:
+        return link.has('collision')
+    if not inertial.has('mass') or not inertial.has('inertia'):
+        return True
+    numbers = [inertial.mass, *(inertial.moments[moment] for moment in ('ixx', 'iyy', 'izz'))]
+    return not any((number.is_given and number.number <= muj_massless_body__LEAST for number in numbers))
+
+def muj_massless_body___fused(link):
+    found = {link}
+    waiting = [link]
+    while waiting:
+        for joint in waiting.pop().child_joints:
+            child = joint.child_link if joint.is_fixed else None
+            if child is not None and child not in found:
+                found.add(child)
+                waiting.append(child)
+    return found
+
+def MUJ003_applies(link):
+    if not link.is_urdf or not link.parent_joints or (not link.parent_joints[0].moves):
+        return False
+    return not any(map(muj_massless_body___has_mass, muj_massless_body___fused(link)))
+
 def URD003_applies(robot):
     return any((len(group) > 1 for group in robot.tree.loose_groups))
 
@@ -489,6 +561,9 @@ CONDITIONS = {
     'JNT011': JNT011_applies,
     'JNT012': JNT012_applies,
     'JNT013': JNT013_applies,
+    'MUJ001': MUJ001_applies,
+    'MUJ002': MUJ002_applies,
+    'MUJ003': MUJ003_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,
     'URD005': URD005_applies,

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sdfcheck.consumers.drake_problems import *  # noqa: F403
     from sdfcheck.consumers.gazebo_problems import *  # noqa: F403
-    from sdfcheck.consumers.mujoco_urdf import *  # noqa: F403
     from sdfcheck.formats.namespace_problems import *  # noqa: F403
     from sdfcheck.formats.sdf.problems import *  # noqa: F403
     from sdfcheck.formats.urdf.problems import *  # noqa: F403
@@ -37,7 +36,6 @@ _HOMES = (
     "sdfcheck.formats.vendor.problems",
     "sdfcheck.consumers.drake_problems",
     "sdfcheck.consumers.gazebo_problems",
-    "sdfcheck.consumers.mujoco_urdf",
 )
 
 

@@ -1,12 +1,14 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity
 
 JOINT = '<joint name="j" type="{}"><parent link="base"/><child link="arm"/></joint>'
 INERTIAL = (
     '<inertial><mass value="1"/><inertia ixx="{0}" iyy="{0}" izz="{0}" ixy="0" ixz="0" iyz="0"/></inertial>'
 )
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
+LEAST = 1e-15
+"""What the mass and the moments of a body that moves must exceed."""
 
 
 class MasslessBody(Rule):
@@ -21,7 +23,7 @@ class MasslessBody(Rule):
     severity = Severity.ERROR
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
-    explains = (problems.MasslessBody,)
+    looks_at = (Link,)
     scaffold = IN_ROBOT
 
     bad = (
@@ -41,9 +43,39 @@ class MasslessBody(Rule):
         Good('<link name="arm"/>' + JOINT.format("fixed"), why="does not move"),
     )
 
-    def check(self, problem: problems.MasslessBody) -> Iterator[Diagnostic]:
-        link, joint = problem.link, problem.joint
+    @staticmethod
+    def applies(link: Link) -> bool:
+        if not link.is_urdf or not link.parent_joints or not link.parent_joints[0].moves:
+            return False
+        return not any(map(_has_mass, _fused(link)))
+
+    def check(self, link: Link) -> Iterator[Diagnostic]:
+        joint = link.parent_joints[0]
         message = (
             f"{link.title} moves by {joint.title} and has no mass or no inertia: MuJoCo refuses the file"
         )
         yield self.diagnostic(link, message, labels={joint: "it moves here"})
+
+
+def _fused(link: Link) -> set[Link]:
+    """The link with all that fixed joints tie to it from below, which MuJoCo makes one body."""
+    found = {link}
+    waiting = [link]
+    while waiting:
+        for joint in waiting.pop().child_joints:
+            child = joint.child_link if joint.is_fixed else None
+            if child is not None and child not in found:
+                found.add(child)
+                waiting.append(child)
+    return found
+
+
+def _has_mass(link: Link) -> bool:
+    """By its inertial, or by its collisions where it has none; what is not a number is reported for itself."""
+    inertial = link.inertial
+    if not inertial.is_given:
+        return link.has("collision")
+    if not inertial.has("mass") or not inertial.has("inertia"):
+        return True
+    numbers = [inertial.mass, *(inertial.moments[moment] for moment in ("ixx", "iyy", "izz"))]
+    return not any(number.is_given and number.number <= LEAST for number in numbers)

@@ -1,8 +1,23 @@
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 
-from sdfcheck import IN_URDF_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Model,
+    Rule,
+    Severity,
+    Value,
+    used,
+)
+from sdfcheck_rules.muj.meshes import mesh_files
 
 MESH = '<collision><geometry><mesh filename="{}"/></geometry></collision>'
+DECODED = frozenset((".msh", ".obj", ".stl"))
 
 
 class UndecodedMesh(Rule):
@@ -17,7 +32,7 @@ class UndecodedMesh(Rule):
     severity = Severity.ERROR
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
-    explains = (problems.UndecodedMesh,)
+    looks_at = (Model,)
     scaffold = IN_URDF_LINK
 
     bad = (Bad(MESH.format("«meshes/arm.dae»"), says="a `.dae` file cannot be a collision in MuJoCo"),)
@@ -26,9 +41,24 @@ class UndecodedMesh(Rule):
         Good(MESH.format("meshes/arm.dae").replace("collision", "visual"), why="visuals are not read"),
     )
 
-    def check(self, problem: problems.UndecodedMesh) -> Iterator[Diagnostic]:
-        what = f"a `{problem.suffix}` file" if problem.suffix else "a file without suffix"
-        message = (
-            f"{what} cannot be a collision in MuJoCo{used(problem.uses)}, which reads .stl, .obj and .msh"
-        )
-        yield self.diagnostic(problem.value, message)
+    @staticmethod
+    def applies(model: Model) -> bool:
+        return bool(_by_suffix(model))
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        for suffix, values in sorted(_by_suffix(model).items()):
+            what = f"a `{suffix}` file" if suffix else "a file without suffix"
+            message = (
+                f"{what} cannot be a collision in MuJoCo{used(len(values))}, which reads .stl, .obj and .msh"
+            )
+            yield self.diagnostic(values[0], message)
+
+
+def _by_suffix(model: Model) -> dict[str, list[Value]]:
+    """The meshes of a format that is not decoded."""
+    found: dict[str, list[Value]] = {}
+    for value in mesh_files(model) if model.is_urdf else ():
+        suffix = PurePosixPath(value.text.strip()).suffix.lower()
+        if suffix not in DECODED:
+            found.setdefault(suffix, []).append(value)
+    return found

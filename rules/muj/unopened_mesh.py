@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Model,
+    Rule,
+    Severity,
+    Value,
+    used,
+)
+from sdfcheck_rules.muj.meshes import compiler, mesh_files
 
 MESH = '<collision><geometry><mesh filename="{}"/></geometry></collision>'
 
@@ -19,7 +32,7 @@ class UnopenedMesh(Rule):
     severity = Severity.ERROR
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
-    explains = (problems.UnopenedMesh,)
+    looks_at = (Model,)
     scaffold = IN_URDF_LINK
 
     bad = (
@@ -40,9 +53,26 @@ class UnopenedMesh(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnopenedMesh) -> Iterator[Diagnostic]:
-        yield self.diagnostic(
-            problem.value,
-            f"`{problem.scheme}:` is the name of a folder to MuJoCo{used(problem.uses)}",
-            help='give a path, or add <mujoco><compiler strippath="true" meshdir="…"/></mujoco> to the robot',
-        )
+    @staticmethod
+    def applies(model: Model) -> bool:
+        return bool(_by_scheme(model))
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        for scheme, values in sorted(_by_scheme(model).items()):
+            yield self.diagnostic(
+                values[0],
+                f"`{scheme}:` is the name of a folder to MuJoCo{used(len(values))}",
+                help='give a path, or add <mujoco><compiler strippath="true" meshdir="…"/></mujoco> to the robot',
+            )
+
+
+def _by_scheme(model: Model) -> dict[str, list[Value]]:
+    """The meshes whose address has a scheme, unless MuJoCo is told to take the name of the file alone."""
+    found: dict[str, list[Value]] = {}
+    if not model.is_urdf or compiler(model).get("strippath") == "true":
+        return found
+    for value in mesh_files(model):
+        scheme, delimiter, _ = value.text.strip().partition(":/")
+        if delimiter:
+            found.setdefault(scheme, []).append(value)
+    return found

@@ -69,7 +69,6 @@ _ANALYSES_FOR = {
         Kind.SDF: ("sdfcheck.consumers.gazebo:classic_problems",),
         Kind.URDF: ("sdfcheck.consumers.gazebo:classic_problems",),
     },
-    "mujoco": {Kind.URDF: ("sdfcheck.consumers.mujoco_urdf:problems",)},
 }
 """Reader → analyses of what it does not support; they run for those who ask about the reader."""
 
