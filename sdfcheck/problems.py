@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from sdfcheck.formats.vendor.problems import *  # noqa: F403
     from sdfcheck.robot.file_problems import *  # noqa: F403
     from sdfcheck.robot.include_problems import *  # noqa: F403
-    from sdfcheck.robot.model_config import *  # type: ignore[assignment]  # noqa: F403
+    from sdfcheck.robot.model_config import *  # noqa: F403
     from sdfcheck.robot.names import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.robot_problems import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403

@@ -162,13 +162,18 @@ class Root(Part):
     @lazy
     def parent_joints(self) -> dict[Link, list[Joint]]:
         """Link → the joints of this file that carry it, whichever world or model they are in."""
+        joints = list(self.each("Joint"))
+        if not joints:
+            return {}
         from sdfcheck.robot.motion.tree import parents_in
 
-        return parents_in(self.each("Joint"))
+        return parents_in(joints)
 
     @lazy
     def loops(self) -> list[list[Joint]]:
         """The joints of this file that lead round in a circle, whichever world or model they are in."""
+        if not self.parent_joints:
+            return []
         from sdfcheck.robot.motion.tree import loops
 
         return loops(self.parent_joints, self.each("Joint"))
