@@ -200,6 +200,8 @@ def jnt_unknown_joint_end___joint_name(end):
     return '' if joint is None else joint.attributes.get('name', '').strip()
 
 def jnt_unknown_joint_end___unknown_ends(joint):
+    if joint.parent is not None and joint.child is not None:
+        return []
     parent, child = (joint.parent_value, joint.child_value)
     unknown = [parent] if parent is not None and joint.parent is None else []
     unknown += [child] if child is not None and joint.child is None else []
@@ -250,7 +252,7 @@ jnt_inverted_limits__BOUNDED = frozenset(('prismatic', 'revolute'))
 
 def JNT005_applies(limit):
     lower, upper = (limit.lower, limit.upper)
-    if not lower.number > upper.number or not (lower.is_given and upper.is_given):
+    if not lower > upper or not lower.number > upper.number or (not (lower.is_given and upper.is_given)):
         return False
     if limit.is_urdf and (not (limit.joint.type in jnt_inverted_limits__BOUNDED and math_inf > lower.number and (upper.number > -math_inf))):
         return False
@@ -294,11 +296,12 @@ jnt_negative_limit__NO_LIMIT = (-1.0, -math_inf)
 def jnt_negative_limit___negative(part):
     is_limit = part.kind == 'limit'
     names = ('effort', 'velocity') if is_limit else ('damping', 'friction')
-    numbers = [(name, getattr(part, name)) for name in names]
-    found = [(name, number) for name, number in numbers if number.number < 0]
-    if not found or (is_limit and part.is_urdf and (not part.joint.moves)):
+    numbers = [getattr(part, name) for name in names]
+    if min(numbers) >= 0 or (is_limit and part.is_urdf and (not part.joint.moves)):
         return []
-    return [(name, number) for name, number in found if not is_limit or number.number not in jnt_negative_limit__NO_LIMIT]
+    exempt = jnt_negative_limit__NO_LIMIT if is_limit else ()
+    below = zip(names, numbers, strict=True)
+    return [(name, number) for name, number in below if number.number < 0 and number.number not in exempt]
 
 def JNT010_applies(part):
     if not jnt_negative_limit___negative(part) or part.is_extension:
@@ -312,9 +315,9 @@ jnt_useless_limit__ROUNDING = 0.001
 jnt_useless_limit__UNLIMITED = 1000000000000000.0
 
 def jnt_useless_limit___useless(limit):
-    lower, upper = (limit.lower, limit.upper)
-    if not (lower.is_given or upper.is_given) or limit.joint.type not in jnt_useless_limit__ENDLESS_TYPES:
+    if limit.joint.type not in jnt_useless_limit__ENDLESS_TYPES:
         return []
+    lower, upper = (limit.lower, limit.upper)
     if limit.is_urdf:
         if lower.is_given and upper.is_given and (upper.number - lower.number > 2 * math_pi - jnt_useless_limit__ROUNDING):
             return []

@@ -66,7 +66,7 @@ class InvertedLimits(Rule):
     @staticmethod
     def applies(limit: Limit) -> bool:
         lower, upper = limit.lower, limit.upper
-        if not lower.number > upper.number or not (lower.is_given and upper.is_given):
+        if not lower > upper or not lower.number > upper.number or not (lower.is_given and upper.is_given):
             return False
         if limit.is_urdf and not (limit.joint.type in BOUNDED and inf > lower.number and upper.number > -inf):
             return False

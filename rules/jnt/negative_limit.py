@@ -85,8 +85,9 @@ def _negative(part: Limit | Dynamics) -> list[tuple[str, Number]]:
     """The numbers below 0, with what they are the number of."""
     is_limit = part.kind == "limit"
     names = ("effort", "velocity") if is_limit else ("damping", "friction")
-    numbers: list[tuple[str, Number]] = [(name, getattr(part, name)) for name in names]
-    found = [(name, number) for name, number in numbers if number.number < 0]
-    if not found or (is_limit and part.is_urdf and not part.joint.moves):
+    numbers: list[Number] = [getattr(part, name) for name in names]
+    if min(numbers) >= 0 or (is_limit and part.is_urdf and not part.joint.moves):
         return []
-    return [(name, number) for name, number in found if not is_limit or number.number not in NO_LIMIT]
+    exempt = NO_LIMIT if is_limit else ()
+    below = zip(names, numbers, strict=True)
+    return [(name, number) for name, number in below if number.number < 0 and number.number not in exempt]

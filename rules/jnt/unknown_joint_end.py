@@ -121,6 +121,8 @@ class UnknownJointEnd(Rule):
 
 def _unknown_ends(joint: Joint) -> list[tuple[Value, list[Value]]]:
     """The ends that name nothing, with those of other joints of that name; each name once, where it is first."""
+    if joint.parent is not None and joint.child is not None:
+        return []
     parent, child = joint.parent_value, joint.child_value
     unknown = [parent] if parent is not None and joint.parent is None else []
     unknown += [child] if child is not None and joint.child is None else []

@@ -62,9 +62,9 @@ class UselessLimit(Rule):
 
 def _useless(limit: Limit) -> list[Number]:
     """The position limits that exclude positions which the joint can have."""
-    lower, upper = limit.lower, limit.upper
-    if not (lower.is_given or upper.is_given) or limit.joint.type not in ENDLESS_TYPES:
+    if limit.joint.type not in ENDLESS_TYPES:
         return []
+    lower, upper = limit.lower, limit.upper
     if limit.is_urdf:
         # What is not written is 0 there, and whole turns exclude nothing.
         if lower.is_given and upper.is_given and upper.number - lower.number > 2 * pi - ROUNDING:

@@ -57,7 +57,7 @@ class Axis(Part):
         """The direction as written, of any length."""
         return self._vector("xyz", (1.0, 0.0, 0.0) if self.is_urdf else (0.0, 0.0, 1.0))
 
-    @property
+    @lazy
     def length(self) -> float:
         """The length of the direction as written; nan where that is not three finite numbers."""
         xyz = self.xyz
@@ -97,22 +97,22 @@ class Limit(_AxisPart):
     __slots__ = ()
     kind = "limit"
 
-    @property
+    @lazy
     def lower(self) -> Number:
         """The lowest position; without limit -inf, in URDF 0 where only the rest is written."""
         return self._number("lower", 0.0 if self.is_urdf and self.is_given else -math.inf)
 
-    @property
+    @lazy
     def upper(self) -> Number:
         """The highest position; without limit inf, in URDF 0 where only the rest is written."""
         return self._number("upper", 0.0 if self.is_urdf and self.is_given else math.inf)
 
-    @property
+    @lazy
     def effort(self) -> Number:
         """The greatest force or torque; in SDFormat a negative one is no limit."""
         return self._number("effort", math.inf)
 
-    @property
+    @lazy
     def velocity(self) -> Number:
         """The greatest speed; in SDFormat a negative one is no limit."""
         return self._number("velocity", math.inf)

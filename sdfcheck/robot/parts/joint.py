@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.axis import Axis
@@ -40,7 +40,7 @@ class Joint(Node):
     __slots__ = ()
     kind = "joint"
 
-    @property
+    @lazy
     def type(self) -> str:
         """The type as simulators compare it: in SDFormat small letters, without blanks; empty if there is none."""
         text = self._text("type") or ""
@@ -208,7 +208,5 @@ class Joint(Node):
 
 
 def _link(node: Node | None) -> Link | None:
-    from sdfcheck.robot.parts.link import Link
-
     carrier = node.carrier if node is not None else None
-    return carrier if isinstance(carrier, Link) else None
+    return cast("Link", carrier) if carrier is not None and carrier.kind == "link" else None
