@@ -13,6 +13,7 @@ from sdfcheck.source.sniff import Kind
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.light import Light
@@ -101,6 +102,16 @@ class Link(Node):
     def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:
         """The ``<gazebo>`` blocks about it, in URDF."""
         return tuple(self.model.blocks_by_reference.get(self.name, ())) if self.is_urdf else ()
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around its collisions, or its visuals where it has none: lowest and highest x, y, z.
+
+        In m, in its frame, shape (2, 3); None where no shape has a known size (meshes have none).
+        """
+        from sdfcheck.robot.motion.bounds import of_shapes
+
+        return of_shapes(self.collisions or self.visuals)
 
     # How it hangs together with others
 
