@@ -38,7 +38,30 @@ class lazy(Generic[T]):  # noqa: N801 - used like `property`
         return value
 
 
-class Number(float):
+class _Placed:
+    """A value that knows its place: ``value`` is the text, None where the default is taken."""
+
+    __slots__ = ()
+    value: Value | None
+    element: Element
+
+    @property
+    def is_given(self) -> bool:
+        """Is it written in the text?"""
+        return self.value is not None
+
+    @property
+    def text(self) -> str:
+        """The text as written, without blanks around it; empty where it is not."""
+        return self.value.text.strip() if self.value is not None else ""
+
+    @property
+    def span(self) -> Span:
+        """The place of the text, or of the element that lacks it."""
+        return self.element.span if self.value is None else self.value.span
+
+
+class Number(_Placed, float):
     """A float as simulators read it, with its place in the text.
 
     ``value`` is the text with its place, None where the default is taken; ``element`` is
@@ -64,24 +87,9 @@ class Number(float):
         return number
 
     @property
-    def is_given(self) -> bool:
-        """Is it written in the text?"""
-        return self.value is not None
-
-    @property
-    def text(self) -> str:
-        """The text as written; empty where it is not."""
-        return self.value.text.strip() if self.value is not None else ""
-
-    @property
     def number(self) -> float:
         """The number if the text is exactly one, or the default; nan for a text that is not a number."""
         return float(self) if self.value is None else self.value.number
-
-    @property
-    def span(self) -> Span:
-        """The place of the text, or of the element that lacks it."""
-        return self.element.span if self.value is None else self.value.span
 
     def __repr__(self) -> str:
         return float.__repr__(self) + ("" if self.is_given else " (default)")
@@ -90,7 +98,7 @@ class Number(float):
         return float, (float(self),)
 
 
-class Vector(tuple[float, ...]):
+class Vector(_Placed, tuple[float, ...]):
     """Several numbers of one text, with their place; empty where the text is not made of numbers."""
 
     value: Value | None
@@ -109,26 +117,11 @@ class Vector(tuple[float, ...]):
         numbers.value, numbers.element = value, element
         return numbers
 
-    @property
-    def is_given(self) -> bool:
-        """Is it written in the text?"""
-        return self.value is not None
-
-    @property
-    def text(self) -> str:
-        """The text as written; empty where it is not."""
-        return self.value.text.strip() if self.value is not None else ""
-
-    @property
-    def span(self) -> Span:
-        """The place of the text, or of the element that lacks it."""
-        return self.element.span if self.value is None else self.value.span
-
     def __reduce__(self) -> tuple[type[tuple[float, ...]], tuple[tuple[float, ...]]]:
         return tuple, (tuple(self),)
 
 
-class Flag(int):
+class Flag(_Placed, int):
     """A truth value as simulators read it, with its place: true if it is not 0."""
 
     value: Value | None
@@ -144,16 +137,11 @@ class Flag(int):
         flag.value, flag.element = value, element
         return flag
 
-    @property
-    def is_given(self) -> bool:
-        """Is it written in the text?"""
-        return self.value is not None
-
     def __repr__(self) -> str:
         return repr(bool(self))
 
 
-class Text(str):
+class Text(_Placed, str):
     """A text with its place, without blanks around it."""
 
     value: Value | None
@@ -168,11 +156,6 @@ class Text(str):
             text = cls(value.text.strip())
         text.value, text.element = value, element
         return text
-
-    @property
-    def is_given(self) -> bool:
-        """Is it written in the text?"""
-        return self.value is not None
 
 
 def is_true(text: str) -> bool:

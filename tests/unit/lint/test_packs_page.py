@@ -28,7 +28,15 @@ def test_the_examples_of_the_pack(example: Trial | FaultyRule) -> None:
 
 
 def test_the_files_of_the_page_are_those_of_the_pack() -> None:
-    shown = ["workshop_rules/fast_camera.py", "tests/test_rules.py", "sdfcheck.toml", "pyproject.toml"]
+    shown = [
+        "workshop_rules/fast_camera.py",
+        "workshop_rules/zero_effort.py",
+        "workshop_rules/shared_topic.py",
+        "workshop_rules/center_outside_shapes.py",
+        "tests/test_rules.py",
+        "sdfcheck.toml",
+        "pyproject.toml",
+    ]
     texts = [(WORKSHOP / name).read_text(encoding="utf-8") for name in shown]
     assert [*blocks("python"), *blocks("toml")] == texts
 
@@ -59,4 +67,4 @@ def test_the_test_suite_of_the_pack() -> None:
     command = [sys.executable, "-B", "-m", "pytest", "-q", *own, "tests"]
     done = subprocess.run(command, cwd=WORKSHOP, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
-    assert "6 passed" in done.stdout
+    assert "16 passed" in done.stdout
