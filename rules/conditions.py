@@ -423,6 +423,41 @@ def MUJ003_applies(link):
         return False
     return not any(map(muj_massless_body___has_mass, muj_massless_body___fused(link)))
 
+def NAM001_applies(root):
+    return any((first.kind == later.kind for first, later in root.names.shared))
+
+def NAM002_applies(root):
+    return any((first.kind != later.kind for first, later in root.names.shared))
+
+nam_reserved_name___ROOT = '__root__'
+
+def nam_reserved_name___is_reserved(name, root):
+    text = name.name
+    is_word = text == 'world' and (not root.is_urdf)
+    is_framed = len(text) >= 4 and text.startswith('__') and text.endswith('__')
+    return (is_word or is_framed) and name.is_compared
+
+def NAM003_applies(root):
+    is_referred_to = nam_reserved_name___ROOT in root.document.source.text
+    return is_referred_to or any((nam_reserved_name___is_reserved(name, root) for name in root.names.special))
+
+def nam_delimiter_in_name___is_divided(name):
+    return '::' in name.name and ':' not in name.kind and (name.kind != 'material')
+
+def NAM004_applies(root):
+    return any(map(nam_delimiter_in_name___is_divided, root.names.special))
+
+nam_malformed_scoped_name___ENDS = frozenset('"\'<>: \t\r\n')
+
+def nam_malformed_scoped_name___may_be_odd(text):
+    return any((text[match.start() - 1] in nam_malformed_scoped_name___ENDS or text[match.end():match.end() + 1] in nam_malformed_scoped_name___ENDS for match in re_.finditer('::', text)))
+
+def nam_malformed_scoped_name___is_odd(reference):
+    return '::' in reference.text and '' in reference.text.strip().split('::')
+
+def NAM005_applies(root):
+    return nam_malformed_scoped_name___may_be_odd(root.document.source.text) and any(map(nam_malformed_scoped_name___is_odd, root.names.references))
+
 def URD003_applies(robot):
     return any((len(group) > 1 for group in robot.tree.loose_groups))
 
@@ -567,6 +602,11 @@ CONDITIONS = {
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,
+    'NAM001': NAM001_applies,
+    'NAM002': NAM002_applies,
+    'NAM003': NAM003_applies,
+    'NAM004': NAM004_applies,
+    'NAM005': NAM005_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,
     'URD005': URD005_applies,

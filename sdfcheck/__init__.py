@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
     from sdfcheck.robot.motion.poses import PoseError
     from sdfcheck.robot.motion.tree import Tree
+    from sdfcheck.robot.names import Name
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
@@ -115,6 +116,7 @@ _HOMES = {
     "sdfcheck.robot.motion.pose": "Pose",
     "sdfcheck.robot.motion.poses": "PoseError",
     "sdfcheck.robot.motion.tree": "Tree",
+    "sdfcheck.robot.names": "Name",
     "sdfcheck.robot.node": "Node",
     "sdfcheck.robot.part": "Part",
     "sdfcheck.robot.parts.actuation": "Ros2Control Transmission",
@@ -191,6 +193,7 @@ __all__ = [
     "Material",
     "Mimic",
     "Model",
+    "Name",
     "Node",
     "NotConvertible",
     "NotFound",

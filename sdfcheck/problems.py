@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.file_problems import *  # noqa: F403
     from sdfcheck.robot.include_problems import *  # noqa: F403
     from sdfcheck.robot.model_config import *  # noqa: F403
-    from sdfcheck.robot.names import *  # type: ignore[assignment]  # noqa: F403
     from sdfcheck.robot.robot_problems import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
     from sdfcheck.xacro.problems import *  # noqa: F403
@@ -26,7 +25,6 @@ _HOMES = (
     "sdfcheck.source.problems",
     "sdfcheck.formats.namespace_problems",
     "sdfcheck.formats.sdf.problems",
-    "sdfcheck.robot.names",
     "sdfcheck.formats.urdf.problems",
     "sdfcheck.robot.robot_problems",
     "sdfcheck.robot.file_problems",

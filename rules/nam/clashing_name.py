@@ -8,10 +8,10 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Root,
     Rule,
     Severity,
     accepts,
-    problems,
     warns,
 )
 
@@ -33,7 +33,7 @@ class ClashingName(Rule):
     name = "clashing-name"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
-    explains = (problems.ClashingName,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -61,18 +61,28 @@ class ClashingName(Rule):
         Good('<plugin name="base" filename="p"/>', why="the names of plugins are free"),
     )
 
-    def check(self, problem: problems.ClashingName) -> Iterator[Diagnostic]:
-        first, scope = problem.first_kind, problem.parent.title
-        is_refused = problem.makes_frame and not problem.renamed
-        message = f"{problem.kind} `{problem.name}` has the name of a {first} in {scope}"
-        affects = {} if problem.makes_frame else {Consumer.DRAKE: accepts("takes both")}
-        if problem.renamed:
-            affects = {Consumer.GAZEBO: warns("renames it")}
-            message += ", so libsdformat renames it"
-        yield self.diagnostic(
-            problem.value,
-            message,
-            labels={problem.first: f"the {first}"},
-            severity=None if is_refused else Severity.WARNING,
-            affects=affects,
-        )
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(first.kind != later.kind for first, later in root.names.shared)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for first, later in root.names.shared:
+            if first.kind == later.kind:
+                continue
+            is_custom = ":" in first.kind or ":" in later.kind
+            makes_frame = (first.makes_frame or later.makes_frame) and not is_custom
+            # What is merged comes from a time in which nothing is renamed.
+            is_renamed = first.makes_frame and later.makes_frame and not later.is_merged
+            is_renamed = is_renamed and root.is_older_than("1.7")
+            message = f"{later.kind} `{later.name}` has the name of a {first.kind} in {later.parent.title}"
+            affects = {} if makes_frame else {Consumer.DRAKE: accepts("takes both")}
+            if is_renamed:
+                affects = {Consumer.GAZEBO: warns("renames it")}
+                message += ", so libsdformat renames it"
+            yield self.diagnostic(
+                later.value,
+                message,
+                labels={first.value: f"the {first.kind}"},
+                severity=None if makes_frame and not is_renamed else Severity.WARNING,
+                affects=affects,
+            )

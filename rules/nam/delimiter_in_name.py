@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Name, Root, Rule, Severity, Value
 
 
 class DelimiterInName(Rule):
@@ -15,7 +15,7 @@ class DelimiterInName(Rule):
     name = "delimiter-in-name"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
-    explains = (problems.DelimiterInName,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -40,21 +40,28 @@ class DelimiterInName(Rule):
         Good('<plugin name="sim::Plugin" filename="p"/>', why="the names of plugins are free"),
     )
 
-    def check(self, problem: problems.DelimiterInName) -> Iterator[Diagnostic]:
-        value, foreign = problem.value, problem.foreign
-        name = value.text.strip()
-        if foreign is not None:
-            scope = name.partition("::")[0]
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(map(_is_divided, root.names.special))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for given in filter(_is_divided, root.names.special):
+            name, obstacle = given.name, root.names.obstacles.get(given.value.element)
+            if obstacle is None:
+                severity = Severity.WARNING if root.is_older_than("1.8") else None
+                message = f"the name `{name}` contains `::`, which parts the names of scopes"
+                yield self.diagnostic(given.value, message, severity=severity)
+                continue
+            is_reference = isinstance(obstacle, Value)
             why = (
-                f"`{foreign.text}` is not in `{scope}`"
-                if isinstance(foreign, Value)
+                f"`{obstacle.text}` is not in `{name.partition('::')[0]}`"
+                if is_reference
                 else "its axis has no `xyz`"
             )
-            yield self.diagnostic(
-                value,
-                f"`{name}` cannot be taken apart, because {why}: libsdformat crashes",
-                labels={foreign: "this is in the way"},
-            )
-            return
-        message = f"the name `{name}` contains `::`, which parts the names of scopes"
-        yield self.diagnostic(value, message, severity=None if problem.refused else Severity.WARNING)
+            message = f"`{name}` cannot be taken apart, because {why}: libsdformat crashes"
+            yield self.diagnostic(given.value, message, labels={obstacle: "this is in the way"})
+
+
+def _is_divided(name: Name) -> bool:
+    """Does it have a delimiter where one is not allowed? Custom elements and materials are free to."""
+    return "::" in name.name and ":" not in name.kind and name.kind != "material"

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, accepts
 
 
 class DuplicateName(Rule):
@@ -15,7 +15,7 @@ class DuplicateName(Rule):
     name = "duplicate-name"
     severity = Severity.ERROR
     affects = dict.fromkeys(Consumer, REFUSES)
-    explains = (problems.DuplicateName,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -36,11 +36,18 @@ class DuplicateName(Rule):
         ),
     )
 
-    def check(self, problem: problems.DuplicateName) -> Iterator[Diagnostic]:
-        where = "the file" if problem.parent.name == "sdf" else problem.parent.title
-        yield self.diagnostic(
-            problem.value,
-            f"there is another {problem.kind} `{problem.name}` in {where}",
-            labels={problem.first: "the first one"},
-            affects={} if problem.kind == "link" else {Consumer.MUJOCO: accepts("takes both")},
-        )
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(first.kind == later.kind for first, later in root.names.shared)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for first, later in root.names.shared:
+            if first.kind != later.kind:
+                continue
+            where = "the file" if later.parent.name == "sdf" else later.parent.title
+            yield self.diagnostic(
+                later.value,
+                f"there is another {later.kind} `{later.name}` in {where}",
+                labels={first.value: "the first one"},
+                affects={} if later.kind == "link" else {Consumer.MUJOCO: accepts("takes both")},
+            )

@@ -1,6 +1,10 @@
+import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, Value
+
+_ENDS = frozenset("\"'<>: \t\r\n")
+"""What is around a name, or between its parts."""
 
 
 class MalformedScopedName(Rule):
@@ -14,7 +18,7 @@ class MalformedScopedName(Rule):
     name = "malformed-scoped-name"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.MalformedScopedName,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -28,10 +32,27 @@ class MalformedScopedName(Rule):
     )
     good = (Good('<frame name="f" attached_to="n::l"/><model name="n"><link name="l"/></model>'),)
 
-    def check(self, problem: problems.MalformedScopedName) -> Iterator[Diagnostic]:
-        name = problem.value.text.strip()
-        if name.startswith("::"):
-            what = "begins with `::`, and no reference leads out of its scope"
-        else:
-            what = "ends with `::`" if name.endswith("::") else "has an empty part"
-        yield self.diagnostic(problem.value, f"scoped name `{name}` {what}")
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return _may_be_odd(root.document.source.text) and any(map(_is_odd, root.names.references))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for value in filter(_is_odd, root.names.references):
+            name = value.text.strip()
+            if name.startswith("::"):
+                what = "begins with `::`, and no reference leads out of its scope"
+            else:
+                what = "ends with `::`" if name.endswith("::") else "has an empty part"
+            yield self.diagnostic(value, f"scoped name `{name}` {what}")
+
+
+def _may_be_odd(text: str) -> bool:
+    """The cheap question whether any ``::`` has nothing before or after it."""
+    return any(
+        text[match.start() - 1] in _ENDS or text[match.end() : match.end() + 1] in _ENDS
+        for match in re.finditer("::", text)
+    )
+
+
+def _is_odd(reference: Value) -> bool:
+    return "::" in reference.text and "" in reference.text.strip().split("::")

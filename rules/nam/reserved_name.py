@@ -1,6 +1,10 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Name, Root, Rule, Severity
+
+_ROOT = "__root__"
+_REFUSED = frozenset({"custom_rpy", "placement_frame"})
+"""Elsewhere a reference to it is one to a frame that is not there."""
 
 IMU = (
     '<sensor name="s" type="imu"><imu><orientation_reference_frame><localization>CUSTOM</localization>'
@@ -19,7 +23,7 @@ class ReservedName(Rule):
     name = "reserved-name"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.ReservedName,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -37,11 +41,24 @@ class ReservedName(Rule):
         Good('<plugin name="__p__" filename="p"/>', why="the names of plugins are free"),
     )
 
-    def check(self, problem: problems.ReservedName) -> Iterator[Diagnostic]:
-        name = problem.value.text.strip()
-        if problem.is_reference:
-            yield self.diagnostic(problem.value, f"`{name}` cannot be referred to")
-            return
-        message = f"the name `{name}` is reserved"
-        known = "reserved are `world` and names that begin and end with two underscores"
-        yield self.diagnostic(problem.value, message, help=known)
+    @staticmethod
+    def applies(root: Root) -> bool:
+        is_referred_to = _ROOT in root.document.source.text
+        return is_referred_to or any(_is_reserved(name, root) for name in root.names.special)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for name in root.names.special:
+            if _is_reserved(name, root):
+                known = "reserved are `world` and names that begin and end with two underscores"
+                yield self.diagnostic(name.value, f"the name `{name.name}` is reserved", help=known)
+        if _ROOT in root.document.source.text:
+            for value in root.names.references:
+                if value.text.strip() == _ROOT and value.element.tag in _REFUSED:
+                    yield self.diagnostic(value, f"`{_ROOT}` cannot be referred to")
+
+
+def _is_reserved(name: Name, root: Root) -> bool:
+    text = name.name
+    is_word = text == "world" and not root.is_urdf  # many robots of URDF begin with this link
+    is_framed = len(text) >= 4 and text.startswith("__") and text.endswith("__")
+    return (is_word or is_framed) and name.is_compared

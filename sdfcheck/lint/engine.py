@@ -45,13 +45,12 @@ _ANALYSES = {
     Kind.SDF: (
         "sdfcheck.formats.sdf.survey:problems",
         "sdfcheck.formats.sdf.structure:structure_problems",
-        "sdfcheck.robot.names:problems",
         "sdfcheck.robot.resources:problems",
         "sdfcheck.consumers.gazebo:problems",
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",
-        "sdfcheck.robot.urdf_links:problems",
+        "sdfcheck.formats.urdf.names:problems",
         "sdfcheck.robot.urdf_references:problems",
         "sdfcheck.robot.resources:urdf_problems",
         "sdfcheck.consumers.gazebo:problems",

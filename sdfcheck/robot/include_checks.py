@@ -21,9 +21,7 @@ from sdfcheck.robot.include_problems import (
 )
 from sdfcheck.robot.includes import Included, Obstacle, included, includes_of, ring
 from sdfcheck.robot.model_config import OLD_CONFIG
-from sdfcheck.robot.names import ReservedName
 from sdfcheck.robot.parameters import PARAMETERS, parameters
-from sdfcheck.robot.scopes import NEVER_A_REFERENCE
 from sdfcheck.robot.uri_spelling import absolute, malformed, misspelt
 from sdfcheck.source.document import Document
 
@@ -59,8 +57,6 @@ def _settings(found: Included) -> Iterator[object]:
     placement = found.include.find("placement_frame")
     if placement is None or not placement.content:
         return
-    if placement.content == NEVER_A_REFERENCE:
-        yield ReservedName(placement.own_value, is_reference=True)
     if not found.include.has("pose"):
         yield MissingElement(found.include, "pose", None, refused=True)
 

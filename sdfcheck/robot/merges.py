@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.include_problems import InvalidMerge
 from sdfcheck.robot.includes import Included, included, includes_of
-from sdfcheck.robot.names import FRAME_KINDS, ClashingName, DuplicateName
+from sdfcheck.robot.names import Name, Namesakes
 from sdfcheck.robot.parameters import PARAMETERS, parameters
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -20,28 +20,36 @@ _MOVED = frozenset({"link", "model", "joint", "frame", "gripper"})
 """What has a name and moves into the parent."""
 _NOT_INTO_WORLDS = frozenset({"link", "gripper"})
 
-_Taken = dict[str, tuple[str, Value]]
-"""Name → the kind that it goes to, and where it is given."""
+_Taken = dict[str, Name]
+"""The names that are given already."""
 
 
 def merge_problems(document: Document) -> Iterator[object]:
     """What is wrong with the merged includes of a document."""
+    for parent, group in _by_parent(document).items():
+        for found in group:
+            if found.merge and found.model is not None and (problem := _invalid(found, parent)) is not None:
+                yield problem
+
+
+def merged_namesakes(document: Document) -> list[Namesakes]:
+    """The names that are taken where a document merges models."""
+    pairs: list[Namesakes] = []
+    for parent, group in _by_parent(document).items():
+        merged = [found for found in group if found.merge and found.model is not None]
+        sound = [found for found in merged if _invalid(found, parent) is None]
+        if sound:
+            pairs += _clashes(parent, sound, _taken(document, parent, group))
+    return pairs
+
+
+def _by_parent(document: Document) -> dict[Element, list[Included]]:
+    """The includes of a document by the elements that they are in."""
     by_parent: dict[Element, list[Included]] = {}
     for include in includes_of(document):
-        found = included(document, include)
         if include.parent is not None:
-            by_parent.setdefault(include.parent, []).append(found)
-    for parent, group in by_parent.items():
-        merged = [found for found in group if found.merge and found.model is not None]
-        sound = []
-        for found in merged:
-            problem = _invalid(found, parent)
-            if problem is None:
-                sound.append(found)
-            else:
-                yield problem
-        if sound:
-            yield from _clashes(parent, sound, _taken(document, parent, group))
+            by_parent.setdefault(include.parent, []).append(included(document, include))
+    return by_parent
 
 
 def _invalid(found: Included, parent: Element) -> InvalidMerge | None:
@@ -75,30 +83,24 @@ def _taken(document: Document, parent: Element, group: list[Included]) -> _Taken
     taken: _Taken = {}
     for kind, name, child in survey(document).named.get(parent, ()):
         if kind != "plugin":
-            taken.setdefault(name.strip(), (kind, Value(child, "name", name)))
+            taken.setdefault(name.strip(), Name(kind, name.strip(), Value(child, "name", name), parent))
     for found in group:
         if not found.merge and found.name and found.uri is not None:
             own = found.include.find("name")
             value = own.own_value if own is not None and own.content else found.uri
-            taken.setdefault(found.name, (found.kind or "model", value))
+            taken.setdefault(found.name, Name(found.kind or "model", found.name, value, parent))
     return taken
 
 
-def _clashes(parent: Element, merged: list[Included], taken: _Taken) -> Iterator[object]:
-    """Of each merged model the first name that is taken; two models of one name are told by that name."""
+def _clashes(parent: Element, merged: list[Included], taken: _Taken) -> Iterator[Namesakes]:
+    """Of each merged model the first name that is taken; of two models of one name that name is reported."""
     names: set[str | None] = set()
     for found in merged:
-        clash = next(((k, n) for k, n, _ in _moved(found) if n in taken), None)
-        if clash is not None and found.uri is not None and found.name not in names:
-            (kind, name), (first_kind, first) = clash, taken[clash[1]]
-            if kind == first_kind:
-                yield DuplicateName(found.uri, first, parent, name, kind)
-            else:
-                makes_frame = kind in FRAME_KINDS or first_kind in FRAME_KINDS
-                yield ClashingName(
-                    found.uri, first, parent, name, kind, first_kind, makes_frame, renamed=False
-                )
-        names.add(found.name)
         if found.uri is not None:
-            for kind, name, _ in _moved(found):
-                taken.setdefault(name, (kind, found.uri))
+            own = [Name(kind, name, found.uri, parent, is_merged=True) for kind, name, _ in _moved(found)]
+            clash = next((name for name in own if name.name in taken), None)
+            if clash is not None and found.name not in names:
+                yield Namesakes(taken[clash.name], clash)
+            for name in own:
+                taken.setdefault(name.name, name)
+        names.add(found.name)

@@ -23,6 +23,7 @@ _ATTRIBUTES = {
     "xyz": ("expressed_in",),
     "model": ("canonical_link", "placement_frame"),
     "mimic": ("joint",),
+    "custom_rpy": ("parent_frame",),
 }
 """Element of SDFormat → its attributes that name a node of the model or world around it."""
 
@@ -57,6 +58,13 @@ def references(root: Root) -> Iterator[Reference]:
 
 def _values(root: Root) -> Iterator[tuple[Element, Value]]:
     """Every text that may be a reference, and the element from which it looks."""
+    yield from written(root)
+    for plugin in root.each(Plugin):
+        yield from _parameters(plugin)
+
+
+def written(root: Root) -> Iterator[tuple[Element, Value]]:
+    """Every text that the format takes for a reference, and the element from which it looks."""
     yield from _in_attributes(root)
     for name in _ELEMENTS:
         for element in root.elements.get(name, ()):
@@ -66,8 +74,6 @@ def _values(root: Root) -> Iterator[tuple[Element, Value]]:
         placement = include.find("placement_frame")
         if placement is not None and placement.content:
             yield placement, placement.own_value
-    for plugin in root.each(Plugin):
-        yield from _parameters(plugin)
 
 
 def _in_attributes(root: Root) -> Iterator[tuple[Element, Value]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.robot.kinds import ELEMENTS, class_named
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.part import Part, Registry
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
+    from sdfcheck.robot.names import Names
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
@@ -144,6 +146,19 @@ class Root(Part):
                 part = self.scopes[0]
             if isinstance(part, cls):
                 yield part
+
+    def is_older_than(self, version: str) -> bool:
+        """Does it declare a version of SDFormat before this one?"""
+        from sdfcheck.formats.sdf.survey import survey
+
+        return not self.is_urdf and survey(self.document).version < (Version.parse(version) or NEWEST)
+
+    @lazy
+    def names(self) -> Names:
+        """The names that the file gives."""
+        from sdfcheck.robot.names import Names
+
+        return Names(self)
 
     @lazy
     def references(self) -> tuple[Reference, ...]:

@@ -19,7 +19,6 @@ from sdfcheck.robot.include_problems import (
     UnusableInclude,
 )
 from sdfcheck.robot.includes import Included, Obstacle, included, includes_of
-from sdfcheck.robot.names import ClashingName, DuplicateName, ReservedName
 from sdfcheck.robot.resources import problems
 from sdfcheck.source.document import Document
 from tests.unit.robot.files import ARM, CONFIG, MODEL, WORLD, document, opened, write
@@ -151,11 +150,6 @@ def test_a_placement_frame_needs_a_pose(tmp_path: Path) -> None:
     assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", f"<pose/>{placed}")))) == []
 
 
-def test_the_root_frame_places_nothing(tmp_path: Path) -> None:
-    setting = "<pose/><placement_frame>__root__</placement_frame>"
-    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", setting)))) == [ReservedName]
-
-
 # Cycles
 
 
@@ -220,21 +214,6 @@ def test_nothing_merges_into_a_frame(tmp_path: Path) -> None:
     (problem,) = problems(document(tmp_path, MODEL.format(text)))
     assert isinstance(problem, InvalidMerge)
     assert problem.parent.name == "frame"
-
-
-@pytest.mark.parametrize(
-    ("beside", "problem"),
-    [
-        ('<link name="base"/>', DuplicateName),
-        ('<frame name="elbow"/>', ClashingName),
-        (include("other.sdf", "<name>tip</name>"), ClashingName),
-        (include("other.sdf", merge="true"), DuplicateName),
-    ],
-)
-def test_names_that_a_merged_model_brings(tmp_path: Path, beside: str, problem: type) -> None:
-    other = '<sdf version="1.12"><model name="o"><link name="base"/></model></sdf>'
-    text = MODEL.format(beside + include("arm.sdf", merge="true"))
-    assert kinds(document(tmp_path, text, other=other)) == [problem]
 
 
 def test_without_a_library_nothing_is_looked_up(tmp_path: Path) -> None:

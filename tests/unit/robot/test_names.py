@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from sdfcheck.files.library import Library
-from sdfcheck.robot import names
-from sdfcheck.source.document import read
+import sdfcheck
+from sdfcheck.robot.names import Names
+from sdfcheck.robot.root import root_of
 from tests.unit.only import only
+from tests.unit.robot.files import MODEL, WORLD, document
+
+FAMILY = "NAM"
 
 
-def found(text: str, version: str = "1.12") -> list[Any]:
-    return names.problems(read(f'<sdf version="{version}">{text}</sdf>'.encode(), Path("example.sdf")))
+def linted(text: str | Path, name: str = "model.sdf") -> list[sdfcheck.Diagnostic]:
+    run = sdfcheck.lint(text, isolated=True, name=name)
+    return [diagnostic for diagnostic in run.diagnostics if diagnostic.code.startswith(FAMILY)]
 
 
-def in_model(text: str, version: str = "1.12") -> list[Any]:
-    return found(f'<model name="m">{text}</model>', version)
+def found(text: str, version: str = "1.12") -> list[sdfcheck.Diagnostic]:
+    return linted(f'<sdf version="{version}">{text}</sdf>')
+
+
+def in_model(text: str, version: str = "1.12") -> list[str]:
+    return [diagnostic.name for diagnostic in found(f'<model name="m">{text}</model>', version)]
 
 
 @pytest.mark.parametrize(
@@ -34,9 +41,7 @@ def in_model(text: str, version: str = "1.12") -> list[Any]:
     ],
 )
 def test_reserved_names(name: str, reserved: bool) -> None:
-    assert names.is_reserved(name) is reserved
-    kinds = [type(p) for p in in_model(f'<link name="{name}"/>')]
-    assert kinds == ([names.ReservedName] if reserved else [])
+    assert in_model(f'<link name="{name}"/>') == (["reserved-name"] if reserved else [])
 
 
 def test_names_that_nobody_compares_with_the_reserved_ones() -> None:
@@ -44,9 +49,9 @@ def test_names_that_nobody_compares_with_the_reserved_ones() -> None:
 
 
 def test_duplicates_of_one_kind() -> None:
-    problem = only(in_model('<link name="a"/><link name=" a "/>'), names.DuplicateName)
-    assert (problem.name, problem.kind, problem.parent.name) == ("a", "link", "model")
-    assert problem.first.span.start < problem.value.span.start
+    (diagnostic,) = found('<model name="m"><link name="a"/><link name=" a "/></model>')
+    assert diagnostic.message == "there is another link `a` in model `m`"
+    assert diagnostic.labels[0].span.start < diagnostic.span.start
 
 
 def test_other_scopes_are_other_names() -> None:
@@ -58,30 +63,63 @@ def test_plugins_may_share_a_name() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "version", "makes_frame", "renamed"),
+    ("text", "version", "severity", "renamed"),
     [
-        ('<link name="a"/><joint name="a" type="fixed"/>', "1.7", True, False),
-        ('<link name="a"/><joint name="a" type="fixed"/>', "1.6", True, True),
-        ('<link name="a"/><gripper name="a"/>', "1.12", True, False),
-        ('<link name="a"/><p:a name="a"/>', "1.12", False, False),
+        ('<link name="a"/><joint name="a" type="fixed"/>', "1.7", "error", False),
+        ('<link name="a"/><joint name="a" type="fixed"/>', "1.6", "warning", True),
+        ('<link name="a"/><gripper name="a"/>', "1.6", "error", False),
+        ('<link name="a"/><p:a name="a"/>', "1.12", "warning", False),
+        ('<link name="l"><visual name="v"/><collision name="v"/></link>', "1.12", "warning", False),
     ],
 )
-def test_clashes_of_kinds(text: str, version: str, makes_frame: bool, renamed: bool) -> None:
-    problem = only(in_model(text, version), names.ClashingName)
-    assert (problem.makes_frame, problem.renamed) == (makes_frame, renamed)
-    assert problem.first_kind == "link"
+def test_clashes_of_kinds(text: str, version: str, severity: str, renamed: bool) -> None:
+    diagnostic = only(found(f'<model name="m">{text}</model>', version), sdfcheck.Diagnostic)
+    assert (diagnostic.name, diagnostic.severity.value) == ("clashing-name", severity)
+    assert ("renames it" in diagnostic.message) is renamed
 
 
-def test_visuals_and_collisions_make_no_frames() -> None:
-    problem = only(
-        in_model('<link name="l"><visual name="v"/><collision name="v"/></link>'), names.ClashingName
-    )
-    assert not problem.makes_frame
-
-
-def test_what_only_one_may_stand_at_the_root_is_not_told_twice() -> None:
+def test_what_only_one_may_be_at_the_root_is_not_reported_twice() -> None:
     assert found('<model name="a"/><model name="a"/>') == []
-    only(found('<world name="a"/><world name="a"/>'), names.DuplicateName)
+    assert [each.name for each in found('<world name="a"/><world name="a"/>')] == ["duplicate-name"]
+
+
+def test_plain_names_are_not_listed() -> None:
+    text = '<sdf version="1.12"><model name="m"><link name="a"/><frame name="b"/></model></sdf>'
+    names: Names = root_of(sdfcheck.parse(text).document).names
+    assert (names.special, names.shared) == ((), ())
+
+
+# URDF
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('<link name="a"/><link name="b"/><joint name="b"/>', [("clashing-name", "b")]),
+        ('<link name="a"/><link name="a"/>', [("duplicate-name", "a")]),
+        ('<link name="a"/><joint name="j"/><joint name="j"/>', [("duplicate-name", "j")]),
+        ('<link name="a"/><material name="a"/>', []),
+        ('<link name="a"/><material name="m"/><material name="m"/>', [("duplicate-name", "m")]),
+        (
+            '<link name="a"/><joint name="a"/><joint name="a"/>',
+            [("clashing-name", "a"), ("duplicate-name", "a")],
+        ),
+        ('<link name="world"/>', []),
+        ('<link name="__a__"/>', [("reserved-name", "__a__")]),
+        ('<link name="a::b"/>', [("delimiter-in-name", "a::b")]),
+        ('<link name="a"/><material name="__a::b__"/>', []),
+        ('<link name=" "/>', [("empty-name", "")]),
+    ],
+)
+def test_names_of_urdf(text: str, expected: list[tuple[str, str]]) -> None:
+    diagnostics = linted(f'<robot name="r">{text}</robot>', "robot.urdf")
+    assert [(each.name, each.span.text.strip()) for each in diagnostics] == expected
+
+
+def test_a_robot_without_a_name() -> None:
+    assert [each.name for each in linted('<robot name=""><link name="a"/></robot>', "robot.urdf")] == [
+        "empty-name"
+    ]
 
 
 # Includes
@@ -92,16 +130,17 @@ def test_included_names_are_names() -> None:
     text = (
         f'<world name="w"><model name="a"/>{include.format("x", "a")}{include.format("y", "__b__")}</world>'
     )
-    taken, reserved = sorted(found(text), key=lambda p: p.value.span.start)
-    assert isinstance(taken, names.DuplicateName)
-    assert isinstance(reserved, names.ReservedName)
-    assert (taken.value.span.text, reserved.value.span.text) == ("a", "__b__")
+    assert [(each.name, each.span.text) for each in found(text)] == [
+        ("duplicate-name", "a"),
+        ("reserved-name", "__b__"),
+    ]
 
 
 def test_merged_models_leave_their_name_in_a_frame() -> None:
     include = '<include merge="true"><uri>https://example.org/x</uri><name>a</name></include>'
     assert in_model(f'<link name="a"/>{include}') == []
-    assert only(in_model(include + include), names.DuplicateName).name == "_merged__a__model__"
+    (diagnostic,) = found(f'<model name="m">{include}{include}</model>')
+    assert "`_merged__a__model__`" in diagnostic.message
 
 
 def test_names_from_included_files(tmp_path: Path) -> None:
@@ -109,19 +148,45 @@ def test_names_from_included_files(tmp_path: Path) -> None:
     world = '<world name="w"><model name="arm"/><include><uri>arm.sdf</uri></include></world>'
     path = tmp_path / "world.sdf"
     path.write_text(f'<sdf version="1.9">{world}</sdf>')
-    document = Library().document(path)
-    assert document is not None
-    problem = only(list(names.problems(document)), names.DuplicateName)
-    assert (problem.name, problem.value.span.text) == ("arm", "arm.sdf")
+    assert [(each.name, each.span.text) for each in linted(path)] == [("duplicate-name", "arm.sdf")]
+
+
+def include(uri: str, more: str = "", merge: str = "false") -> str:
+    return f'<include merge="{merge}"><uri>{uri}</uri>{more}</include>'
+
+
+@pytest.mark.parametrize(
+    ("beside", "kinds"),
+    [
+        ('<link name="base"/>', ("link", "link")),
+        ('<frame name="elbow"/>', ("frame", "joint")),
+        (include("other.sdf", "<name>tip</name>"), ("model", "link")),
+        (include("other.sdf", merge="true"), ("link", "link")),
+    ],
+)
+def test_names_that_a_merged_model_brings(tmp_path: Path, beside: str, kinds: tuple[str, str]) -> None:
+    other = '<sdf version="1.12"><model name="o"><link name="base"/></model></sdf>'
+    text = MODEL.format(beside + include("arm.sdf", merge="true"))
+    ((first, later),) = root_of(document(tmp_path, text, other=other)).names.shared
+    assert (first.kind, later.kind, later.is_merged) == (*kinds, True)
+    assert later.value.text == "arm.sdf"
+
+
+def test_the_root_frame_places_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "world.sdf"
+    placed = include("arm.sdf", "<pose/><placement_frame>__root__</placement_frame>")
+    document(tmp_path, WORLD.format(placed))
+    path.write_text(WORLD.format(placed))
+    assert [(each.name, each.span.text) for each in linted(path)] == [("reserved-name", "__root__")]
 
 
 # Delimiters
 
 
-@pytest.mark.parametrize(("version", "refused"), [("1.7", False), ("1.8", True)])
-def test_delimiters_in_names(version: str, refused: bool) -> None:
-    problem = only(in_model('<link name="a::b"/>', version), names.DelimiterInName)
-    assert (problem.refused, problem.foreign) == (refused, None)
+@pytest.mark.parametrize(("version", "severity"), [("1.7", "warning"), ("1.8", "error")])
+def test_delimiters_in_names(version: str, severity: str) -> None:
+    (diagnostic,) = found('<model name="m"><link name="a::b"/></model>', version)
+    assert (diagnostic.name, diagnostic.severity.value) == ("delimiter-in-name", severity)
 
 
 def test_delimiters_that_are_free() -> None:
@@ -140,28 +205,20 @@ JOINT = '<joint name="A::j" type="revolute"><parent>{}</parent><child>{}</child>
         (JOINT.format("A::x", "A::y", ""), None),
         (JOINT.format("world", "A::y", ""), "world"),
         (JOINT.format("A::x", "A::y", '<axis><xyz expressed_in="b">1 0 0</xyz></axis>'), "b"),
+        (JOINT.format("A::x", "A::y", "<axis/>"), "axis"),
         ('<link name="A::l"><visual name="v"><pose relative_to="b"/></visual></link>', "b"),
         ('<link name="A::l"><sensor name="s"><camera><pose relative_to="b"/></camera></sensor></link>', "b"),
     ],
 )
 def test_references_that_cannot_be_unfolded(text: str, foreign: str | None) -> None:
-    problem = only(
-        found(f'<world name="w"><model name="m">{text}</model></world>', "1.7"), names.DelimiterInName
-    )
-    assert (problem.foreign.text if problem.foreign is not None else None) == foreign
-
-
-def test_an_axis_without_direction_cannot_be_unfolded() -> None:
-    text = JOINT.format("A::x", "A::y", "<axis/>")
-    problem = only(
-        found(f'<world name="w"><model name="m">{text}</model></world>', "1.6"), names.DelimiterInName
-    )
-    assert problem.foreign.name == "axis"
+    (diagnostic,) = found(f'<world name="w"><model name="m">{text}</model></world>', "1.7")
+    assert diagnostic.name == "delimiter-in-name"
+    assert [label.span.text for label in diagnostic.labels] == ([] if foreign is None else [foreign])
 
 
 def test_only_worlds_are_unfolded() -> None:
-    problem = only(in_model('<frame name="A::f" attached_to="b"/>', "1.7"), names.DelimiterInName)
-    assert problem.foreign is None
+    (diagnostic,) = found('<model name="m"><frame name="A::f" attached_to="b"/></model>', "1.7")
+    assert diagnostic.labels == ()
 
 
 # References
@@ -178,8 +235,7 @@ def test_references(reference: str, malformed: bool) -> None:
         f'<gripper name="g"><palm_link>{reference}</palm_link></gripper>',
     )
     for text in texts:
-        kinds = [type(p) for p in in_model(text)]
-        assert kinds == ([names.MalformedScopedName] if malformed else []), text
+        assert in_model(text) == (["malformed-scoped-name"] if malformed else []), text
 
 
 def test_the_root_frame_of_an_imu() -> None:
@@ -187,4 +243,4 @@ def test_the_root_frame_of_an_imu() -> None:
         '<orientation_reference_frame><custom_rpy parent_frame="__root__"/></orientation_reference_frame>'
     )
     text = f'<link name="l"><sensor name="s" type="imu"><imu>{rotation}</imu></sensor></link>'
-    assert only(in_model(text), names.ReservedName).is_reference
+    assert in_model(text) == ["reserved-name"]
