@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.editing import EditError, edit
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.frame import Frame
+    from sdfcheck.robot.frame_reference import FrameReference
     from sdfcheck.robot.load import Unreadable, load, parse
     from sdfcheck.robot.lookup import NotFound
     from sdfcheck.robot.model import Model
@@ -77,7 +78,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.sensor import Sensor
     from sdfcheck.robot.parts.setting import Setting
     from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
-    from sdfcheck.robot.reference import Reference
     from sdfcheck.robot.root import Root
     from sdfcheck.robot.scope import Scope
     from sdfcheck.robot.values import Flag, Number, Text, Vector
@@ -134,7 +134,7 @@ _HOMES = {
     "sdfcheck.robot.parts.sensor": "Sensor",
     "sdfcheck.robot.parts.setting": "Setting",
     "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
-    "sdfcheck.robot.reference": "Reference",
+    "sdfcheck.robot.frame_reference": "FrameReference",
     "sdfcheck.robot.root": "Root",
     "sdfcheck.robot.scope": "Scope",
     "sdfcheck.robot.values": "Flag Number Text Vector",
@@ -177,6 +177,7 @@ __all__ = [
     "Fix",
     "Flag",
     "Frame",
+    "FrameReference",
     "GazeboBlock",
     "Geometry",
     "Good",
@@ -207,7 +208,6 @@ __all__ = [
     "PoseError",
     "Position",
     "Reaction",
-    "Reference",
     "Root",
     "Ros2Control",
     "Rule",

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Edit, Good, Reference, Rule, Severity, make_fix
+from sdfcheck import (
+    REFUSES,
+    SDF,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    FrameReference,
+    Good,
+    Rule,
+    Severity,
+    make_fix,
+)
 
 
 class RelativeTopLevelPose(Rule):
@@ -14,7 +26,7 @@ class RelativeTopLevelPose(Rule):
     name = "relative-top-level-pose"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    looks_at = (Reference,)
+    looks_at = (FrameReference,)
     scaffold = SDF
 
     bad = (
@@ -33,10 +45,10 @@ class RelativeTopLevelPose(Rule):
     )
 
     @staticmethod
-    def applies(reference: Reference) -> bool:
+    def applies(reference: FrameReference) -> bool:
         return reference.scope is None and reference.owner_element.tag in {"model", "include"}
 
-    def check(self, reference: Reference) -> Iterator[Diagnostic]:
+    def check(self, reference: FrameReference) -> Iterator[Diagnostic]:
         pose, attribute = reference.value.element, reference.value.attribute or ""
         whole = pose.document.spans.attribute_whole(pose, attribute)
         fix = make_fix(f"remove `{attribute}`", (Edit(whole, ""),), unsafe=True)

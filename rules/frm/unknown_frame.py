@@ -7,8 +7,8 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    FrameReference,
     Good,
-    Reference,
     Rule,
     Severity,
     replace,
@@ -29,7 +29,7 @@ class UnknownFrame(Rule):
     name = "unknown-frame"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    looks_at = (Reference,)
+    looks_at = (FrameReference,)
     scaffold = IN_MODEL
 
     bad = (
@@ -77,10 +77,10 @@ class UnknownFrame(Rule):
     )
 
     @staticmethod
-    def applies(reference: Reference) -> bool:
+    def applies(reference: FrameReference) -> bool:
         return reference.is_unresolved
 
-    def check(self, reference: Reference) -> Iterator[Diagnostic]:
+    def check(self, reference: FrameReference) -> Iterator[Diagnostic]:
         name, scope = reference.name, reference.scope
         if scope is None:
             return

@@ -80,7 +80,7 @@ for _element, _home in _HOMES.items():
     _class = _home.partition(":")[2]
     ELEMENTS[_class] = (*ELEMENTS.get(_class, ()), _element)
 
-SPECIAL = ("Custom", "Reference", "Root")
+SPECIAL = ("Custom", "FrameReference", "Root")
 """What rules can look at besides what elements of certain names become."""
 
 

@@ -36,7 +36,7 @@ def rings(root: Root) -> tuple[Ring, ...]:
     """The rings that references of this file take part in."""
     starts = [
         node
-        for reference in root.references
+        for reference in root.frame_references
         if reference.role != "expressed_in" and (node := _node(reference.owner)) is not None
     ]
     return (*_search("attached_to", starts, _attachment), *_search("relative_to", starts, _placement))

@@ -14,6 +14,7 @@ from sdfcheck.robot.values import lazy
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.robot.frame_reference import FrameReference
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
-    from sdfcheck.robot.reference import Reference
     from sdfcheck.robot.rings import Ring
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
@@ -126,8 +126,8 @@ class Root(Part):
         if name == "Root":
             yield self
             return
-        if name == "Reference":
-            yield from self.references
+        if name == "FrameReference":
+            yield from self.frame_references
             return
         index = self.elements
         elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
@@ -161,18 +161,18 @@ class Root(Part):
         return Names(self)
 
     @lazy
-    def references(self) -> tuple[Reference, ...]:
+    def frame_references(self) -> tuple[FrameReference, ...]:
         """The references to frames that the file writes, resolved or not."""
-        from sdfcheck.robot.reference import references
+        from sdfcheck.robot.frame_reference import frame_references
 
-        return tuple(references(self))
+        return tuple(frame_references(self))
 
     @lazy
     def rings(self) -> tuple[Ring, ...]:
         """The frames that are attached to, or placed relative to, each other in a ring."""
         from sdfcheck.robot.rings import rings
 
-        return rings(self) if self.references else ()
+        return rings(self) if self.frame_references else ()
 
     @lazy
     def parent_joints(self) -> dict[Link, list[Joint]]:

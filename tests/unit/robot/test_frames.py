@@ -21,7 +21,7 @@ def root(text: str, version: str = "1.12") -> Root:
 
 
 def unresolved(text: str, version: str = "1.12") -> list[tuple[str, str]]:
-    references = root(text, version).references
+    references = root(text, version).frame_references
     return [(reference.role, reference.name) for reference in references if reference.is_unresolved]
 
 
@@ -75,7 +75,7 @@ def test_the_old_spelling_of_references() -> None:
 
 def test_references_know_what_they_name() -> None:
     inner = '<model name="n"><link name="palm"/><frame name="f" attached_to="palm"/></model>'
-    first, second = root(model(f'{inner}<frame name="g" attached_to="n::f"/>')).references
+    first, second = root(model(f'{inner}<frame name="g" attached_to="n::f"/>')).frame_references
     assert first.scope is not None
     assert (first.scope.name, first.target, first.owner.name) == ("n", first.scope.nodes["palm"], "f")
     assert second.target is first.owner
@@ -135,7 +135,7 @@ def test_a_ring_of_an_included_file_is_reported_there(tmp_path: Path) -> None:
     other = f'<sdf version="1.12"><model name="other"><link name="l"/>{ring}</model></sdf>'
     text = model('<include><uri>other.sdf</uri></include><frame name="f" attached_to="other::a"/>')
     found = root_of(document(tmp_path, f'<sdf version="1.12">{text}</sdf>', other=other))
-    assert [reference.target is not None for reference in found.references] == [True]
+    assert [reference.target is not None for reference in found.frame_references] == [True]
     assert found.rings == ()
 
 

@@ -55,7 +55,7 @@ def test_an_include_may_make_a_model_static(tmp_path: Path) -> None:
 def test_a_model_in_itself_ends(tmp_path: Path, merge: str) -> None:
     found = document(tmp_path, MODEL.format('<link name="l"/>' + nested("main.sdf", "again", merge)))
     assert len(list(root_of(found).scopes[0].names())) < 500
-    assert not any(reference.is_unresolved for reference in root_of(found).references)
+    assert not any(reference.is_unresolved for reference in root_of(found).frame_references)
     assert not root_of(found).rings
     list(problems(found))
 
@@ -69,7 +69,7 @@ def test_models_that_multiply_end(tmp_path: Path, merge: str) -> None:
     remove = '<experimental:params><link element_id="a::nowhere" action="remove"/></experimental:params>'
     write(tmp_path, {"main.sdf": WORLD.format(f"<include><uri>0.sdf</uri>{remove}</include>")})
     found = opened(tmp_path / "main.sdf")
-    assert not any(reference.is_unresolved for reference in root_of(found).references)
+    assert not any(reference.is_unresolved for reference in root_of(found).frame_references)
     assert not root_of(found).rings
     assert len(list(problems(found))) < 3
 
@@ -79,6 +79,6 @@ def test_a_long_chain_of_models_ends(tmp_path: Path) -> None:
         write(tmp_path, {f"{n}.sdf": MODEL.format(nested(f"{n + 1}.sdf", "a"))})
     write(tmp_path, {"400.sdf": MODEL.format('<link name="l"/>')})
     found = opened(tmp_path / "0.sdf")
-    assert not any(reference.is_unresolved for reference in root_of(found).references)
+    assert not any(reference.is_unresolved for reference in root_of(found).frame_references)
     assert not root_of(found).rings
     assert list(problems(found)) == []

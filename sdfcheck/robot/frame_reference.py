@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _SEVEN = Version(1, 7)
 
 
-class Reference:
+class FrameReference:
     """The name of a frame in SDFormat, as it is written.
 
     ``role`` is ``relative_to`` (of a pose, also where it was called ``frame``),
@@ -36,7 +36,7 @@ class Reference:
         self.value = value
 
     def __repr__(self) -> str:
-        return f"Reference({self.role} {self.name!r})"
+        return f"FrameReference({self.role} {self.name!r})"
 
     @property
     def name(self) -> str:
@@ -76,7 +76,7 @@ class Reference:
         return self.scope is not None and self.scope.lacks(self.name)
 
 
-def references(root: Root) -> Iterator[Reference]:
+def frame_references(root: Root) -> Iterator[FrameReference]:
     """The references to frames that a file of SDFormat writes; those that nobody reads are left out."""
     if root.is_urdf:
         return
@@ -85,11 +85,11 @@ def references(root: Root) -> Iterator[Reference]:
         for name, text in pose.items():
             is_read = name == "relative_to" or (name == "frame" and surveyed.version < _SEVEN)
             if is_read and text.strip():
-                reference = Reference(root, "relative_to", Value(pose, name, text))
+                reference = FrameReference(root, "relative_to", Value(pose, name, text))
                 if reference.owner_element.tag != "inertial":
                     yield reference
     for kind, role in (("xyz", "expressed_in"), ("frame", "attached_to")):
         for element in surveyed.index.get(kind, ()):
             value = element.attribute(role)
             if value is not None and value.text.strip():
-                yield Reference(root, role, value)
+                yield FrameReference(root, role, value)
