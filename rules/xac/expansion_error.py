@@ -1,11 +1,13 @@
 from collections.abc import Iterator, Mapping
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, refuses, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.unreached import unless_reached
 
 _HELP: Mapping[str, str] = {
     "argument": "give it a value: `sdfcheck expand FILE {detail}:=…`, or under `xacro` in the configuration",
     "variable": "few variables are passed on; `sdfcheck expand --env {detail}` adds this one",
+    "pattern": "xacro includes nothing here, and warns",
     "refused": "an expansion may compute, and read files below the project and the package paths",
 }
 
@@ -17,7 +19,8 @@ class ExpansionError(Rule):
     without end, or a bound on time, memory or reach is met. The diagnostic stands at
     the expression as it is written, and shows the macro calls and includes that lead
     there. A substitution argument without a value is a warning: the file may be sound,
-    but it was not checked.
+    but it was not checked. So is what xacro does not stop for: a pattern that matches no
+    file, and a mistake in a branch or macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.
@@ -59,14 +62,15 @@ class ExpansionError(Rule):
 
     def check(self, problem: problems.ExpansionFailure) -> Iterator[Diagnostic]:
         kind = problem.kind.value
-        advice = _HELP.get(kind)
-        yield self.diagnostic(
-            problem.span,
-            _message(problem),
-            help=advice.format(detail=problem.detail) if advice else None,
-            severity=Severity.WARNING if kind == "argument" else None,
-            origins=tuple(Origin(*step) for step in problem.origins),
-        )
+        advice = _HELP.get(kind, "").format(detail=problem.detail) or None
+        is_dormant = problem.is_dormant and kind != "pattern"
+        own = dict(unless_reached(is_dormant=is_dormant, help=advice))
+        if kind in {"argument", "pattern"}:
+            own["severity"] = Severity.WARNING
+        if kind == "pattern":
+            own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
+        origins = tuple(Origin(*step) for step in problem.origins)
+        yield self.diagnostic(problem.span, _message(problem), origins=origins, **own)
 
 
 def _message(problem: problems.ExpansionFailure) -> str:
@@ -75,6 +79,8 @@ def _message(problem: problems.ExpansionFailure) -> str:
         return f"argument `{detail}` has no value, so the file is not expanded"
     if kind == "variable":
         return f"environment variable `{detail}` is not set for the expansion"
+    if kind == "pattern":
+        return f"no file matches `{detail}`, so nothing is included"
     if kind == "syntax":
         return f"the included file is not well-formed: {detail}"
     if kind == "recursion":

@@ -1,6 +1,7 @@
 """How to speak of names that are not defined."""
 
 from sdfcheck import Diagnostic, Origin, Rule, problems, used
+from sdfcheck_rules.xac.unreached import unless_reached
 
 SHOWN = 3
 """Other uses that are pointed at."""
@@ -14,4 +15,5 @@ def report(rule: Rule, problem: problems.UndefinedName, what: str) -> Diagnostic
         f"{what} `{problem.name}` is not defined{used(1 + len(problem.others))}{guess}",
         labels=dict.fromkeys(problem.others[:SHOWN], "also here"),
         origins=tuple(Origin(*step) for step in problem.origins),
+        **unless_reached(is_dormant=problem.is_dormant),
     )

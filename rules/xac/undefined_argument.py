@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.unreached import unless_reached
 
 
 class UndefinedArgument(Rule):
@@ -31,6 +32,5 @@ class UndefinedArgument(Rule):
     def check(self, problem: problems.UndefinedArgument) -> Iterator[Diagnostic]:
         near = problem.near
         message = f"argument `{problem.name}` is not declared; did you mean `{near}`?"
-        yield self.diagnostic(
-            problem.span, message, fix=replace(problem.span, near, f"rename it to `{near}`", unsafe=True)
-        )
+        fix = replace(problem.span, near, f"rename it to `{near}`", unsafe=True)
+        yield self.diagnostic(problem.span, message, fix=fix, **unless_reached(is_dormant=problem.is_dormant))

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, named, problems, refuses
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.unreached import unless_reached
 
 _MACRO = '<xacro:macro name="leg" params="side length:=1 *origin"><link name="${side}${length}">'
 _MACRO += '<xacro:insert_block name="origin"/></link></xacro:macro>'
@@ -53,10 +54,11 @@ class WrongMacroArguments(Rule):
         else:
             message = f"{macro} takes no element {' '.join(f'<{name}>' for name in problem.names)} here"
         takes = ", ".join(problem.parameters)
+        advice = f"it takes {takes}" if takes else "it takes no parameters"
         yield self.diagnostic(
             problem.span,
             message,
             labels={problem.definition: "defined here"} if problem.definition else None,
-            help=f"it takes {takes}" if takes else "it takes no parameters",
             origins=tuple(Origin(*step) for step in problem.origins),
+            **unless_reached(is_dormant=problem.is_dormant, help=advice),
         )

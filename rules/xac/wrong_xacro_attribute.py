@@ -1,13 +1,30 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, problems, refuses, replace
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    refuses,
+    replace,
+    warns,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.unreached import unless_reached
+
+_IGNORED = dict.fromkeys(Consumer, warns("gets a robot description made without it"))
 
 
 class WrongXacroAttribute(Rule):
     """An element of xacro's own lacks an attribute that it needs, or has one that it does not take.
 
-    xacro stops at a missing one, and passes over an unknown one with a warning.
+    xacro stops at a missing one. It ignores an unknown one with a warning, and so this is a
+    warning, too, unless the one that was meant is needed: a property without its value
+    takes its content instead.
     """
 
     code = "XAC011"
@@ -26,6 +43,11 @@ class WrongXacroAttribute(Rule):
             says="`xacro:property` takes no `vaule`; did you mean `value`?",
         ),
         Bad('<«xacro:if»><link name="a"/></xacro:if>', file=FILE, says="`xacro:if` has no `value`"),
+        Bad(
+            '<xacro:property name="w" value="1" «comment»="m"/><link name="a${w}"/>',
+            file=FILE,
+            says="`xacro:property` takes no `comment`",
+        ),
         Bad('<«xacro:arg» name="a"/>', file=FILE, says="`xacro:arg` has no `default`"),
     )
     good = (
@@ -36,13 +58,20 @@ class WrongXacroAttribute(Rule):
     def check(self, problem: problems.WrongXacroAttribute) -> Iterator[Diagnostic]:
         element, name, near = problem.element, problem.attribute, problem.near
         if problem.is_missing:
-            yield self.diagnostic(problem.span, f"`{element}` has no `{name}`")
+            own = unless_reached(is_dormant=problem.is_dormant)
+            yield self.diagnostic(problem.span, f"`{element}` has no `{name}`", **own)
             return
         message, fix = f"`{element}` takes no `{name}`", None
         if near is not None:
             message += f"; did you mean `{near}`?"
             fix = _rename(problem, near)
-        yield self.diagnostic(problem.span, message, fix=fix)
+        if problem.is_fatal:
+            yield self.diagnostic(problem.span, message, fix=fix)
+            return
+        advice = "xacro ignores it, and warns"
+        yield self.diagnostic(
+            problem.span, message, fix=fix, help=advice, severity=Severity.WARNING, affects=_IGNORED
+        )
 
 
 def _rename(problem: problems.WrongXacroAttribute, near: str) -> Fix:

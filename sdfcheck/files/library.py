@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, cast
 
 from sdfcheck.files.disk import Disk
 from sdfcheck.files.regular import SIZE_LIMIT, read_regular
@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from sdfcheck.files.packages import Packages
     from sdfcheck.source.document import Document
     from sdfcheck.source.sniff import Kind
+
+T = TypeVar("T")
 
 MODEL_PATH_VARIABLES = (
     "GZ_SIM_RESOURCE_PATH",
@@ -60,6 +62,7 @@ class Library:
         "_hashes",
         "_limit",
         "_packages",
+        "_projects",
         "_roots",
         "_unseen",
         "disk",
@@ -77,6 +80,7 @@ class Library:
         self._unseen: list[Document] = []
         self._roots: dict[Path, Path] = {}
         self._packages: dict[Path, Packages] = {}
+        self._projects: dict[tuple[object, Path], object] = {}
 
     def document(self, path: Path, kind: Kind | None = None) -> Document | None:
         """The document of a file; None if it cannot be read."""
@@ -113,6 +117,14 @@ class Library:
         if root not in self._packages:
             self._packages[root] = Packages(root, dict(self.search.packages), self.search.packages_in)
         return self._packages[root]
+
+    def of_project(self, path: Path, view: Callable[[Packages], T]) -> T:
+        """A view of the packages around a file, made once for all files among them."""
+        packages = self.packages(path)
+        key = (view, packages.root)
+        if key not in self._projects:
+            self._projects[key] = view(packages)
+        return cast(T, self._projects[key])
 
     def _read(self, path: Path, key: str, kind: Kind | None) -> Document | None:
         from sdfcheck.source.document import read

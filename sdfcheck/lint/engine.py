@@ -19,6 +19,7 @@ from sdfcheck.source.document import problems as text_problems
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
+from sdfcheck.xacro.fragment import is_fragment
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Library
@@ -123,6 +124,9 @@ def lint_source(
     if document is None or document.kind is not (kind or document.kind):
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
+    if document.kind is Kind.URDF and library is not None and is_fragment(document):
+        document = read(data, path, Kind.XACRO)
+        document.library = library
     if document.kind is Kind.XACRO:
         from sdfcheck.lint.expanded import lint_xacro
         from sdfcheck.xacro.static.definitions import is_robot

@@ -26,7 +26,7 @@ def lint_xacro(
     document.problems = [*document.problems, *prepared.problems]  # type: ignore[list-item]
     found = lint_document(document, dispatch)
     if document.root is not None and document.root.name == "robot":
-        bodies = Bodies(document, unexpanded(document, is_expanded=bool(prepared.documents)))
+        bodies = Bodies(document, unexpanded(document, prepared.documents))
         found += explain(bodies.problems, document, dispatch)
         found += look_at(list(parts_in_macros(document, bodies.elements)), document, dispatch)
     for expanded in prepared.documents:

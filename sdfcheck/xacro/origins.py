@@ -119,6 +119,13 @@ class Provenance:
         _, line, column, _ = self.places[4 * number : 4 * number + 4]
         return self.source(number).offset(line, column)
 
+    def offsets_in(self, path: Path) -> set[int]:
+        """Where the elements that come from a file begin in it."""
+        key = _key(path)
+        wanted = {number for number, source in enumerate(self.files) if _key(source.path) == key}
+        files = self.places[::4]
+        return {self.offset(number) for number, file in enumerate(files) if file in wanted}
+
     def chain(self, number: int) -> tuple[Step, ...]:
         """The calls and includes that led to element ``number``, the nearest first."""
         return self.steps(self.places[4 * number + 3])

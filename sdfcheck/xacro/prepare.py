@@ -8,7 +8,8 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.xacro.expansion import Expander
+from sdfcheck.xacro.expansion import Expander, Expansion
+from sdfcheck.xacro.fragment import lacks_links
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
@@ -22,19 +23,13 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
     UnevaluatedExpression,
     WrongXacroAttribute,
+    dormant,
 )
 from sdfcheck.xacro.static import analysis
 from sdfcheck.xacro.static.definitions import is_robot
-from sdfcheck.xacro.static.suggestions import is_included
+from sdfcheck.xacro.static.project import is_included
 
-_STOPS = (
-    MissingXacroPrefix,
-    UndeclaredXacroPrefix,
-    UndefinedArgument,
-    UndefinedBlock,
-    UnevaluatedExpression,
-    WrongXacroAttribute,
-)
+_MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
 
 
@@ -57,16 +52,35 @@ def prepare(
     if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
         return Prepared((), ())
     found: list[Problem] = list(analysis.problems(document))
-    documents: list[ExpandedDocument] = []
-    is_sound = not any(isinstance(problem, _STOPS) for problem in found)
-    if expander is not None and is_sound and is_robot(document):
-        for arguments in list(argument_sets) or [{}]:
-            expansion = expander.expand(document, arguments)
-            if expansion.document is not None and is_complete(expansion.document):
-                expansion.document.library = document.library
-                documents.append(expansion.document)
-            found += [p for p in expansion.problems if not (_needs_includer(p) and is_included(document))]
-    return Prepared(tuple(_merged(found)), tuple(documents))
+    if expander is None or any(isinstance(each, _MISLEADING) for each in found) or not is_robot(document):
+        return Prepared(tuple(_merged(found)), ())
+    expansions = [expander.expand(document, arguments) for arguments in list(argument_sets) or [{}]]
+    if all(expansion.document is not None for expansion in expansions):
+        found = [dormant(problem) for problem in found]
+    elif not any(map(_stops, found)):
+        failures = [problem for expansion in expansions for problem in expansion.problems]
+        found += [p for p in failures if not (_needs_includer(p) and is_included(document))]
+    documents = tuple(_documents(expansions, document))
+    return Prepared(tuple(_merged(found)), documents)
+
+
+def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[ExpandedDocument]:
+    """The expansions that are whole: of a file that another one includes there may be a part only."""
+    for expansion in expansions:
+        expanded = expansion.document
+        if expanded is None or not is_complete(expanded):
+            continue
+        if is_included(document) and lacks_links(expanded):
+            continue
+        expanded.library = document.library
+        yield expanded
+
+
+def _stops(problem: Problem) -> bool:
+    """Whether an expansion that reaches a problem fails for it, in words that do not say so."""
+    if isinstance(problem, WrongXacroAttribute):
+        return problem.is_fatal
+    return isinstance(problem, UndefinedArgument | UndefinedBlock)
 
 
 def _merged(found: list[Problem]) -> Iterator[Problem]:
@@ -84,7 +98,7 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
             yield problem
     for first, *others in names.values():
         places = tuple(other.span for other in others)
-        yield type(first)(first.span, first.name, first.near, first.origins, places)
+        yield type(first)(first.span, first.name, first.near, first.origins, places, first.is_dormant)
 
 
 def is_complete(document: Document) -> bool:

@@ -1,7 +1,8 @@
 """What can be wrong with xacro files, whether found by reading or by expanding them.
 
 ``origins`` lead from the nearest macro call or include outwards; they are empty where
-no expansion was needed to find the problem.
+no expansion was needed to find the problem. ``is_dormant``: xacro would stop there, but no
+expansion reaches the place.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from enum import Enum
 
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span, Step
+from sdfcheck.xacro.language import PREFIX, REQUIRED
 
 
 class Failure(Enum):
@@ -20,6 +22,7 @@ class Failure(Enum):
     VARIABLE = "variable"
     FILE = "file"
     SYNTAX = "syntax"
+    PATTERN = "pattern"
     RECURSION = "recursion"
     LIMIT = "limit"
     REFUSED = "refused"
@@ -33,6 +36,7 @@ class ExpansionFailure(Record):
     detail: str
     expression: str = ""
     origins: tuple[Step, ...] = ()
+    is_dormant: bool = False
 
 
 class UndeclaredXacroPrefix(Record):
@@ -52,6 +56,7 @@ class UndefinedName(Record):
     origins: tuple[Step, ...] = ()
     others: tuple[Span, ...] = ()
     """Further uses, where they are reported with this one."""
+    is_dormant: bool = False
 
 
 class UndefinedMacro(UndefinedName):
@@ -72,6 +77,7 @@ class UndefinedArgument(Record):
     span: Span
     name: str
     near: str
+    is_dormant: bool = False
 
 
 class UnevaluatedExpression(Record):
@@ -94,6 +100,22 @@ class WrongXacroAttribute(Record):
     attribute: str
     is_missing: bool
     near: str | None = None
+    is_dormant: bool = False
+
+    @property
+    def is_fatal(self) -> bool:
+        """Whether xacro stops here if it gets here, or does without a value that was meant."""
+        if self.is_dormant or self.is_missing:
+            return not self.is_dormant
+        own = self.element.removeprefix(PREFIX)
+        return self.near is not None and self.near in {*REQUIRED.get(own, ()), "value"}
+
+
+class IgnoredIncludeContent(Record):
+    """An element inside of ``xacro:include``."""
+
+    span: Span
+    element: str
 
 
 class MissingXacroPrefix(Record):
@@ -161,6 +183,7 @@ class WrongMacroArguments(Record):
     definition: Span | None
     origins: tuple[Step, ...] = ()
     near: str | None = None
+    is_dormant: bool = False
 
 
 Problem = (
@@ -172,6 +195,7 @@ Problem = (
     | UndefinedArgument
     | UnevaluatedExpression
     | WrongXacroAttribute
+    | IgnoredIncludeContent
     | MissingXacroPrefix
     | UnusedProperty
     | UnusedMacroParameter
@@ -179,3 +203,16 @@ Problem = (
     | UnknownPackage
     | WrongMacroArguments
 )
+
+CanBeDormant = (
+    ExpansionFailure | UndefinedName | UndefinedArgument | WrongXacroAttribute | WrongMacroArguments
+)
+"""The problems at which xacro stops if it reaches them."""
+
+
+def dormant(problem: Problem) -> Problem:
+    """The problem as one that no expansion reaches."""
+    if not isinstance(problem, CanBeDormant):
+        return problem
+    values = {field: getattr(problem, field) for field in problem._fields}
+    return type(problem)(**{**values, "is_dormant": True})

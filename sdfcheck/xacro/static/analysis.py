@@ -27,8 +27,9 @@ from sdfcheck.xacro.static.definitions import Definitions, is_robot, knows_all, 
 from sdfcheck.xacro.static.elements import element_problems
 from sdfcheck.xacro.static.expressions import expression_problems
 from sdfcheck.xacro.static.names import free_names
+from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
-from sdfcheck.xacro.static.suggestions import guess, nearest, project_names
+from sdfcheck.xacro.static.suggestions import guess, nearest
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 _BLOCK_MAKERS = frozenset({"xacro:if", "xacro:unless", "xacro:insert_block", "xacro:include"})
@@ -112,6 +113,8 @@ def _wrong_arguments(document: Document, visible: Definitions) -> Iterator[Probl
         if len(macros) != 1 or call.element.name == "xacro:call":
             continue
         macro = macros[0]
+        if visible.is_open and macro.element.document in visible.conditional:
+            continue  # another branch, which is not known, may define it in another way
         given = [name for name in call.element.attributes if not name.startswith(PREFIX)]
         taken = {p.name for p in macro.parameters if not p.is_block}
         names = tuple(p.name for p in macro.parameters)
@@ -157,7 +160,7 @@ def _definition(macro: Macro) -> Span:
 def _unused_properties(document: Document, visible: Definitions) -> Iterator[Problem]:
     if visible.is_open:
         return
-    robot = is_robot(document)
+    robot = is_robot(document) and not is_included(document)
     seen = set()
     for found in reading(document).properties:
         if (found.macro is None and not robot) or found.name in visible.words or found.name in seen:
@@ -178,7 +181,7 @@ def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Pro
 
 def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> bool:
     """Whether a macro's body reads a name, or a macro that it calls reads the caller's."""
-    if name in macro.words:
+    if name in macro.words or (macro.has_includes and (visible.is_open or name in visible.words)):
         return True
     for call in macro.calls:
         if call == "call" or call not in visible.macros:

@@ -11,10 +11,11 @@ from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import FIND, PREFIX, matches
+from sdfcheck.xacro.static.project import is_included
 from sdfcheck.xacro.static.reading import Include, Macro, Reading, reading
-from sdfcheck.xacro.static.suggestions import is_included
 
 _CONTENT = frozenset({"xacro:call", "xacro:insert_block", "xacro:element"})
+_GLOB = re.compile(r"[*?\[]")
 _SIMPLE = re.compile(r"[^\W\d]\w*")
 _ARGUMENT = re.compile(r"arg\s+(\S+)\s*$")
 
@@ -40,6 +41,10 @@ class Definitions:
         self.is_open = False
         self.missing: list[Include] = []
         """The includes of the document itself whose file is known for certain and not there."""
+        self.unmatched: list[Include] = []
+        """The includes of the document itself whose pattern matches no file."""
+        self.conditional: set[Document] = set()
+        """The documents that only includes lead to which xacro may ignore."""
         self._done: set[Path] = set()
         self._enter(document, ())
         self.macros: dict[str, list[Macro]] = {}
@@ -59,8 +64,13 @@ class Definitions:
         read = reading(document)
         self.readings.append(read)
         self.is_open |= read.is_open
+        if any(include is not None and include.conditional for _, include in way):
+            self.conditional.add(document)
         for include in read.includes:
             targets = self._targets(include, document)
+            if not targets and self._is_pattern(include, document):
+                self.unmatched += [include] if not way else []
+                continue
             self.is_open |= not targets
             if not targets and not way and not include.optional and self._known_path(include, document):
                 self.missing.append(include)
@@ -93,11 +103,15 @@ class Definitions:
         path = self._known_path(include, document)
         if path is None or (library := library_of(document)) is None:
             return []
-        text = str(path)
-        if re.search(r"[*?\[]", text):
-            return sorted(path.parent.glob(path.name)) if not re.search(r"[*?\[]", str(path.parent)) else []
+        if _GLOB.search(str(path)):
+            return sorted(path.parent.glob(path.name)) if not _GLOB.search(str(path.parent)) else []
         path = library.packages(document.path).locate(path)
         return [path] if path.is_file() else []
+
+    def _is_pattern(self, include: Include, document: Document) -> bool:
+        """Whether an include names files by a pattern, in a folder that is known."""
+        path = self._known_path(include, document)
+        return path is not None and bool(_GLOB.search(path.name)) and not _GLOB.search(str(path.parent))
 
     def _known_path(self, include: Include, document: Document) -> Path | None:
         """Where an include leads, if that can be known."""

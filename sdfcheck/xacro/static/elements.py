@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, PREFIX, REQUIRED
-from sdfcheck.xacro.problems import MissingXacroPrefix, WrongXacroAttribute
+from sdfcheck.xacro.problems import IgnoredIncludeContent, MissingXacroPrefix, WrongXacroAttribute
 from sdfcheck.xacro.static.suggestions import nearest
 
+_INCLUDE = "xacro:include"
 _FREE = frozenset({"gazebo", "plugin", "ros2_control", "transmission", "mujoco"})
 """What is inside of these is somebody else's, and may be called as xacro's elements are."""
 
@@ -29,14 +30,17 @@ def keyword(element: Element) -> str:
 def lacks_prefix(element: Element) -> bool:
     """Whether an element is xacro's but for the prefix: by its name, its attributes and its place."""
     name = element.name
-    if name not in REQUIRED or not _has_needs(element, name):
-        return False
+    return name in REQUIRED and _has_needs(element, name) and not is_free(element)
+
+
+def is_free(element: Element) -> bool:
+    """Whether an element is inside of what is another format's than the document's."""
     above = element.parent
     while above is not None:
         if above.name in _FREE or (":" in above.name and not above.name.startswith(PREFIX)):
-            return False
+            return True
         above = above.parent
-    return True
+    return False
 
 
 def is_conditional(element: Element) -> bool:
@@ -58,18 +62,31 @@ def own_attributes(element: Element, own: str) -> dict[str, str]:
     return meant
 
 
-def element_problems(document: Document) -> Iterator[MissingXacroPrefix | WrongXacroAttribute]:
+Found = MissingXacroPrefix | WrongXacroAttribute | IgnoredIncludeContent
+
+
+def element_problems(document: Document) -> Iterator[Found]:
     """What is wrong with the elements of the language in a document, their prefix and attributes."""
     assert document.root is not None
     for element in document.root.iterdescendants("*"):
-        if not isinstance(element, Element):
+        if not isinstance(element, Element) or _is_in_include(element):
             continue
+        if element.name == _INCLUDE:
+            yield from (IgnoredIncludeContent(child.span, child.name) for child in element.children())
         if lacks_prefix(element):
             end = document.spans.end_name(element)
             names = tuple(span for span in (element.span, end) if span is not None)
             yield MissingXacroPrefix(element.span, element.name, names)
         elif element.name.startswith(PREFIX) and element.name[len(PREFIX) :] in REQUIRED:
             yield from _wrong_attributes(element, element.name[len(PREFIX) :])
+
+
+def _is_in_include(element: Element) -> bool:
+    """Whether an element is where xacro looks at nothing."""
+    above = element.parent
+    while above is not None and above.name != _INCLUDE:
+        above = above.parent
+    return above is not None
 
 
 def _wrong_attributes(element: Element, own: str) -> Iterator[WrongXacroAttribute]:

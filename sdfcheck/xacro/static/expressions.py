@@ -20,8 +20,9 @@ from sdfcheck.xacro.problems import (
 from sdfcheck.xacro.static.definitions import Definitions, knows_all
 from sdfcheck.xacro.static.elements import is_conditional, keyword, own_attributes
 from sdfcheck.xacro.static.names import free_names
+from sdfcheck.xacro.static.project import project_names
 from sdfcheck.xacro.static.reading import Include, place, reading, texts
-from sdfcheck.xacro.static.suggestions import guess, nearest, project_names
+from sdfcheck.xacro.static.suggestions import guess, nearest
 
 _BRACES = re.compile(r"\{([^{}$\"':,]+)\}")
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
@@ -38,7 +39,11 @@ def expression_problems(document: Document, visible: Definitions) -> Iterator[Fo
     yield from _conditions(document)
     yield from _blocks(document, visible)
     for include in visible.missing:
-        yield _missing_file(include)
+        detail = f"{include.filename}: no such file or directory"
+        yield ExpansionFailure(_filename(include), Failure.FILE, detail)
+    for include in visible.unmatched:
+        if not include.optional:
+            yield ExpansionFailure(_filename(include), Failure.PATTERN, include.filename)
 
 
 def _expressions(document: Document) -> Iterator[ExpansionFailure]:
@@ -150,8 +155,5 @@ def _blocks(document: Document, visible: Definitions) -> Iterator[UndefinedBlock
             yield UndefinedBlock(element.document.spans.attribute_value(element, "name"), name, near)
 
 
-def _missing_file(include: Include) -> ExpansionFailure:
-    element = include.element
-    span: Span = element.document.spans.attribute_value(element, "filename")
-    detail = f"{include.filename}: no such file or directory"
-    return ExpansionFailure(span, Failure.FILE, detail, "")
+def _filename(include: Include) -> Span:
+    return include.element.document.spans.attribute_value(include.element, "filename")

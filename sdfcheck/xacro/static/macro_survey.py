@@ -14,7 +14,8 @@ from sdfcheck.formats.urdf.survey import UrdfWalk
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, known_parents, urdf
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-from sdfcheck.xacro.static.elements import lacks_prefix
+from sdfcheck.xacro.static.definitions import visible_definitions
+from sdfcheck.xacro.static.elements import is_free, lacks_prefix
 
 _PREFIX = "xacro:"
 _BLOCK = "xacro:insert_block"
@@ -90,9 +91,13 @@ def content(parent: Element) -> Iterator[Element]:
 
 def _place(body: Element) -> UrdfElement | None:
     """Where a body belongs: at the first of the places that know most of it; None where none does."""
+    if _is_of_others(body):
+        return None
     robot = urdf()
     if body.name == "robot":
         return robot
+    if body.name in TRANSPARENT and (path := _path(body)) is not None:
+        return robot.at(path)
     best, place = 0, None
     for path in _PLACES:
         candidate = cast(UrdfElement, robot.at(path))
@@ -102,12 +107,38 @@ def _place(body: Element) -> UrdfElement | None:
     return place
 
 
+def _path(branch: Element) -> str | None:
+    """Where the content of a branch goes, below the root; None in a macro, or where xacro makes the place."""
+    names: list[str] = []
+    above = branch.parent
+    while above is not None and above.name != "robot":
+        if above.name not in TRANSPARENT:
+            names.append(above.name)
+        above = above.parent
+    if above is None or any(name.startswith(_PREFIX) for name in names):
+        return None
+    return "/".join(reversed(names))
+
+
+def _is_of_others(body: Element) -> bool:
+    """Whether a macro is called only where other formats are written, as in ``<gazebo>``."""
+    name = body.attributes.get("name", "").removeprefix(_PREFIX)
+    calls = [
+        call.element
+        for read in visible_definitions(body.document).readings
+        for call in read.calls
+        if call.name.rpartition(".")[2] == name
+    ]
+    return body.name == "xacro:macro" and bool(calls) and all(map(is_free, calls))
+
+
 def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
     """How many of the names inside an element are known at a place, and how many are foreign to URDF."""
     known = foreign = 0
     for child in content(parent):
         definition = place.children.get(child.name)
-        if definition is None:
+        has_text = (child.text or "").strip() and not child.attributes
+        if definition is None or (has_text and definition.attributes):
             foreign += ":" not in child.name and not _is_misspelled(child.name, place)
             continue
         given = [name for name in child.attributes if ":" not in name]

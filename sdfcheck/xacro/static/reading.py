@@ -24,13 +24,14 @@ _OWN_LANGUAGE = frozenset({"name", "filename"})
 
 
 class Macro(Record):
-    """A macro: its element, its parameters, and the words that its body reads."""
+    """A macro: its element, its parameters, the words that its body reads, and the macros that it calls."""
 
     element: Element
     name: str
     parameters: tuple[Parameter, ...]
     words: frozenset[str]
     calls: tuple[str, ...]
+    has_includes: bool
 
 
 class Property(Record):
@@ -111,6 +112,8 @@ class Reading:
             self._take_keyword(own, element, macro, conditional)
             conditional |= own in {"if", "unless"}
         self._take_values(element, macro, conditional)
+        if own == "include":
+            return  # xacro ignores what is inside
         for child in element.children():
             self._walk(child, macro, conditional)
 
@@ -118,19 +121,21 @@ class Reading:
         attributes = own_attributes(element, "macro")
         name = attributes.get("name", "").removeprefix(PREFIX)
         found = tuple(parameters(attributes.get("params", "")))
-        words: set[str] = set()
+        words = _words_in_text(element)
         calls: list[str] = []
+        has_includes = False
         for node in element.iterdescendants("*"):
             if node.name == "xacro:macro" or not isinstance(node, Element):  # type: ignore[attr-defined]
                 continue
             words |= _words_of(node)
+            has_includes |= keyword(node) == "include"
             if node.name.startswith(PREFIX) and node.name[len(PREFIX) :] not in KEYWORDS - {"call"}:
                 calls.append(node.name[len(PREFIX) :])
         for parameter in found:
             default = parameter.default or ""
             words.update(word for _, code in expressions(default) for word in _WORD.findall(code))
         self.words.update(p.name for p in found if p.forwards)
-        self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls)))
+        self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls), has_includes))
 
     def _take_keyword(self, own: str, element: Element, macro: Element | None, conditional: bool) -> None:
         attributes = own_attributes(element, own)
@@ -188,6 +193,12 @@ def _words_of(element: Element) -> set[str]:
     if element.name == "xacro:insert_block":
         words.add(element.attributes.get("name", ""))
     return words
+
+
+def _words_in_text(element: Element) -> set[str]:
+    """The words in the expressions of an element's own text."""
+    found = [text for attribute, text in texts(element) if attribute is None]
+    return {word for text in found for _, code in expressions(text) for word in _WORD.findall(code)}
 
 
 def place(element: Element, attribute: str | None, code: str, word: str = "") -> Span:

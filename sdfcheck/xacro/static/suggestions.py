@@ -1,25 +1,13 @@
-"""Names that may be meant, and names that other files of the project define."""
+"""Names that may be meant."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterable
-from pathlib import Path
 
-from sdfcheck.files.library import library_of
-from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.effort import Effort
 from sdfcheck.source.scanner.evidence import alike
-
-FILE_LIMIT = 1000
-"""So many files of a project are looked through for definitions, no more."""
-SIZE_LIMIT = 16 * MEGABYTE
-"""Larger files are not searched for names."""
-
-_DEFINED = re.compile(r"<xacro:(?:property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
-_PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_WORD = re.compile(r"[^\W\d][\w.]*")
 
 
 def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str | None:
@@ -63,43 +51,3 @@ def misspelling_of(name: str, candidates: Iterable[str]) -> str | None:
 
 def _words(name: str) -> list[str]:
     return re.split(r"[_.\-]", name.lower())
-
-
-def is_included(document: Document) -> bool:
-    """Does a file of the project include one of this name? Then it may define what this one uses."""
-    return document.view(_is_included)
-
-
-def _is_included(document: Document) -> bool:
-    if (library := library_of(document)) is None:
-        return False
-    name = re.escape(document.path.name)
-    pattern = re.compile(rf"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"'](?:[^\"']*/)?{name}[\"']")
-    files = library.packages(document.path).files(".xacro", FILE_LIMIT)
-    return any(pattern.search(text_of(path)) for path in files)
-
-
-def project_names(document: Document) -> frozenset[str]:
-    """All that any xacro file of the document's project defines: who includes a library may define it."""
-    return document.view(_project_names)
-
-
-def _project_names(document: Document) -> frozenset[str]:
-    library = library_of(document)
-    if library is None:
-        return frozenset()
-    names: set[str] = set()
-    for path in library.packages(document.path).files(".xacro", FILE_LIMIT):
-        text = text_of(path)
-        names.update(_DEFINED.findall(text))
-        for match in _PARAMETERS.finditer(text):
-            names.update(_WORD.findall(match[1] or match[2] or ""))
-    return frozenset(names)
-
-
-def text_of(path: Path) -> str:
-    """A file's text, empty if it cannot be read."""
-    try:
-        return read_regular(path, SIZE_LIMIT).decode("utf-8", "replace")
-    except OSError:
-        return ""

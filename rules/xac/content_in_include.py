@@ -1,0 +1,43 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class ContentInInclude(Rule):
+    """`xacro:include` has child elements, which xacro ignores with a warning.
+
+    In ROS launch files an include takes arguments as children; in xacro an included file reads the
+    properties and arguments of the file that includes it.
+    """
+
+    code = "XAC014"
+    name = "content-in-include"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("gets a robot description without it"))
+    explains = (problems.IgnoredIncludeContent,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:include filename="no_such_*.xacro" optional="true">'
+            '<«xacro:arg» name="gazebo" value="${nowhere}"/></xacro:include>',
+            file=FILE,
+            says="children of `xacro:include` are ignored",
+        ),
+    )
+    good = (
+        Good(
+            '<xacro:arg name="gazebo" default="true"/>'
+            '<xacro:include filename="no_such_*.xacro" optional="true"></xacro:include>',
+            file=FILE,
+        ),
+    )
+
+    def check(self, problem: problems.IgnoredIncludeContent) -> Iterator[Diagnostic]:
+        advice = (
+            "set an argument with `xacro:arg` before the include" if problem.element == "xacro:arg" else None
+        )
+        yield self.diagnostic(
+            problem.span, f"children of `xacro:include` are ignored: `{problem.element}`", help=advice
+        )

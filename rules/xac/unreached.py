@@ -1,0 +1,20 @@
+"""How to speak of mistakes in places that no expansion reaches."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sdfcheck import Consumer, Severity, warns
+
+_AFFECTS = dict.fromkeys(Consumer, warns("gets no robot description once xacro reaches the place"))
+
+
+def unless_reached(*, is_dormant: bool, help: str | None = None) -> Mapping[str, Any]:
+    """What a diagnostic has of its own if xacro does not stop for it, as it does not get there."""
+    if not is_dormant:
+        return {"help": help}
+    advice = "xacro does not reach it with these arguments, and would stop here"
+    return {
+        "severity": Severity.WARNING,
+        "affects": _AFFECTS,
+        "help": f"{help}; {advice}" if help else advice,
+    }

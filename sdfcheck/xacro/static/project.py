@@ -1,0 +1,112 @@
+"""What the other xacro files of a project say of one: which include it, and which names they define."""
+
+from __future__ import annotations
+
+import re
+from fnmatch import fnmatch
+from pathlib import Path
+
+from sdfcheck.files.library import Library, library_of
+from sdfcheck.files.packages import Packages
+from sdfcheck.files.regular import MEGABYTE, read_regular
+from sdfcheck.source.document import Document
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.xacro.language import FIND, is_literal, matches
+
+FILE_LIMIT = 1000
+"""So many files of a project are looked through for definitions, no more."""
+SIZE_LIMIT = 16 * MEGABYTE
+"""Larger files are not searched for names."""
+
+_DEFINED = re.compile(r"<xacro:(?:property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
+_PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_WORD = re.compile(r"[^\W\d][\w.]*")
+_INCLUDED = re.compile(r"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"']([^\"'<>]+)[\"']")
+_ARGUMENT = re.compile(
+    r"<xacro:(?:arg|property)\b[^<>]*?\s(?:default|value)\s*=\s*[\"']([^\"'<>]+\.\w+)[\"']"
+)
+"""An argument or property may hold the name of a file that is included."""
+_GLOB = re.compile(r"[*?\[]")
+
+
+class _Mention(NamedTuple):
+    """A file name as another file of the project writes it."""
+
+    text: str
+    by: Path
+
+
+class _Project:
+    """What the xacro files of a project mention and define."""
+
+    __slots__ = ("mentions", "names", "patterns")
+
+    def __init__(self, packages: Packages) -> None:
+        self.mentions: dict[str, list[_Mention]] = {}
+        self.patterns: list[_Mention] = []
+        names: set[str] = set()
+        for path in packages.files(".xacro", FILE_LIMIT):
+            text = _text_of(path)
+            for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
+                last = name.rpartition("/")[2]
+                if _GLOB.search(last):
+                    self.patterns.append(_Mention(name, path))
+                else:
+                    self.mentions.setdefault(last, []).append(_Mention(name, path))
+            names.update(_DEFINED.findall(text))
+            for match in _PARAMETERS.finditer(text):
+                names.update(_WORD.findall(match[1] or match[2] or ""))
+        self.names = frozenset(names)
+
+    def of(self, name: str) -> list[_Mention]:
+        """The mentions that may mean a file of a name."""
+        globs = [each for each in self.patterns if fnmatch(name, each.text.rpartition("/")[2])]
+        return [*self.mentions.get(name, ()), *globs]
+
+
+def is_included(document: Document) -> bool:
+    """Does another file of the project include this one? Then it may define what this one uses."""
+    return document.view(_is_included)
+
+
+def _is_included(document: Document) -> bool:
+    if (library := library_of(document)) is None:
+        return False
+    packages = library.packages(document.path)
+    own = library.disk.real(document.path)
+    return any(
+        _leads(mention, own, packages, library)
+        for mention in _project(library, document).of(document.path.name)
+        if library.disk.real(mention.by) != own
+    )
+
+
+def _leads(mention: _Mention, own: str, packages: Packages, library: Library) -> bool:
+    """Whether a file name leads to a file; as far as it is not known, whether it may."""
+    text, folder = mention.text, mention.by.parent
+    first = next(matches(text), None)
+    found = FIND.match(first["command"] or "") if first is not None and first.start() == 0 else None
+    if first is not None and found is not None and (package := packages.find(found[1])) is not None:
+        text, folder = text[first.end() :].lstrip("/"), package
+    if is_literal(text) and not _GLOB.search(text):
+        return library.disk.real(packages.locate(folder / text)) == own
+    rest = max(text.rfind("}"), text.rfind(")")) + 1
+    return fnmatch(Path(own).as_posix(), f"*{text[rest:]}")
+
+
+def project_names(document: Document) -> frozenset[str]:
+    """All that any xacro file of the document's project defines: who includes a library may define it."""
+    library = library_of(document)
+    return frozenset() if library is None else _project(library, document).names
+
+
+def _project(library: Library, document: Document) -> _Project:
+    return library.of_project(document.path, _Project)
+
+
+def _text_of(path: Path) -> str:
+    """A file's text, empty if it cannot be read."""
+    try:
+        return read_regular(path, SIZE_LIMIT).decode("utf-8", "replace")
+    except OSError:
+        return ""

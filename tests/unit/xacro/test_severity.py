@@ -1,0 +1,168 @@
+"""What xacro only warns about is a warning, and what it ignores does not hide or excuse anything."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+ROBOT = f'<robot name="r" {XACRO}>{{}}</robot>'
+PART = f"<robot {XACRO}>{{}}</robot>"
+ASIDE = ["URD013", "URD008"]
+
+Found = list[tuple[str, str]]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    return tmp_path
+
+
+def found(folder: Path, text: str = "", name: str = "robot.urdf.xacro") -> Found:
+    if text:
+        (folder / name).write_text(text if text.startswith("<robot") else ROBOT.format(text))
+    run = sdfcheck.lint(folder / name, isolated=True, ignore=ASIDE)
+    return [(each.code, each.severity.value) for each in run.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        ('<xacro:property name="w" value="1" comment="m"/><link name="a${w}"/>', [("XAC011", "warning")]),
+        ('<xacro:property name="w" vaule="1"/><link name="a${w}"/>', [("XAC011", "error")]),
+        (
+            '<xacro:if value="0"><xacro:arg name="a" defalt="1"/></xacro:if><link name="a"/>',
+            [("XAC011", "warning")],
+        ),
+        ('<xacro:include filename="parts/*.xacro"/><link name="a"/>', [("XAC001", "warning")]),
+        ('<xacro:include filename="parts/*.xacro" optional="true"/><link name="a"/>', []),
+        ('<xacro:include filename="parts/a.xacro"/><link name="a"/>', [("XAC001", "error")]),
+    ],
+)
+def test_it_is_an_error_only_if_xacro_stops(folder: Path, content: str, expected: Found) -> None:
+    assert found(folder, content) == expected
+
+
+@pytest.mark.parametrize(
+    ("mistake", "code"),
+    [
+        ('<link name="${nothere}"/>', "XAC004"),
+        ("<xacro:nothere/>", "XAC003"),
+        ('<xacro:m side="l"/>', "XAC008"),
+        ('<link name="${1 +}"/>', "XAC001"),
+        ('<xacro:insert_block name="orign"/>', "XAC004"),
+        ('<link name="$(arg prefx)"/>', "XAC013"),
+    ],
+)
+def test_a_mistake_that_xacro_does_not_reach_is_a_warning(folder: Path, mistake: str, code: str) -> None:
+    rest = (
+        '<xacro:arg name="prefix" default="a"/><xacro:property name="origin"><origin/></xacro:property>'
+        '<xacro:macro name="m" params="n"><link name="${n}$(arg prefix)"/></xacro:macro><xacro:m n="a"/>'
+    )
+    for condition, severity in ((0, "warning"), (1, "error")):
+        branch = f'<xacro:if value="{condition}">{mistake}</xacro:if>'
+        assert (code, severity) in found(folder, rest + branch)
+
+
+def test_children_of_an_include_are_ignored(folder: Path) -> None:
+    (folder / "part.xacro").write_text(PART.format('<link name="b"/>'))
+    content = '<xacro:include filename="part.xacro"><xacro:arg name="g" value="${g}"/></xacro:include>'
+    assert found(folder, content) == [("XAC014", "warning")]
+
+
+def test_a_branch_that_is_not_taken_says_nothing_of_a_file_that_is_not_known(folder: Path) -> None:
+    macro = '<xacro:macro name="tip" params="{}"><link name="${{a}}"/></xacro:macro>'
+    (folder / "none.xacro").write_text(PART.format(macro.format("a")))
+    (folder / "soft.xacro").write_text(PART.format(macro.format("a b")))
+    assert not found(
+        folder,
+        '<xacro:property name="kind" value="soft"/><xacro:property name="none" value="${kind == \'none\'}"/>'
+        '<xacro:if value="${none}"><xacro:include filename="none.xacro"/></xacro:if>'
+        '<xacro:include filename="${kind + str()}.xacro"/><xacro:tip a="1" b="2"/>',
+    )
+
+
+@pytest.mark.parametrize(
+    "body",
+    ["${0.1 * mass} 0 0", '<xacro:include filename="part.xacro"/>'],
+    ids=["text", "included file"],
+)
+def test_a_parameter_may_be_read_in_text_and_in_an_included_file(folder: Path, body: str) -> None:
+    (folder / "part.xacro").write_text(PART.format('<link name="l${mass}"/>'))
+    macro = f'<xacro:macro name="m" params="mass">{body}</xacro:macro>'
+    call = (
+        '<xacro:m mass="1"/>'
+        if "include" in body
+        else "<gazebo><plugin><xacro:m mass='1'/></plugin></gazebo>"
+    )
+    assert ("XAC009", "info") not in found(folder, f'{macro}<link name="a"/>{call}')
+
+
+def test_the_constants_of_a_file_that_another_includes_are_for_that_one(folder: Path) -> None:
+    (folder / "base.xacro").write_text(PART.format('<xacro:property name="z" value="1"/>'))
+    constants = '<xacro:include filename="base.xacro"/><xacro:property name="offset" value="1"/>'
+    assert found(folder, constants, "const.xacro") == [("XAC005", "info")]
+    (folder / "robot.xacro").write_text(
+        ROBOT.format('<xacro:include filename="const.xacro"/><link name="${z}${offset}"/>')
+    )
+    assert found(folder, name="const.xacro") == []
+
+
+def test_a_macro_for_gazebo_is_not_urdf(folder: Path) -> None:
+    macro = '<xacro:macro name="red"><material>Gazebo/Red</material></xacro:macro>'
+    assert found(folder, PART.format(f'{macro}<gazebo reference="b"><xacro:red/></gazebo>')) == []
+    assert found(folder, PART.format(macro)) == []
+
+
+def test_an_include_of_its_own_name_does_not_make_a_robot_a_library(folder: Path) -> None:
+    for name in ("base_arm", "my_arm"):
+        (folder / name).mkdir()
+        (folder / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    (folder / "base_arm" / "arm.xacro").write_text(ROBOT.format('<link name="a"/>'))
+    content = (
+        '<xacro:include filename="$(find base_arm)/arm.xacro"/><xacro:sensor_mount/><link name="${prefix}"/>'
+    )
+    assert found(folder, content, "my_arm/arm.xacro") == [("XAC003", "error"), ("XAC004", "error")]
+
+
+def test_a_part_is_judged_where_it_is_included(folder: Path) -> None:
+    joint = '<joint name="j" type="{}"><parent link="torso"/><child link="b"/></joint>'
+    content = f'<link name="b"/>{joint}'
+    assert ("JNT001", "error") in found(folder, content.format("fixed"), "part.xacro")
+    (folder / "whole.xacro").write_text(
+        ROBOT.format('<link name="torso"/><xacro:include filename="part.xacro"/>')
+    )
+    assert found(folder, content.format("fixed"), "part.xacro") == []
+    assert found(folder, content.format("fixd"), "part.xacro") == [("SCH015", "error")]
+    assert found(folder, name="whole.xacro") == [("SCH015", "error")]
+
+
+@pytest.mark.parametrize("where", ['<xacro:include filename="{}"/>', '<xacro:arg name="f" default="{}"/>'])
+def test_a_robot_without_links_that_another_file_includes_lacks_nothing(folder: Path, where: str) -> None:
+    (folder / "empty.urdf").write_text('<robot name="r"></robot>')
+    assert ("SCH004", "error") in found(folder, name="empty.urdf")
+    (folder / "robot.xacro").write_text(ROBOT.format(where.format("empty.urdf")))
+    assert found(folder, name="empty.urdf") == []
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        '<link name="a"/><xacro:unless value="1"><joint name="j" type="fixd"/></xacro:unless>',
+        '<link name="a"><xacro:if value="0"><visul/></xacro:if></link>',
+        (
+            '<link name="a"/><xacro:macro name="m" params="sim:=1"><xacro:unless value="${sim}"><link name="p"/>'
+            '<joint name="j" type="fixd"><parent link="a"/><child link="p"/></joint></xacro:unless></xacro:macro>'
+            "<xacro:m/>"
+        ),
+    ],
+    ids=["top", "inside a link", "in a macro"],
+)
+def test_a_branch_that_is_not_taken_is_checked_as_it_is_written(folder: Path, content: str) -> None:
+    assert [severity for _, severity in found(folder, content) if severity != "info"]
+    taken = content.replace("fixd", "fixed").replace("<visul/>", "")
+    assert not {code for code, _ in found(folder, taken)} & {"SCH015", "URD001"}
