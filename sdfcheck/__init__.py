@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sdfcheck import problems
     from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
+    from sdfcheck.consumers.drake_limits import Ignored, ignored_by_drake
     from sdfcheck.consumers.reaction import (
         REFUSES,
         Consumer,
         Reaction,
         Verdict,
         accepts,
-        by_effect,
         refuses,
         warns,
     )
@@ -98,7 +98,8 @@ _HOMES = {
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
     ),
     "sdfcheck.lint.fix.fix": "Applicability Edit Fix",
-    "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts by_effect refuses warns",
+    "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
+    "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix replace",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unreadable",
@@ -182,6 +183,7 @@ __all__ = [
     "Geometry",
     "Good",
     "Gripper",
+    "Ignored",
     "Include",
     "Inertial",
     "Joint",
@@ -236,11 +238,11 @@ __all__ = [
     "__version__",
     "accepts",
     "as_json",
-    "by_effect",
     "convert",
     "diff",
     "edit",
     "fix",
+    "ignored_by_drake",
     "inertia",
     "lacking",
     "lint",

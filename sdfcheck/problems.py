@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sdfcheck.consumers.drake_problems import *  # noqa: F403
     from sdfcheck.consumers.gazebo_problems import *  # noqa: F403
     from sdfcheck.formats.namespace_problems import *  # noqa: F403
     from sdfcheck.formats.sdf.problems import *  # noqa: F403
@@ -32,7 +31,6 @@ _HOMES = (
     "sdfcheck.robot.model_config",
     "sdfcheck.xacro.problems",
     "sdfcheck.formats.vendor.problems",
-    "sdfcheck.consumers.drake_problems",
     "sdfcheck.consumers.gazebo_problems",
 )
 

@@ -19,7 +19,10 @@ from sdfcheck.source.document import Document
 OF_ABSENCE = {"INR004"}
 INDEX = load_index()
 STRICT = {facts.code for facts in INDEX.facts if facts.default} - OF_ABSENCE
-MIXED: dict[str, str] = {}
+MIXED = {
+    "DRK008": "of joints, the type of Drake's own is a choice in its table",
+    "DRK014": "of frictions, the order of Drake's own is in its table",
+}
 """Code → why a rule both looks at objects and explains problems."""
 BENCH = Bench(BUILT_IN, strict=STRICT)
 RULES = BENCH.rules

@@ -1,8 +1,32 @@
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
-from sdfcheck_rules.drk.effect import affects, consequence
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Collision,
+    Consumer,
+    Diagnostic,
+    Dynamics,
+    Geometry,
+    Good,
+    Inertial,
+    Limit,
+    Reaction,
+    Root,
+    Rule,
+    Severity,
+    Target,
+    Transmission,
+    refuses,
+)
+from sdfcheck_rules.drk.contents import unread
+from sdfcheck_rules.drk.effect import ABORTS, CRASHES, affects, does
+from sdfcheck_rules.drk.frictions import friction, own_friction
 from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT, ROBOT_JOINT
+
+SPRUNG = frozenset(("continuous", "prismatic", "revolute"))
+LIMITED = frozenset(("continuous", "prismatic", "revolute"))
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 
@@ -20,7 +44,17 @@ class CrashesDrake(Rule):
     severity = Severity.ERROR
     default = False
     affects = {Consumer.DRAKE: refuses("crashes or aborts")}
-    explains = (problems.CrashesDrake,)
+    looks_at = (Root, Collision, Dynamics, Geometry, Inertial, Limit, Transmission)
+    selects = (
+        "sdf:sdf",
+        "sdf:collision",
+        "sdf:joint/axis/dynamics",
+        "sdf:geometry",
+        "sdf:link/inertial",
+        "urdf:robot/joint/dynamics",
+        "urdf:robot/joint/limit",
+        "urdf:robot/transmission",
+    )
     scaffold = COLLISION
 
     bad = (
@@ -77,6 +111,65 @@ class CrashesDrake(Rule):
         ),
     )
 
-    def check(self, problem: problems.CrashesDrake) -> Iterator[Diagnostic]:
-        message = f"{problem.what}: {consequence(problem.effect)}"
-        yield self.diagnostic(problem.target, message, affects=affects(problem.effect))
+    def check(self, part: Any) -> Iterator[Diagnostic]:
+        for target, what, reaction in LOOKS[type(part)](part):
+            yield self.diagnostic(target, f"{what}: {does(reaction)}", affects=affects(reaction))
+
+
+Found = Iterator[tuple[Target, str, Reaction]]
+"""Where something is wrong, what it is, and what Drake does."""
+
+
+def _root(root: Root) -> Found:
+    if (found := unread(root)) is not None:
+        yield *found, REFUSES
+
+
+def _collision(collision: Collision) -> Found:
+    standard = friction(collision)
+    own = own_friction(collision) if standard is not None and not standard.has("ode") else None
+    if standard is not None and own is not None:
+        yield standard, f"a friction without `ode` beside `{own.name}`", ABORTS
+
+
+def _dynamics(dynamics: Dynamics) -> Found:
+    damping, stiffness, kind = dynamics.damping, dynamics.spring_stiffness, dynamics.joint.type
+    if damping.number < 0 and kind != ("planar" if dynamics.is_urdf else "fixed"):
+        yield damping, "a negative damping", REFUSES
+    if stiffness.number < 0 and kind in SPRUNG and not dynamics.is_urdf:
+        yield stiffness, "a negative spring stiffness", REFUSES if kind == "prismatic" else ABORTS
+
+
+def _geometry(geometry: Geometry) -> Found:
+    normal = geometry.normal
+    if geometry.shape == "plane" and normal and not any(normal):
+        yield normal, "a plane without direction", ABORTS
+
+
+def _inertial(inertial: Inertial) -> Found:
+    for collision in inertial.link.collisions if inertial.is_automatic else ():
+        mesh = collision.geometry
+        if mesh.shape == "mesh" and mesh.uri_value is not None and mesh.uri and "://" not in mesh.uri:
+            yield mesh.uri_value, "an automatic inertia from a mesh with a relative path", ABORTS
+
+
+def _limit(limit: Limit) -> Found:
+    if limit.velocity.number < 0 and limit.joint.type in LIMITED:
+        yield limit.velocity, "a negative velocity limit", ABORTS
+
+
+def _transmission(transmission: Transmission) -> Found:
+    kind = transmission.type_value
+    if kind is not None and not kind.text.strip():
+        yield kind, "a transmission of empty type", CRASHES
+
+
+LOOKS: dict[type, Callable[[Any], Found]] = {
+    Root: _root,
+    Collision: _collision,
+    Dynamics: _dynamics,
+    Geometry: _geometry,
+    Inertial: _inertial,
+    Limit: _limit,
+    Transmission: _transmission,
+}

@@ -1,27 +1,22 @@
-"""How to say what Drake does."""
+"""What Drake does about something, as a reaction and in words."""
 
-from typing import Any
+from sdfcheck import Consumer, Reaction, Severity, Verdict, refuses, warns
 
-from sdfcheck import Consumer, Reaction, Severity, by_effect
-
-_WORDS = {
-    "error": "Drake refuses the file",
-    "abort": "Drake aborts",
-    "crash": "Drake crashes",
-    "ignored": "Drake ignores it",
-}
+ABORTS = refuses("aborts")
+CRASHES = refuses("crashes")
+IGNORES = warns("ignores it")
 
 
-def consequence(effect: Any) -> str:
+def does(reaction: Reaction) -> str:
     """What Drake does, as the second half of a sentence."""
-    return _WORDS[effect.outcome.value]
+    return f"Drake {reaction.words}"
 
 
-def affects(effect: Any) -> dict[Consumer, Reaction]:
+def affects(reaction: Reaction) -> dict[Consumer, Reaction]:
     """The same, for a verdict on the file."""
-    return {Consumer.DRAKE: by_effect(effect)}
+    return {Consumer.DRAKE: reaction}
 
 
-def severity(effect: Any) -> Severity:
+def severity(reaction: Reaction) -> Severity:
     """An error where Drake does not get to the end of the file, otherwise a warning."""
-    return Severity.ERROR if effect.refused else Severity.WARNING
+    return Severity.ERROR if reaction.verdict is Verdict.REJECT else Severity.WARNING

@@ -1,6 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, problems, used, warns
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Ignored,
+    Root,
+    Rule,
+    Severity,
+    Value,
+    ignored_by_drake,
+    used,
+    warns,
+)
+from sdfcheck_rules.drk.contents import unread
 from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
 
 
@@ -16,7 +31,7 @@ class IgnoredByDrake(Rule):
     severity = Severity.INFO
     default = False
     affects = {Consumer.DRAKE: warns("ignores it")}
-    explains = (problems.IgnoredByDrake,)
+    looks_at = (Root,)
     scaffold = LINK
 
     bad = (
@@ -40,11 +55,46 @@ class IgnoredByDrake(Rule):
         Good("<dynamics><friction>0</friction></dynamics>", scaffold=AXIS),
     )
 
-    def check(self, problem: problems.IgnoredByDrake) -> Iterator[Diagnostic]:
-        target = problem.target
-        name = target.name if isinstance(target, Element) else target.attribute
-        how = "with a warning" if problem.warned else "without a word"
-        place = target if isinstance(target, Element) else target.name_span
-        yield self.diagnostic(
-            place, f"`{name}`{used(problem.uses)} in `{problem.parent}` is ignored by Drake, {how}"
-        )
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for entry in ignored_by_drake("urdf" if root.is_urdf else "sdf"):
+            uses = list(_uses(root, entry))
+            if not uses or (entry.parents == ("sdf",) and unread(root) is not None):
+                continue  # crashes-drake reports what is wrong at the top
+            place = uses[0] if isinstance(uses[0], Element) else uses[0].name_span
+            times, parent = used(len(uses)), "/".join(reversed(entry.parents))
+            how = "with a warning" if entry.warned else "without a word"
+            message = f"`{entry.name.removeprefix('@')}`{times} in `{parent}` is ignored by Drake, {how}"
+            yield self.diagnostic(place, message)
+
+
+def _uses(root: Root, entry: Ignored) -> Iterator[Element | Value]:
+    """Where something is written that Drake ignores."""
+    for parent in root.elements.get(entry.parents[0], ()):
+        if not _is_in(parent, entry.parents[1:]) or root.part_of(parent).is_urdf != root.is_urdf:
+            continue  # what is in a <gazebo> block is written in SDFormat, and nothing to Drake
+        if entry.name[0] == "@":
+            value = parent.attribute(entry.name[1:])
+            if value is not None and not _is(value, entry.unless):
+                yield value
+            continue
+        for child in parent.children(entry.name):
+            if not entry.unless or not _is(child.own_value, entry.unless):
+                yield child
+
+
+def _is_in(element: Element, parents: tuple[str, ...]) -> bool:
+    """Are these the names of the elements around it, from the inside out?"""
+    at = element.parent
+    for name in parents:
+        if at is None or at.name != name:
+            return False
+        at = at.parent
+    return True
+
+
+def _is(value: Value, wanted: str) -> bool:
+    """Is it the value that Drake knows, in whichever spelling?"""
+    word = value.text.strip().lower()
+    if wanted in {"true", "false"}:
+        return word in {wanted, "1" if wanted == "true" else "0"}
+    return bool(wanted) and (word == wanted or value.number == float(wanted))

@@ -1,7 +1,9 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Link, Model, Rule, Severity, warns
 from sdfcheck_rules.drk.scaffolds import ROBOT
+
+WORLD = "world"
 
 LEAF = '<link name="c"/><joint name="k" type="{}"><parent link="b"/><child link="c"/></joint>'
 
@@ -19,7 +21,8 @@ class MasslessLeaf(Rule):
     severity = Severity.ERROR
     default = False
     affects = {Consumer.DRAKE: warns("stops at the first step of the simulation")}
-    explains = (problems.MasslessLeaf,)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = ROBOT
 
     bad = (
@@ -31,11 +34,27 @@ class MasslessLeaf(Rule):
     )
     good = (Good(LEAF.format("fixed"), why="moves with a link that has mass"),)
 
-    def check(self, problem: problems.MasslessLeaf) -> Iterator[Diagnostic]:
-        link, joint = problem.link, problem.joint
-        moves = f"moves by {joint.title}" if joint is not None else "is free"
-        below = f" with the {problem.links - 1} below it" if problem.links > 1 else ""
-        labels = {joint: "it moves here"} if joint is not None else {}
-        message = f"{link.title} {moves} and{below} has no mass: Drake cannot simulate it"
-        level = Severity.ERROR if joint is not None else Severity.WARNING
-        yield self.diagnostic(link, message, labels=labels, severity=level)
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        for link, joint, count in _massless(model):
+            moves = f"moves by {joint.title}" if joint is not None else "is free"
+            below = f" with the {count - 1} below it" if count > 1 else ""
+            message = f"{link.title} {moves} and{below} has no mass: Drake cannot simulate it"
+            labels = {joint: "it moves here"} if joint is not None else {}
+            level = Severity.ERROR if joint is not None else Severity.WARNING
+            yield self.diagnostic(link, message, labels=labels, severity=level)
+
+
+def _massless(model: Model) -> Iterator[tuple[Link, Joint | None, int]]:
+    """The outermost links that move, with everything below them, without mass.
+
+    With the joint that moves them (None for a free link), and how many they are.
+    """
+    tree = model.tree
+    free: list[tuple[Link, Joint | None]] = [(link, None) for link in tree.roots if link.name != WORLD]
+    moved = [(tree.ends(joint), joint) for joint in tree.joints if not joint.is_fixed]
+    reported: set[Link] = set()
+    for link, by in (*free, *((ends[1], joint) for ends, joint in moved if ends is not None)):
+        links = set(link.below())
+        if reported.isdisjoint(links) and not any(each.has_mass for each in links):
+            reported |= links
+            yield link, by, len(links)

@@ -1,8 +1,12 @@
 from collections.abc import Iterator
 from typing import Any
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, problems
+from sdfcheck import REFUSES, Bad, Collision, Consumer, Diagnostic, Good, Severity, VendorRule, problems
+from sdfcheck_rules.drk.effect import does
+from sdfcheck_rules.drk.frictions import friction, own_friction
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION
+
+DEFAULT_MU = 1.0
 
 ODE = (
     "<geometry><box><size>1 1 1</size></box></geometry><surface><friction><ode>{}</ode></friction></surface>"
@@ -22,7 +26,9 @@ class MuOrder(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.UnorderedTags, problems.FrictionOrder)
+    explains = (problems.UnorderedTags,)
+    looks_at = (Collision,)
+    selects = ("sdf:collision",)
     scaffold = BOX
 
     bad = (
@@ -46,20 +52,31 @@ class MuOrder(VendorRule):
         Good(ODE.format("<mu>0.5</mu><mu2>0.5</mu2>"), scaffold=COLLISION),
     )
 
-    def check(self, problem: Any) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.UnorderedTags):
-            yield from super().check(problem)
-            return
-        static, dynamic = problem.static, problem.dynamic
-        name, text = static.element.name, static.text.strip()
-        if dynamic is None:
-            other = "mu2" if name == "mu" else "mu"
-            message = f"`{name}` is {text}, and `{other}` is 1 where it is not given: Drake refuses the file"
-            yield self.diagnostic(static, message)
-            return
-        message = f"`mu2` is {dynamic.text.strip()} and above `mu`, {text}: Drake refuses the file"
-        yield self.diagnostic(dynamic, message, labels={static: "the static friction"})
+    def check(self, subject: Any) -> Iterator[Diagnostic]:
+        if isinstance(subject, Collision):
+            yield from self._of_ode(subject)
+        else:
+            yield from super().check(subject)
 
     def is_about(self, problem: Any) -> bool:
         """Frictions only."""
         return "mu_" in problem.name
+
+    def _of_ode(self, collision: Collision) -> Iterator[Diagnostic]:
+        """`mu` is the static friction, `mu2` the dynamic one."""
+        standard = friction(collision)
+        ode = standard.find("ode") if standard is not None and own_friction(collision) is None else None
+        static, dynamic = (ode.value("mu"), ode.value("mu2")) if ode is not None else (None, None)
+        low = static.number if static is not None else DEFAULT_MU
+        high = dynamic.number if dynamic is not None else DEFAULT_MU
+        if not high > low >= 0:
+            return
+        if static is not None and dynamic is not None:
+            message = (
+                f"`mu2` is {dynamic.text.strip()} and above `mu`, {static.text.strip()}: {does(REFUSES)}"
+            )
+            yield self.diagnostic(dynamic, message, labels={static: "the static friction"})
+        elif (lone := static or dynamic) is not None:
+            name, other = ("mu", "mu2") if lone is static else ("mu2", "mu")
+            message = f"`{name}` is {lone.text.strip()}, and `{other}` is 1 where it is not given"
+            yield self.diagnostic(lone, f"{message}: {does(REFUSES)}")

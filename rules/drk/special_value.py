@@ -1,7 +1,11 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, Transmission, Value, warns
 from sdfcheck_rules.drk.scaffolds import ROBOT, ROBOT_JOINT
+
+NO_LIMIT = -1.0
+"""The velocity limit of SDFormat that means none."""
+STOPPED_BY_ZERO = frozenset(("continuous", "prismatic", "revolute"))
 
 JOINT = '<joint name="j" type="{}"><parent link="a"/><child link="b"/>{}</joint>'
 
@@ -19,7 +23,8 @@ class SpecialValue(Rule):
     severity = Severity.WARNING
     default = False
     affects = {Consumer.DRAKE: warns("takes the value in its own way")}
-    explains = (problems.SpecialValue,)
+    looks_at = (Limit, Transmission)
+    selects = ("sdf:joint/axis/limit", "urdf:robot/joint/limit", "urdf:robot/transmission")
     scaffold = ROBOT_JOINT
 
     bad = (
@@ -48,7 +53,24 @@ class SpecialValue(Rule):
         Good(JOINT.format("continuous", '<limit effort="1" velocity="1"/>')),
     )
 
-    def check(self, problem: problems.SpecialValue) -> Iterator[Diagnostic]:
-        value = problem.value
-        name = value.attribute or value.element.name
-        yield self.diagnostic(value, f"to Drake `{name}` {value.text.strip()} means {problem.meaning}")
+    def check(self, part: Limit | Transmission) -> Iterator[Diagnostic]:
+        for value, meaning in _special(part):
+            name = value.attribute or value.element.name
+            yield self.diagnostic(value, f"to Drake `{name}` {value.text.strip()} means {meaning}")
+
+
+def _special(part: Limit | Transmission) -> Iterator[tuple[Value, str]]:
+    """The values that mean something else to Drake, and what."""
+    if isinstance(part, Transmission):
+        yield from ((value, "nothing") for value in part.reductions if value.number != 1)
+        return
+    velocity, kind = part.velocity, part.joint.type
+    if not part.is_urdf:
+        if velocity.value is not None and velocity.number < 0 and velocity.number != NO_LIMIT:
+            yield velocity.value, "no limit"
+        return
+    bound = part.lower.value or part.upper.value
+    if kind == "continuous" and bound is not None:
+        yield bound, "a limit, also for a continuous joint"
+    if kind in STOPPED_BY_ZERO and velocity.value is not None and velocity.number == 0:
+        yield velocity.value, "a joint that must not move"

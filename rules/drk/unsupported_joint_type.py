@@ -1,9 +1,25 @@
 from collections.abc import Iterator
 from typing import Any
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, problems
-from sdfcheck_rules.drk.effect import affects, consequence, severity
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Joint,
+    Reaction,
+    Severity,
+    VendorRule,
+    problems,
+)
+from sdfcheck_rules.drk.effect import IGNORES, affects, does, severity
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT, ROBOT_JOINT
+
+REFUSED_IN_SDF = {"gearbox": "", "revolute2": "two revolute joints"}
+"""Type → what to write instead."""
+OWN_IN_URDF = frozenset(("ball", "curvilinear", "screw", "universal"))
+"""The types that are written as `drake:joint` there."""
 
 ENDS = '<parent link="a"/><child link="b"/>'
 
@@ -22,7 +38,9 @@ class UnsupportedJointType(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.UnsupportedJoint, problems.UnknownTagChoice)
+    explains = (problems.UnknownTagChoice,)
+    looks_at = (Joint,)
+    selects = ("sdf:joint", "urdf:robot/joint")
     scaffold = ROBOT_JOINT
 
     bad = (
@@ -62,21 +80,33 @@ class UnsupportedJointType(VendorRule):
         Good(f'<drake:joint name="j" type="ball">{ENDS}</drake:joint>'),
     )
 
-    def check(self, problem: Any) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.UnknownTagChoice):
-            yield from super().check(problem)
-            return
-        word = problem.type.text.strip()
-        does = consequence(problem.effect)
-        if problem.where is not None:
-            message = f"a joint of {problem.where} cannot be `{word}`: {does}"
-        else:
-            message = f"a joint of type `{word}` is not supported: {does}"
-        if problem.instead is not None:
-            message += f"; write it as {problem.instead}"
-        effect = problem.effect
-        yield self.diagnostic(problem.type, message, severity=severity(effect), affects=affects(effect))
+    def check(self, subject: Any) -> Iterator[Diagnostic]:
+        if not isinstance(subject, Joint):
+            yield from super().check(subject)
+        elif (kind := subject.type_value) is not None:
+            for reaction, what, instead in (_in_urdf if subject.is_urdf else _in_sdf)(subject):
+                message = f"{what.format(kind.text.strip())}: {does(reaction)}"
+                if instead:
+                    message += f"; write it as {instead}"
+                yield self.diagnostic(kind, message, severity=severity(reaction), affects=affects(reaction))
 
     def is_about(self, problem: Any) -> bool:
         """Choices of other elements are not this rule's."""
         return bool(problem.name == "drake:joint")
+
+
+def _in_sdf(joint: Joint) -> Iterator[tuple[Reaction, str, str]]:
+    """What Drake does, about what, and what to write instead."""
+    if joint.type in REFUSED_IN_SDF:
+        yield REFUSES, "a joint of type `{}` is not supported", REFUSED_IN_SDF[joint.type]
+    elif not joint.is_fixed and joint.model is None:
+        yield REFUSES, "a joint of a world cannot be `{}`", "fixed"
+    elif not joint.is_fixed and joint.scope.stands_still:
+        yield REFUSES, "a joint of a static model cannot be `{}`", "fixed"
+
+
+def _in_urdf(joint: Joint) -> Iterator[tuple[Reaction, str, str]]:
+    if joint.type in OWN_IN_URDF:
+        yield REFUSES, "a joint of type `{}` is not supported", "drake:joint"
+    elif joint.type == "floating":
+        yield IGNORES, "a joint of type `{}` is not supported", "a link without joint"

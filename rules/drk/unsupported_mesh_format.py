@@ -1,8 +1,31 @@
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, listed, problems, refuses, warns
-from sdfcheck_rules.drk.effect import affects, consequence
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Geometry,
+    Good,
+    Rule,
+    Severity,
+    Shape,
+    listed,
+    refuses,
+    warns,
+)
+from sdfcheck_rules.drk.effect import affects, does
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, LINK, ROBOT_LINK
+
+VISUAL = "visual"
+FORMATS = {
+    VISUAL: (".gltf", ".obj"),
+    "collision": (".gltf", ".obj", ".vtk"),
+    "rigid hydroelastic collision": (".obj", ".vtk"),
+    "deformable collision": (".vtk",),
+}
+"""The role of a mesh → the formats that Drake reads for it."""
 
 NOT_SHOWN = {Consumer.DRAKE: warns("does not show it")}
 
@@ -20,7 +43,8 @@ class UnsupportedMeshFormat(Rule):
     severity = Severity.ERROR
     default = False
     affects = {Consumer.DRAKE: refuses("refuses a collision mesh, does not show a visual one")}
-    explains = (problems.UnsupportedMesh,)
+    looks_at = (Geometry,)
+    selects = ("sdf:geometry", "urdf:robot/link/visual/geometry", "urdf:robot/link/collision/geometry")
     scaffold = COLLISION
 
     bad = (
@@ -49,16 +73,27 @@ class UnsupportedMeshFormat(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnsupportedMesh) -> Iterator[Diagnostic]:
-        formats = listed(problem.formats)
-        suffix = "." + problem.value.text.strip().rpartition(".")[2].lower()
-        if problem.role == "visual":
-            message = f"a `{suffix}` file is not shown by Drake's renderers, which take {formats}"
-            yield self.diagnostic(problem.value, message, severity=Severity.INFO, affects=NOT_SHOWN)
+    def check(self, geometry: Geometry) -> Iterator[Diagnostic]:
+        value, shape = geometry.uri_value, geometry.holder
+        if value is None or geometry.shape != "mesh" or not isinstance(shape, Shape) or "${" in value.text:
             return
-        yield self.diagnostic(
-            problem.value,
-            f"a `{suffix}` file cannot be a {problem.role}: {consequence(problem.effect)}; "
-            f"it reads {formats}",
-            affects=affects(problem.effect),
-        )
+        suffix, role = PurePosixPath(value.text.strip()).suffix.lower(), _role(shape)
+        if not suffix or suffix in FORMATS[role]:
+            return
+        formats = listed(FORMATS[role])
+        if role == VISUAL:
+            message = f"a `{suffix}` file is not shown by Drake's renderers, which take {formats}"
+            yield self.diagnostic(value, message, severity=Severity.INFO, affects=NOT_SHOWN)
+            return
+        message = f"a `{suffix}` file cannot be a {role}: {does(REFUSES)}; it reads {formats}"
+        yield self.diagnostic(value, message, affects=affects(REFUSES))
+
+
+def _role(shape: Shape) -> str:
+    if shape.kind == VISUAL:
+        return VISUAL
+    properties = shape.find("drake:proximity_properties")
+    if shape.link.has("drake:deformable_properties"):
+        return "deformable collision"
+    is_rigid = properties is not None and properties.has("drake:rigid_hydroelastic")
+    return "rigid hydroelastic collision" if is_rigid else "collision"

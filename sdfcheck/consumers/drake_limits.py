@@ -1,4 +1,4 @@
-"""What Drake passes over, from data/drake-limits.txt."""
+"""What Drake ignores of SDFormat and URDF, from data/drake-limits.txt."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ _FILE = Path(__file__).with_name("data") / "drake-limits.txt"
 
 
 class Ignored(NamedTuple):
-    """``name`` (or ``@name``) in a parent; with ``unless``, only where the value is another."""
+    """An element ``name`` (or attribute ``@name``) in a parent; with ``unless``, only where the value is another."""
 
     parents: tuple[str, ...]
     """Names from the inside out."""
     name: str
     unless: str
     warned: bool
+    """Does Drake say so?"""
 
 
 @cache
-def ignored(dialect: str) -> tuple[Ignored, ...]:
-    """Everything that is passed over in one dialect."""
+def ignored_by_drake(dialect: str) -> tuple[Ignored, ...]:
+    """Everything that Drake ignores in ``sdf`` or ``urdf``."""
     found = []
     for line in _FILE.read_text("utf-8").splitlines():
         if line.startswith("#"):

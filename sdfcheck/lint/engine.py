@@ -61,10 +61,6 @@ _ANALYSES = {
 """Where the analyses of each kind of document are; a run loads those that it needs."""
 
 _ANALYSES_FOR = {
-    "drake": {
-        Kind.SDF: ("sdfcheck.consumers.drake_sdf:problems",),
-        Kind.URDF: ("sdfcheck.consumers.drake_urdf:problems",),
-    },
     "gazebo": {
         Kind.SDF: ("sdfcheck.consumers.gazebo:classic_problems",),
         Kind.URDF: ("sdfcheck.consumers.gazebo:classic_problems",),
@@ -104,7 +100,10 @@ class Dispatch:
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
-            if facts.looks_at or facts.selects:
+            # Who explains what is wrong with a reader's own elements judges all others for those who ask about it.
+            if (facts.looks_at or facts.selects) and (
+                not facts.explains or self.readers & facts.affects.keys()
+            ):
                 self.by_subject.setdefault((facts.looks_at, facts.selects), []).append(facts)
 
 

@@ -12,7 +12,9 @@ from sdfcheck.lint.rule import Rule
 class VendorRule(Rule):
     """A rule about one kind of problem with the tags of one vendor.
 
-    A subclass names the kinds in ``explains`` and needs no ``check`` of its own.
+    A subclass names the kinds in ``explains`` and needs no ``check`` of its own. One that
+    also looks at objects of the robot does so for those who ask about the readers in
+    ``affects`` only: as a target, or by a rule that is off by default.
     """
 
     prefix: ClassVar[str]

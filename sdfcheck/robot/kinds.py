@@ -69,7 +69,7 @@ _OF_JOINTS = {
 
 CLASSES = {
     name: home
-    for home in {*_HOMES.values(), "custom:Custom", "part:Part", "parts.setting:Setting"}
+    for home in {*_HOMES.values(), "custom:Custom", "part:Part", "parts.setting:Setting", "root:Root"}
     for name in (home.partition(":")[2],)
 }
 """Class → where it is."""

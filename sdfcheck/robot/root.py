@@ -142,7 +142,7 @@ class Root(Part):
         part_of = self.part_of
         for element in elements:
             part = part_of(element)
-            if part is self and self.is_urdf:
+            if part is self and self.is_urdf and kind != "Root":
                 part = self.scopes[0]
             if isinstance(part, cls):
                 yield part

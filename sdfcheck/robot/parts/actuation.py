@@ -57,6 +57,14 @@ class Transmission(_JointNames):
         """Its ``actuator`` elements."""
         return tuple(self.children("actuator"))
 
+    @property
+    def reductions(self) -> tuple[Value, ...]:
+        """What it and its actuators write as ``mechanicalReduction``, with the places."""
+        holders = (self.element, *self.actuators)
+        return tuple(
+            found.own_value for holder in holders for found in holder.children("mechanicalReduction")
+        )
+
 
 class Ros2Control(_JointNames):
     """A ``ros2_control`` block."""
