@@ -7,6 +7,7 @@ from math import inf as math_inf
 from math import pi as math_pi
 from pathlib import PurePosixPath as pathlib_PurePosixPath
 from sdfcheck import Include as sdfcheck_Include
+from sdfcheck import Root as sdfcheck_Root
 import math as math_
 import re as re_
 
@@ -111,6 +112,100 @@ def FRM008_applies(joint):
 
 def FRM009_applies(reference):
     return reference.scope is None and reference.owner_element.tag in {'model', 'include'}
+
+gaz_ignition_name__PREFIX = 'ignition:'
+
+def gaz_ignition_name__is_prefixed(element):
+    return element.name.startswith(gaz_ignition_name__PREFIX) or any((name.startswith(gaz_ignition_name__PREFIX) for name in element.attributes))
+
+def gaz_ignition_name__all_elements(root):
+    yield root.element
+    yield from root.all_elements()
+
+gaz_ignition_name__SYSTEM = 'ignition-gazebo'
+
+gaz_ignition_name__NAMESPACE = 'ignition::'
+
+def gaz_ignition_name__is_of_ignition(plugin):
+    return plugin.filename.removeprefix('lib').startswith(gaz_ignition_name__SYSTEM) or plugin.name.startswith(gaz_ignition_name__NAMESPACE)
+
+gaz_ignition_name__GUI = 'ignition-gui'
+
+def GAZ001_applies(part):
+    if isinstance(part, sdfcheck_Root):
+        return gaz_ignition_name__PREFIX in part.document.source.text and any(map(gaz_ignition_name__is_prefixed, gaz_ignition_name__all_elements(part)))
+    return gaz_ignition_name__is_of_ignition(part) or part.has(gaz_ignition_name__GUI)
+
+def GAZ003_applies(block):
+    return block.is_unresolved
+
+gaz_extension_lost_by_name__HANDED_ON = {'collision': frozenset('collision fdir1 kd kp laserRetro maxContacts maxVel minDepth mu1 mu2'.split()), 'visual': frozenset(('material', 'visual'))}
+
+def gaz_extension_lost_by_name__lost(block):
+    link = block.link
+    if link is None:
+        return
+    for kind, handed_on in gaz_extension_lost_by_name__HANDED_ON.items():
+        settings = [child for child in block.children() if child.name in handed_on]
+        names = [shape.attribute('name') for shape in link.children(kind)] if settings else []
+        hidden = [n for n in names if n is not None and n.text.strip() and (not n.text.startswith(link.name))]
+        if hidden:
+            yield (settings, hidden)
+
+def GAZ004_applies(block):
+    return any(gaz_extension_lost_by_name__lost(block))
+
+gaz_disabled_lumping__DISABLED = 'disableFixedJointLumping'
+
+gaz_disabled_lumping__PRESERVED = 'preserveFixedJoint'
+
+def GAZ005_applies(block):
+    joint = block.joint if block.is_on(gaz_disabled_lumping__DISABLED) else None
+    if joint is None or not joint.is_fixed:
+        return False
+    return not any((other.is_on(gaz_disabled_lumping__PRESERVED) for other in joint.gazebo_blocks))
+
+def gaz_script_material___of_block(block):
+    link = block.link if block.has('material') else None
+    if link is not None and (not all((visual.has('material') for visual in link.visuals))):
+        for value in block.settings('material'):
+            if value.text.strip():
+                yield (value, value.text.strip())
+
+gaz_script_material__COLORS = ('ambient', 'diffuse', 'emissive', 'pbr')
+
+def gaz_script_material___of_material(material):
+    script = material.script
+    if script is not None and (not any(map(material.has, gaz_script_material__COLORS))):
+        name = script.find('name')
+        named = name is not None and name.content
+        yield ((name.own_value, named) if name is not None and named else (script, ''))
+
+def gaz_script_material__scripts(root):
+    text = root.document.source.text
+    if root.is_urdf and '<gazebo' in text:
+        for block in root.each('GazeboBlock'):
+            yield from gaz_script_material___of_block(block)
+    elif not root.is_urdf and '<script' in text:
+        for visual in root.each('Visual'):
+            yield from gaz_script_material___of_material(visual.material)
+
+def GAZ006_applies(root):
+    return any(gaz_script_material__scripts(root))
+
+gaz_frame_id_spelling__CURRENT = 'gz_frame_id'
+
+def gaz_frame_id_spelling__misnamed(root):
+    found = {}
+    for sensor in root.each('Sensor'):
+        for name in (gaz_frame_id_spelling__CURRENT, 'ignition_frame_id'):
+            if not root.is_urdf or name != gaz_frame_id_spelling__CURRENT:
+                for element in sensor.children(name):
+                    found.setdefault(name, []).append(element)
+    return found
+
+def GAZ007_applies(root):
+    return '_frame_id' in root.document.source.text and bool(gaz_frame_id_spelling__misnamed(root))
 
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
@@ -578,6 +673,12 @@ CONDITIONS = {
     'FRM007': FRM007_applies,
     'FRM008': FRM008_applies,
     'FRM009': FRM009_applies,
+    'GAZ001': GAZ001_applies,
+    'GAZ003': GAZ003_applies,
+    'GAZ004': GAZ004_applies,
+    'GAZ005': GAZ005_applies,
+    'GAZ006': GAZ006_applies,
+    'GAZ007': GAZ007_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,

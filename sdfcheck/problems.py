@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sdfcheck.consumers.gazebo_problems import *  # noqa: F403
     from sdfcheck.formats.namespace_problems import *  # noqa: F403
     from sdfcheck.formats.sdf.problems import *  # noqa: F403
     from sdfcheck.formats.urdf.problems import *  # noqa: F403
@@ -16,7 +15,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.file_problems import *  # noqa: F403
     from sdfcheck.robot.include_problems import *  # noqa: F403
     from sdfcheck.robot.model_config import *  # noqa: F403
-    from sdfcheck.robot.robot_problems import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
     from sdfcheck.xacro.problems import *  # noqa: F403
 
@@ -25,13 +23,11 @@ _HOMES = (
     "sdfcheck.formats.namespace_problems",
     "sdfcheck.formats.sdf.problems",
     "sdfcheck.formats.urdf.problems",
-    "sdfcheck.robot.robot_problems",
     "sdfcheck.robot.file_problems",
     "sdfcheck.robot.include_problems",
     "sdfcheck.robot.model_config",
     "sdfcheck.xacro.problems",
     "sdfcheck.formats.vendor.problems",
-    "sdfcheck.consumers.gazebo_problems",
 )
 
 

@@ -1,3 +1,4 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -8,12 +9,32 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Plugin,
+    Root,
     Rule,
+    Sensor,
     Severity,
-    problems,
+    Target,
     used,
     warns,
 )
+
+ELEMENTS = {
+    "audio": "world",
+    "audio_sink": "link",
+    "audio_source": "link",
+    "camera": "gui",
+    "gripper": "model",
+    "population": "world",
+    "road": "world",
+    "state": "world",
+}
+"""Element → the parent in which it is meant."""
+
+SENSORS = frozenset(("multicamera", "rfid", "rfidtag", "sonar", "wireless_receiver", "wireless_transmitter"))
+
+PLUGIN = re.compile(r"libgazebo_\w+\.so|lib\w+Plugin\.so")
+"""The bridges to ROS, and the plugins that came with it, such as ``libDiffDrivePlugin.so``."""
 
 
 class ClassicOnlyElement(Rule):
@@ -29,7 +50,7 @@ class ClassicOnlyElement(Rule):
     severity = Severity.WARNING
     default = False
     affects = {Consumer.GAZEBO: warns("ignores it")}
-    explains = (problems.ClassicOnlyElement,)
+    looks_at = (Root,)
     scaffold = IN_MODEL
 
     bad = (
@@ -62,7 +83,23 @@ class ClassicOnlyElement(Rule):
         ),
     )
 
-    def check(self, problem: problems.ClassicOnlyElement) -> Iterator[Diagnostic]:
-        yield self.diagnostic(
-            problem.target, f"{problem.what} is for Gazebo Classic only{used(problem.count)}"
-        )
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        found: dict[str, list[Target]] = {}
+        for target, what in _uses(root):
+            found.setdefault(what, []).append(target)
+        for what, targets in found.items():
+            yield self.diagnostic(targets[0], f"{what} is for Gazebo Classic only{used(len(targets))}")
+
+
+def _uses(root: Root) -> Iterator[tuple[Target, str]]:
+    if not root.is_urdf:
+        for name, parent in ELEMENTS.items():
+            for element in root.elements.get(name, ()):
+                if element.parent is not None and element.parent.name == parent:
+                    yield element, f"`{name}` in `{parent}`"
+        for sensor in root.each(Sensor):
+            if sensor.type in SENSORS and sensor.type_value is not None:
+                yield sensor.type_value, f"sensor type `{sensor.type}`"
+    for plugin in root.each(Plugin):
+        if plugin.filename_value is not None and PLUGIN.fullmatch(plugin.filename):
+            yield plugin.filename_value, f"plugin `{plugin.filename}`"

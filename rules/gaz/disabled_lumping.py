@@ -1,6 +1,9 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, GazeboBlock, Good, Rule, Severity, make_fix, warns
+
+DISABLED = "disableFixedJointLumping"
+PRESERVED = "preserveFixedJoint"
 
 LINKS = '<link name="a"/><link name="b"/>'
 ENDS = '<parent link="a"/><child link="b"/>'
@@ -18,7 +21,7 @@ class DisabledLumping(Rule):
     name = "disabled-lumping"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("makes a revolute joint")}
-    explains = (problems.DisabledLumping,)
+    looks_at = (GazeboBlock,)
     scaffold = ROBOT
 
     bad = (
@@ -44,10 +47,17 @@ class DisabledLumping(Rule):
         ),
     )
 
-    def check(self, problem: problems.DisabledLumping) -> Iterator[Diagnostic]:
-        element = problem.element
-        spans = (element.span, element.document.spans.end_name(element))
-        edits = tuple(Edit(span, "preserveFixedJoint") for span in spans if span is not None)
-        fix = make_fix("rename it to `preserveFixedJoint`", edits, unsafe=True)
-        message = f"`{element.name}` makes {problem.joint.title} revolute"
-        yield self.diagnostic(element, message, fix=fix)
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        joint = block.joint if block.is_on(DISABLED) else None
+        if joint is None or not joint.is_fixed:
+            return False
+        return not any(other.is_on(PRESERVED) for other in joint.gazebo_blocks)
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        for element in block.switched_on(DISABLED):
+            title = block.joint.title if block.joint is not None else block.reference
+            spans = (element.span, element.document.spans.end_name(element))
+            edits = tuple(Edit(span, PRESERVED) for span in spans if span is not None)
+            fix = make_fix(f"rename it to `{PRESERVED}`", edits, unsafe=True)
+            yield self.diagnostic(element, f"`{DISABLED}` makes {title} revolute", fix=fix)

@@ -1,6 +1,24 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems, warns
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    GazeboBlock,
+    Good,
+    Rule,
+    Severity,
+    Value,
+    named,
+    warns,
+)
+
+HANDED_ON = {
+    "collision": frozenset("collision fdir1 kd kp laserRetro maxContacts maxVel minDepth mu1 mu2".split()),
+    "visual": frozenset(("material", "visual")),
+}
+"""The settings that libsdformat hands on to the collisions or visuals of the link."""
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 ROBOT = f'<robot name="r"><link name="base"><collision name="hull">{BOX}</collision></link>{{}}</robot>'
@@ -18,7 +36,7 @@ class ExtensionLostByName(Rule):
     name = "extension-lost-by-name"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("drops the settings")}
-    explains = (problems.ExtensionLostByName,)
+    looks_at = (GazeboBlock,)
     scaffold = ROBOT
 
     bad = (
@@ -47,14 +65,32 @@ class ExtensionLostByName(Rule):
         ),
     )
 
-    def check(self, problem: problems.ExtensionLostByName) -> Iterator[Diagnostic]:
-        first, shape = problem.settings[0], problem.name.element
-        names = dict.fromkeys(setting.name for setting in problem.settings)
-        verb = "do" if len(names) > 1 else "does"
-        others = f" and {problem.count - 1} more" if problem.count > 1 else ""
-        yield self.diagnostic(
-            first,
-            f"{named(names)} {verb} not reach {shape.title}{others} of link `{problem.link}`, because it has a name",
-            labels={problem.name: "this name"},
-            help=f"remove the name, or let it begin with `{problem.link}`",
-        )
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        return any(lost(block))
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        for settings, hidden in lost(block):
+            names = dict.fromkeys(setting.name for setting in settings)
+            verb = "do" if len(names) > 1 else "does"
+            shape, link = hidden[0].element.title, block.reference
+            others = f" and {len(hidden) - 1} more" if len(hidden) > 1 else ""
+            yield self.diagnostic(
+                settings[0],
+                f"{named(names)} {verb} not reach {shape}{others} of link `{link}`, because it has a name",
+                labels={hidden[0]: "this name"},
+                help=f"remove the name, or let it begin with `{link}`",
+            )
+
+
+def lost(block: GazeboBlock) -> Iterator[tuple[list[Element], list[Value]]]:
+    """The settings for a link's shapes, and the names that hide some: those that do not begin with the link's."""
+    link = block.link
+    if link is None:
+        return
+    for kind, handed_on in HANDED_ON.items():
+        settings = [child for child in block.children() if child.name in handed_on]
+        names = [shape.attribute("name") for shape in link.children(kind)] if settings else []
+        hidden = [n for n in names if n is not None and n.text.strip() and not n.text.startswith(link.name)]
+        if hidden:
+            yield settings, hidden

@@ -6,14 +6,19 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Edit,
+    Element,
     Good,
+    Root,
     Rule,
     Severity,
     make_fix,
-    problems,
     used,
     warns,
 )
+
+STANDARD = "frame_id"
+CURRENT = "gz_frame_id"
+STANDARD_SINCE = (1, 12)
 
 SENSOR = (
     '<sdf version="1.9"><model name="m"><link name="base"><sensor name="s" type="imu"><imu/>{}</sensor>'
@@ -38,7 +43,7 @@ class FrameIdSpelling(Rule):
     name = "frame-id-spelling"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("warns, and may ignore it"), Consumer.DRAKE: {"sdf": REFUSES}}
-    explains = (problems.FrameIdSpelling,)
+    looks_at = (Root,)
     scaffold = SENSOR
 
     bad = (
@@ -67,17 +72,38 @@ class FrameIdSpelling(Rule):
         Good("<gz_frame_id>imu</gz_frame_id>", why="what there is for URDF", scaffold=ROBOT),
     )
 
-    def check(self, problem: problems.FrameIdSpelling) -> Iterator[Diagnostic]:
-        element, instead = problem.elements[0], problem.instead
-        times = used(len(problem.elements))
-        if element.name == instead:
-            message = f"`{instead}`{times} is not in SDFormat {problem.version}; Gazebo reads it all the same"
-            advice = "from version 1.12 on there is `frame_id`"
-            yield self.diagnostic(element, message, help=advice, severity=Severity.INFO)
-            return
-        message = f"`{element.name}`{times} is now called `{instead}`"
-        if instead == "frame_id":
-            message = f"`{element.name}`{times} is `frame_id` in SDFormat {problem.version}"
-        spans = (span for use in problem.elements for span in (use.span, use.document.spans.end_name(use)))
-        edits = tuple(Edit(span, instead) for span in spans if span is not None)
-        yield self.diagnostic(element, message, fix=make_fix(f"rename it to `{instead}`", edits))
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return "_frame_id" in root.document.source.text and bool(misnamed(root))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        instead, version = fitting(root), root.read_as
+        for name, elements in misnamed(root).items():
+            times = used(len(elements))
+            if name == instead:
+                message = f"`{name}`{times} is not in SDFormat {version}; Gazebo reads it all the same"
+                advice = "from version 1.12 on there is `frame_id`"
+                yield self.diagnostic(elements[0], message, help=advice, severity=Severity.INFO)
+                continue
+            message = f"`{name}`{times} is now called `{instead}`"
+            if instead == STANDARD:
+                message = f"`{name}`{times} is `{instead}` in SDFormat {version}"
+            spans = (span for use in elements for span in (use.span, use.document.spans.end_name(use)))
+            edits = tuple(Edit(span, instead) for span in spans if span is not None)
+            yield self.diagnostic(elements[0], message, fix=make_fix(f"rename it to `{instead}`", edits))
+
+
+def fitting(root: Root) -> str:
+    """The name for the version of a file."""
+    return STANDARD if not root.is_urdf and root.read_as >= STANDARD_SINCE else CURRENT
+
+
+def misnamed(root: Root) -> dict[str, list[Element]]:
+    """Name → the frame ids that have it; in SDF files any other name than the standard one."""
+    found: dict[str, list[Element]] = {}
+    for sensor in root.each("Sensor"):
+        for name in (CURRENT, "ignition_frame_id"):
+            if not root.is_urdf or name != CURRENT:
+                for element in sensor.children(name):
+                    found.setdefault(name, []).append(element)
+    return found

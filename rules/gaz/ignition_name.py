@@ -7,13 +7,25 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Edit,
+    Element,
     Good,
+    Plugin,
+    Root,
     Rule,
     Severity,
+    Span,
+    Value,
     make_fix,
-    problems,
     warns,
 )
+from sdfcheck_rules.gaz.ignition import new_class, new_file
+
+PREFIX = "ignition:"
+NEW_PREFIX = "gz:"
+GUI = "ignition-gui"
+NEW_GUI = "gz-gui"
+SYSTEM = "ignition-gazebo"
+NAMESPACE = "ignition::"
 
 OLD, NEW = "http://ignitionrobotics.org/schema", "http://gazebosim.org/schema"
 
@@ -29,7 +41,7 @@ class IgnitionName(Rule):
     name = "ignition-name"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("does not find it, from Harmonic on")}
-    explains = (problems.IgnitionName,)
+    looks_at = (Plugin, Root)
     scaffold = IN_MODEL
 
     bad = (
@@ -81,7 +93,85 @@ class IgnitionName(Rule):
         ),
     )
 
-    def check(self, problem: problems.IgnitionName) -> Iterator[Diagnostic]:
-        edits = tuple(Edit(span, text) for span, text in problem.changes)
-        fix = make_fix(f"rename it to `{problem.new}`", edits)
-        yield self.diagnostic(problem.span, f"`{problem.old}` is now called `{problem.new}`", fix=fix)
+    @staticmethod
+    def applies(part: Plugin | Root) -> bool:
+        if isinstance(part, Root):
+            return PREFIX in part.document.source.text and any(map(is_prefixed, all_elements(part)))
+        return is_of_ignition(part) or part.has(GUI)
+
+    def check(self, part: Plugin | Root) -> Iterator[Diagnostic]:
+        if isinstance(part, Root):
+            uses = [Edit(span, NEW_PREFIX + span.text[len(PREFIX) :]) for span in _prefixed(part)]
+            first = uses[0].span
+            place = first.source.span(first.start, first.start + len(PREFIX) - 1)
+            yield self._report(place, PREFIX[:-1], NEW_PREFIX[:-1], [*uses, *_declarations(part)])
+            return
+        if changes := _changes(part):
+            (value, new), *_ = changes
+            yield self._report(value.span, value.text, new, [Edit(old.span, name) for old, name in changes])
+        for element in part.children(GUI):
+            yield self._report(element.span, GUI, NEW_GUI, [Edit(span, NEW_GUI) for span in _names(element)])
+
+    def _report(self, place: Span, old: str, new: str, edits: list[Edit]) -> Diagnostic:
+        fix = make_fix(f"rename it to `{new}`", tuple(dict.fromkeys(edits)))
+        return self.diagnostic(place, f"`{old}` is now called `{new}`", fix=fix)
+
+
+def is_of_ignition(plugin: Plugin) -> bool:
+    """Is a plugin called after Ignition?"""
+    return plugin.filename.removeprefix("lib").startswith(SYSTEM) or plugin.name.startswith(NAMESPACE)
+
+
+def _changes(plugin: Plugin) -> list[tuple[Value, str]]:
+    """What file and class are called now: one name in two spellings, to be changed together."""
+    renamed = ((plugin.filename_value, new_file), (plugin.name_value, new_class))
+    found = [(value, rename(value.text)) for value, rename in renamed if value is not None]
+    return [(value, new) for value, new in found if new is not None]
+
+
+def all_elements(root: Root) -> Iterator[Element]:
+    """The root element and all in it."""
+    yield root.element
+    yield from root.all_elements()
+
+
+def is_prefixed(element: Element) -> bool:
+    """Do the names of an element or its attributes have the prefix of Ignition?"""
+    return element.name.startswith(PREFIX) or any(name.startswith(PREFIX) for name in element.attributes)
+
+
+def _prefixed(root: Root) -> Iterator[Span]:
+    """The names with the prefix."""
+    for element in filter(is_prefixed, all_elements(root)):
+        if element.name.startswith(PREFIX):
+            yield from _names(element)
+        spans = element.document.spans
+        yield from (
+            spans.attribute_name(element, name) for name in element.attributes if name.startswith(PREFIX)
+        )
+
+
+def _names(element: Element) -> Iterator[Span]:
+    """The names in the start tag and in the end tag, if there is one."""
+    yield element.span
+    end = element.document.spans.end_name(element)
+    if end is not None:
+        yield end
+
+
+def _declarations(root: Root) -> Iterator[Edit]:
+    """The changes to declarations of the prefix; one goes where its successor has one."""
+    old, new = f"xmlns:{PREFIX[:-1]}", f"xmlns:{NEW_PREFIX[:-1]}"
+    if old not in root.document.source.text:
+        return
+    spans = root.document.spans
+    for element in all_elements(root):
+        given = {attribute.name for attribute in spans.start_tag(element).attributes}
+        if old not in given:
+            continue
+        if new in given or NEW_PREFIX[:-1] in element.nsmap:
+            yield Edit(spans.attribute_whole(element, old), "")
+            continue
+        yield Edit(spans.attribute_name(element, old), new)
+        if (value := spans.attribute_value(element, old)).text == OLD:
+            yield Edit(value, NEW)

@@ -1,6 +1,24 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_VISUAL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used, warns
+from sdfcheck import (
+    IN_VISUAL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    GazeboBlock,
+    Good,
+    Material,
+    Root,
+    Rule,
+    Severity,
+    Target,
+    used,
+    warns,
+)
+
+COLORS = ("ambient", "diffuse", "emissive", "pbr")
+PALETTE = "Gazebo/"
+"""How the names begin that recent releases know."""
 
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 SHAPE = "<geometry><box><size>1 1 1</size></box></geometry>"
@@ -23,7 +41,7 @@ class ScriptMaterial(Rule):
         Consumer.GAZEBO: warns("shows the default colour"),
         Consumer.DRAKE: {"sdf": warns("shows the default colour")},
     }
-    explains = (problems.ScriptMaterial,)
+    looks_at = (Root,)
     scaffold = IN_VISUAL
 
     bad = (
@@ -52,12 +70,47 @@ class ScriptMaterial(Rule):
         ),
     )
 
-    def check(self, problem: problems.ScriptMaterial) -> Iterator[Diagnostic]:
-        script = f"material script `{problem.script}`" if problem.script else "a material script"
-        severity = Severity.INFO if problem.script.startswith("Gazebo/") else None
-        yield self.diagnostic(
-            problem.target,
-            f"new Gazebo does not read {script}{used(problem.count)}, and no colour stands beside it",
-            help="give the material `ambient` and `diffuse`",
-            severity=severity,
-        )
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(scripts(root))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        found: dict[str, list[Target]] = {}
+        for target, name in scripts(root):
+            found.setdefault(name, []).append(target)
+        for name, targets in found.items():
+            script = f"material script `{name}`" if name else "a material script"
+            yield self.diagnostic(
+                targets[0],
+                f"new Gazebo does not read {script}{used(len(targets))}, and no colour stands beside it",
+                help="give the material `ambient` and `diffuse`",
+                severity=Severity.INFO if name.startswith(PALETTE) else None,
+            )
+
+
+def scripts(root: Root) -> Iterator[tuple[Target, str]]:
+    """The scripts that alone say what something looks like, and their names."""
+    text = root.document.source.text
+    if root.is_urdf and "<gazebo" in text:
+        for block in root.each("GazeboBlock"):
+            yield from _of_block(block)
+    elif not root.is_urdf and "<script" in text:
+        for visual in root.each("Visual"):
+            yield from _of_material(visual.material)
+
+
+def _of_block(block: GazeboBlock) -> Iterator[tuple[Target, str]]:
+    """`Gazebo/Red` for a link that has a visual without material of its own."""
+    link = block.link if block.has("material") else None
+    if link is not None and not all(visual.has("material") for visual in link.visuals):
+        for value in block.settings("material"):
+            if value.text.strip():
+                yield value, value.text.strip()
+
+
+def _of_material(material: Material) -> Iterator[tuple[Target, str]]:
+    script = material.script
+    if script is not None and not any(map(material.has, COLORS)):
+        name = script.find("name")
+        named = name is not None and name.content
+        yield (name.own_value, named) if name is not None and named else (script, "")

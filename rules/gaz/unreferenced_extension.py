@@ -1,6 +1,9 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Root, Rule, Severity, warns
+
+OTHERS = ("visual", "collision", "material", "robot")
+"""What else has a name that one may take for a reference."""
 
 
 class UnreferencedExtension(Rule):
@@ -15,7 +18,7 @@ class UnreferencedExtension(Rule):
     name = "unreferenced-extension"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: warns("drops the block")}
-    explains = (problems.UnreferencedExtension,)
+    looks_at = (GazeboBlock,)
     scaffold = IN_ROBOT
 
     bad = (
@@ -33,11 +36,22 @@ class UnreferencedExtension(Rule):
         Good("<gazebo><static>true</static></gazebo>", why="for the robot"),
     )
 
-    def check(self, problem: problems.UnreferencedExtension) -> Iterator[Diagnostic]:
-        name = problem.value.text
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        return block.is_unresolved
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        name, model = block.reference, block.model
         message = f"there is no link or joint `{name}`"
-        if problem.kind is not None:
-            message = f"`{name}` is a {problem.kind}, not a link or joint"
-        elif problem.suggestion is not None:
-            message += f"; did you mean `{problem.suggestion}`?"
-        yield self.diagnostic(problem.value, message)
+        kind = next((kind for kind in OTHERS if _has(block.root, kind, name)), None)
+        known = {*model.tree.links, *model.joints_by_name, *model.link_names.unknown}
+        if kind is not None:
+            message = f"`{name}` is a {kind}, not a link or joint"
+        elif (meant := block.nearest(name, known)) is not None:
+            message += f"; did you mean `{meant}`?"
+        yield self.diagnostic(block.reference_value or block, message)
+
+
+def _has(root: Root, kind: str, name: str) -> bool:
+    """Is there an element of that kind and name?"""
+    return any(element.attributes.get("name") == name for element in root.elements.get(kind, ()))

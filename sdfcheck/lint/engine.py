@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -47,26 +46,16 @@ _ANALYSES = {
         "sdfcheck.formats.sdf.survey:problems",
         "sdfcheck.formats.sdf.structure:structure_problems",
         "sdfcheck.robot.resources:problems",
-        "sdfcheck.consumers.gazebo:problems",
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",
         "sdfcheck.formats.urdf.names:problems",
-        "sdfcheck.robot.urdf_references:problems",
         "sdfcheck.robot.resources:urdf_problems",
         "sdfcheck.consumers.gazebo:problems",
     ),
     Kind.MODEL_CONFIG: ("sdfcheck.robot.model_config:problems",),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
-
-_ANALYSES_FOR = {
-    "gazebo": {
-        Kind.SDF: ("sdfcheck.consumers.gazebo:classic_problems",),
-        Kind.URDF: ("sdfcheck.consumers.gazebo:classic_problems",),
-    },
-}
-"""Reader → analyses of what it does not support; they run for those who ask about the reader."""
 
 
 class FileResult(NamedTuple):
@@ -91,19 +80,16 @@ class Dispatch:
         self.index = index
         self.severities = active.severities
         self.targets = active.targets
-        waiting = (facts for facts in active.facts if not facts.default)
-        self.readers = active.targets.union(*(facts.affects for facts in waiting))
-        """The readers that somebody asks about: as a target, or by a rule that is off by default."""
+        # The readers that somebody asks about: as a target, or by a rule that is off by default.
+        asked = active.targets.union(*(facts.affects for facts in active.facts if not facts.default))
         self.by_problem: dict[str, list[RuleFacts]] = {}
         self.by_subject: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
         """What is looked at (classes of the robot, selectors of elements) → the rules that do."""
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
-            # Who explains what is wrong with a reader's own elements judges all others for those who ask about it.
-            if (facts.looks_at or facts.selects) and (
-                not facts.explains or self.readers & facts.affects.keys()
-            ):
+            # A rule about a reader's own elements judges the others for those who ask about the reader.
+            if (facts.looks_at or facts.selects) and not (facts.explains and asked.isdisjoint(facts.affects)):
                 self.by_subject.setdefault((facts.looks_at, facts.selects), []).append(facts)
 
 
@@ -141,7 +127,7 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     """All diagnostics of one document, sorted by place."""
     textual: list[Diagnostic] = []
     found: list[Diagnostic] = []
-    for analysis in analyses(document, dispatch.readers):
+    for analysis in analyses(document):
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     if tables := _tables(document, dispatch):
@@ -157,15 +143,10 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     return sorted({*textual, *certain}, key=lambda diagnostic: diagnostic.sort_key)
 
 
-def analyses(
-    document: Document, readers: frozenset[str] = frozenset()
-) -> Iterator[Callable[[Document], Iterable[object]]]:
+def analyses(document: Document) -> Iterator[Callable[[Document], Iterable[object]]]:
     """The analyses that fit a document's kind; each yields problems for rules to explain."""
     of_text = () if document.is_expanded else _ANALYSES_OF_ALL
-    of_readers = [
-        _ANALYSES_FOR[reader].get(document.kind, ()) for reader in sorted(readers & _ANALYSES_FOR.keys())
-    ]
-    for path in (*of_text, *_ANALYSES.get(document.kind, ()), *chain.from_iterable(of_readers)):
+    for path in (*of_text, *_ANALYSES.get(document.kind, ())):
         yield _analysis(path)
 
 

@@ -52,6 +52,7 @@ _ELSEWHERE = {
     "model": frozenset(("sdf", "world", "model", "gazebo")),
     "joint": frozenset(("model", "world", "robot", "gazebo")),
     "frame": frozenset(("model", "world")),
+    "gazebo": frozenset(("robot",)),
     "material": frozenset(("visual", "robot", "collision")),
     "physics": frozenset(("world",)),
     "plugin": frozenset(("world", "model", "sensor", "visual", "gui", "actor", "light", "gazebo")),

@@ -133,6 +133,10 @@ class Part:
         """The child elements, or those of one name."""
         return self.element.children(name) if self.is_given else iter(())
 
+    def all_elements(self) -> Iterator[Element]:
+        """All elements in it, those of plugins as well, in the order of the file."""
+        return self.element.iterdescendants("*") if self.is_given else iter(())  # type: ignore[return-value]
+
     def lacks(self, name: str) -> bool:
         """Is there neither an attribute nor a child element of a name, not even a misspelled one?"""
         if self.value(name) is not None or self.misspells(name):

@@ -14,6 +14,7 @@ from sdfcheck.robot.values import lazy
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.formats.sdf.version import Version
     from sdfcheck.robot.frame_reference import FrameReference
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
@@ -76,6 +77,13 @@ class Root(Part):
     def actors(self) -> tuple[Actor, ...]:
         """The actors that are in no world."""
         return tuple(self._parts("actor"))
+
+    @property
+    def read_as(self) -> Version:
+        """The version of the format as which it is read: the newest where none or an unknown one is declared."""
+        from sdfcheck.formats.sdf.survey import survey
+
+        return survey(self.document).version
 
     @lazy
     def scopes(self) -> tuple[Scope, ...]:
@@ -227,7 +235,9 @@ class Root(Part):
             index = urdf_survey(self.document).index
             if not index.get("gazebo"):
                 return index
-            return _with_extensions(index)
+            from sdfcheck.robot.gazebo_blocks import with_extensions
+
+            return with_extensions(index)
         from sdfcheck.formats.sdf.survey import survey
 
         return survey(self.document).index
@@ -283,15 +293,3 @@ def root_of(document: Document) -> Root:
 def is_readable(document: Document) -> bool:
     """Is there anything to be read as a robot?"""
     return document.root is not None and document.kind in {Kind.SDF, Kind.URDF}
-
-
-def _with_extensions(index: Mapping[str, list[Element]]) -> Mapping[str, list[Element]]:
-    found = {name: list(elements) for name, elements in index.items()}
-    for block in index["gazebo"]:
-        waiting = list(block.children())
-        while waiting:
-            element = waiting.pop(0)
-            found.setdefault(element.name, []).append(element)
-            if element.name != "plugin":
-                waiting[:0] = element.children()
-    return found

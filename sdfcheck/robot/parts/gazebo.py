@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, cast
 
+from sdfcheck.formats.urdf.table import is_expression
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy
 
@@ -56,6 +57,29 @@ class GazeboBlock(Part):
         )
 
     @property
+    def is_unresolved(self) -> bool:
+        """Does its reference name no link or joint?
+
+        What is yet to be expanded is left out, and a name by which joints call a link that is not there.
+        """
+        name = self.reference
+        if not name or self.link is not None or self.joint is not None:
+            return False
+        return not is_expression(name) and name not in self.model.link_names.unknown
+
+    @property
+    def link(self) -> Link | None:
+        """The link that it is about; None if it is about something else."""
+        subject = self.subject
+        return cast("Link", subject) if subject is not None and subject.kind == "link" else None
+
+    @property
+    def joint(self) -> Joint | None:
+        """The joint that it is about; None if it is about something else."""
+        subject = self.subject
+        return cast("Joint", subject) if subject is not None and subject.kind == "joint" else None
+
+    @property
     def sensors(self) -> tuple[Sensor, ...]:
         return self._all("sensor")
 
@@ -82,13 +106,13 @@ class GazeboBlock(Part):
         for child in self.children(name):
             yield child.attribute("value") or child.own_value
 
+    def switched_on(self, name: str) -> list[Element]:
+        """The settings of a name that are true."""
+        return [value.element for value in self.settings(name) if value.text.strip().lower() in _TRUE]
+
     def is_on(self, name: str) -> bool:
         """Is a setting of this name true?"""
-        return any(value.text.strip().lower() in _TRUE for value in self.settings(name))
-
-    def all_elements(self) -> Iterator[Element]:
-        """All elements in it, those of plugins as well, in the order of the file."""
-        return self.element.iterdescendants("*")  # type: ignore[return-value]
+        return bool(self.switched_on(name))
 
     def elements(self) -> Iterator[Element]:
         """All elements in it but those of plugins."""

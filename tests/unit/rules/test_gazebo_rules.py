@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
-from sdfcheck import problems
-from sdfcheck.consumers.gazebo import classic_problems
-from sdfcheck.consumers.gazebo import problems as gazebo_problems
-from sdfcheck.consumers.gazebo_names import new_class, new_file
-from sdfcheck.source.document import read
-from sdfcheck.source.record import Record
+import sdfcheck
+from sdfcheck_rules.gaz.ignition import new_class, new_file
 
 LINK = '<link name="base">{}</link>'
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 
 
-def found(text: str) -> list[object]:
-    return list(gazebo_problems(read(text.encode(), Path("f"))))
+def reported(text: str) -> list[sdfcheck.Diagnostic]:
+    """What the rules about Gazebo report in a document."""
+    return list(sdfcheck.lint(text, isolated=True, select=["GAZ"]).diagnostics)
 
 
-def in_model(text: str, version: str = "1.9") -> list[object]:
-    return found(f'<sdf version="{version}"><model name="m"><link name="l"/>{text}</model></sdf>')
+def in_model(text: str, version: str = "1.9") -> list[sdfcheck.Diagnostic]:
+    return reported(f'<sdf version="{version}"><model name="m"><link name="l"/>{text}</model></sdf>')
+
+
+def changes(diagnostic: sdfcheck.Diagnostic) -> list[tuple[str, str]]:
+    """What the fix replaces, and by what."""
+    assert diagnostic.fix is not None
+    return [(edit.span.text, edit.text) for edit in diagnostic.fix.edits]
 
 
 @pytest.mark.parametrize(
@@ -38,6 +39,9 @@ def in_model(text: str, version: str = "1.9") -> list[object]:
 )
 def test_files(old: str, new: str | None) -> None:
     assert new_file(old) == new
+    assert [d.code for d in in_model(f'<plugin name="p" filename="{old}"/>')].count("GAZ001") == (
+        new is not None
+    )
 
 
 @pytest.mark.parametrize(
@@ -53,22 +57,22 @@ def test_files(old: str, new: str | None) -> None:
 )
 def test_classes(old: str, new: str | None) -> None:
     assert new_class(old) == new
+    assert len(in_model(f'<plugin name="{old}" filename="p"/>')) == (new is not None)
 
 
 def test_file_and_class_are_one_name() -> None:
     (one,) = in_model('<plugin filename="ignition-gazebo-x-system" name="ignition::gazebo::systems::X"/>')
-    assert isinstance(one, problems.IgnitionName)
-    assert [text for _, text in one.changes] == ["gz-sim-x-system", "gz::sim::systems::X"]
+    assert [text for _, text in changes(one)] == ["gz-sim-x-system", "gz::sim::systems::X"]
+
+
+def test_a_plugin_of_another_program_is_left_alone() -> None:
+    assert in_model('<plugin filename="ignition-gazebo" name="p"/>') == []
 
 
 def test_a_prefix_that_nobody_declared() -> None:
     (one,) = in_model('<ignition:a ignition:b="1"><c/></ignition:a>')
-    assert isinstance(one, problems.IgnitionName)
-    assert sorted((span.text, text) for span, text in one.changes) == [
-        ("ignition:a", "gz:a"),
-        ("ignition:a", "gz:a"),
-        ("ignition:b", "gz:b"),
-    ]
+    assert one.span.text == "ignition"
+    assert sorted(changes(one)) == [("ignition:a", "gz:a"), ("ignition:a", "gz:a"), ("ignition:b", "gz:b")]
 
 
 def test_a_word_that_is_no_name() -> None:
@@ -89,16 +93,19 @@ def test_a_word_that_is_no_name() -> None:
 def test_frame_ids(version: str, name: str, instead: str) -> None:
     sensor = f'<link name="k"><sensor name="s" type="imu"><{name}>a</{name}></sensor></link>'
     (one,) = in_model(sensor, version)
-    assert isinstance(one, problems.FrameIdSpelling)
-    assert (one.instead, one.version) == (instead, version)
+    if name == instead:
+        assert one.fix is None
+        assert f"not in SDFormat {version}" in one.message
+    else:
+        assert changes(one) == [(name, instead)] * 2
 
 
 def test_frame_ids_elsewhere() -> None:
     assert in_model('<plugin filename="f"><frame_id>a</frame_id><gz_frame_id>a</gz_frame_id></plugin>') == []
 
 
-def robot(link: str, block: str, joint: str = "fixed") -> list[object]:
-    return found(
+def robot(link: str, block: str, joint: str = "fixed") -> list[sdfcheck.Diagnostic]:
+    return reported(
         f'<robot name="r">{LINK.format(link)}<link name="b"/><joint name="j" type="{joint}">'
         f'<parent link="base"/><child link="b"/></joint>{block}</robot>'
     )
@@ -109,15 +116,14 @@ def robot(link: str, block: str, joint: str = "fixed") -> list[object]:
 )
 def test_named_shapes(name: str, lost: bool) -> None:
     shape = f'<collision name="{name}">{BOX}</collision>'
-    reported = robot(shape, '<gazebo reference="base"><mu1>1</mu1></gazebo>')
-    assert [type(one) for one in reported] == [problems.ExtensionLostByName] * lost
+    found = robot(shape, '<gazebo reference="base"><mu1>1</mu1></gazebo>')
+    assert [one.code for one in found] == ["GAZ004"] * lost
 
 
 def test_how_many_shapes_are_missed() -> None:
     shapes = "".join(f'<collision name="c{n}">{BOX}</collision>' for n in range(3))
     (one,) = robot(shapes, '<gazebo reference="base"><mu1>1</mu1><kp>1</kp></gazebo>')
-    assert isinstance(one, problems.ExtensionLostByName)
-    assert (one.count, len(one.settings)) == (3, 2)
+    assert one.message.startswith("`mu1` and `kp` do not reach collision `c0` and 2 more of link `base`")
 
 
 @pytest.mark.parametrize(
@@ -130,8 +136,8 @@ def test_how_many_shapes_are_missed() -> None:
     ],
 )
 def test_lumping(joint: str, block: str, count: int) -> None:
-    reported = robot("", f'<gazebo reference="j">{block}</gazebo>', joint)
-    assert [type(one) for one in reported] == [problems.DisabledLumping] * count
+    found = robot("", f'<gazebo reference="j">{block}</gazebo>', joint)
+    assert [one.code for one in found] == ["GAZ005"] * count
 
 
 def test_lumping_settled_in_another_block() -> None:
@@ -143,17 +149,48 @@ def test_lumping_settled_in_another_block() -> None:
 def test_materials() -> None:
     block = '<gazebo reference="base"><material>Wood</material></gazebo>'
     (one,) = robot(f"<visual>{BOX}</visual>", block)
-    assert isinstance(one, problems.ScriptMaterial)
-    assert one.script == "Wood"
+    assert (one.code, one.span.text, one.severity) == ("GAZ006", "Wood", sdfcheck.Severity.WARNING)
     assert robot("", block) == []
 
 
 def test_what_only_classic_reads_is_counted() -> None:
     text = '<sdf version="1.6"><world name="w"><plugin name="a" filename="libgazebo_ros_init.so"/>{}</world></sdf>'
     again = '<plugin name="b" filename="libgazebo_ros_init.so"/><audio><device>default</device></audio>'
-    reported = list(classic_problems(read(text.format(again).encode(), Path("f"))))
-    assert all(isinstance(one, Record) for one in reported)
-    assert {(one.what, one.count) for one in reported if isinstance(one, problems.ClassicOnlyElement)} == {
-        ("`audio` in `world`", 1),
-        ("plugin `libgazebo_ros_init.so`", 2),
+    assert {one.message for one in reported(text.format(again))} == {
+        "`audio` in `world` is for Gazebo Classic only",
+        "plugin `libgazebo_ros_init.so` is for Gazebo Classic only (used 2 times)",
     }
+
+
+def test_a_camera_of_an_extension_is_not_that_of_the_view() -> None:
+    block = '<gazebo reference="base"><sensor name="s" type="sonar"><camera/></sensor></gazebo>'
+    assert robot("", block) == []
+
+
+@pytest.mark.parametrize(
+    ("reference", "message"),
+    [
+        ("base", ""),
+        ("j", ""),
+        ("", ""),
+        ("${prefix}base", ""),
+        ("bese", "there is no link or joint `bese`; did you mean `base`?"),
+        ("hull", "`hull` is a collision, not a link or joint"),
+        ("__model__", "there is no link or joint `__model__`"),
+        ("elsewhere", "there is no link or joint `elsewhere`"),
+    ],
+)
+def test_references_of_blocks(reference: str, message: str) -> None:
+    shape = f'<collision name="hull">{BOX}</collision>'
+    found = robot(shape, f'<gazebo reference="{reference}"><selfCollide>true</selfCollide></gazebo>')
+    assert [one.message for one in found if one.code == "GAZ003"] == [message] * bool(message)
+
+
+def test_a_link_that_joints_miss_is_not_missed_again() -> None:
+    joint = '<joint name="k" type="fixed"><parent link="base"/><child link="hand"/></joint>'
+    assert robot("", f'{joint}<gazebo reference="hand"/>') == []
+
+
+def test_a_block_in_a_block_is_nothing() -> None:
+    inner = '<gazebo reference="bese"><disableFixedJointLumping>true</disableFixedJointLumping></gazebo>'
+    assert robot("", f'<gazebo reference="base">{inner}</gazebo>') == []
