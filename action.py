@@ -1,7 +1,8 @@
 """The GitHub action: installs sdfcheck in an environment of its own and lints with it.
 
 Its inputs come as variables (see ``action.yml``), so that no text of a workflow ends up in a
-script. It runs before anything is installed, so it uses the standard library only.
+script. It runs before anything is installed, so it uses the standard library only. Python is
+started with ``-I``: modules in the folder that is linted are not imported (docs/security.md).
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ def install(what: str, folder: Path) -> Path:
     """Install into a fresh environment; returns its Python."""
     venv.create(folder, with_pip=True, clear=True)
     python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    command = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", what]
+    command = [str(python), "-I", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", what]
     subprocess.run(command, check=True)
     return python
 
@@ -72,7 +73,7 @@ def main(environment: Mapping[str, str]) -> int:
     except (OSError, subprocess.CalledProcessError) as error:
         sys.stdout.write(f"::error title=sdfcheck::cannot be installed: {error}\n")
         return 2
-    code = subprocess.run([python, "-m", "sdfcheck", *arguments], check=False).returncode
+    code = subprocess.run([python, "-I", "-m", "sdfcheck", *arguments], check=False).returncode
     if output := environment.get("GITHUB_OUTPUT"):
         with Path(output).open("a", encoding="utf-8") as stream:
             stream.write(f"exit-code={code}\n")

@@ -35,13 +35,13 @@ def fix(  # noqa: PLR0913
     target: Sequence[str] | None = None,
     config: Path | None = None,
     isolated: bool = False,
+    trust_config: bool = False,
 ) -> tuple[Mended, ...]:
     """Apply the fixes of what ``lint`` finds in files and folders.
 
-    Each result has the ``path``, the bytes ``before`` and ``after``, how many fixes were
-    applied (``fixed``) and, where none could be, the ``refusal``. Only bytes inside the fixes
-    change. ``unsafe``: apply those as well that may change the robot. ``write=False`` leaves
-    the files alone. The other arguments are those of ``lint``.
+    Each result has the ``path``, the bytes ``before`` and ``after``, how many fixes were applied (``fixed``)
+    and, where none could be, the ``refusal``. Only bytes inside the fixes change. ``unsafe``: apply those as
+    well that may change the robot. ``write=False`` leaves the files alone. The rest is as for ``lint``.
 
     Raises:
         sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
@@ -49,13 +49,15 @@ def fix(  # noqa: PLR0913
     """
     from sdfcheck.files.overwrite import overwrite
     from sdfcheck.lint.call import options_of, told_apart
+    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.fix.fixer import mend
     from sdfcheck.lint.session import run
 
     text, paths = told_apart(what)
     if text is not None:
         raise WrongUsage("only files are fixed: give a path")
-    options = options_of(select=select, ignore=ignore, target=target, config=config, isolated=isolated)
+    configuration = Configuration(config, isolated=isolated, trusted=trust_config)
+    options = options_of(configuration, select=select, ignore=ignore, target=target)
     changed = tuple(mend(run(paths, options), paths, options, unsafe=unsafe))
     for each in changed:
         if write and each.fixed:
@@ -80,7 +82,11 @@ def diff(a: Description, b: Description, *, tolerance: float = 1e-9) -> FileDiff
 
 
 def targets(
-    what: str | os.PathLike[str], *, config: Path | None = None, isolated: bool = False
+    what: str | os.PathLike[str],
+    *,
+    config: Path | None = None,
+    isolated: bool = False,
+    trust_config: bool = False,
 ) -> tuple[Row, ...]:
     """What Gazebo, Drake, urdfdom and MuJoCo make of a file, one row each.
 
@@ -91,12 +97,14 @@ def targets(
     """
     from sdfcheck.consumers.reaction import Consumer
     from sdfcheck.lint.call import options_of
+    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.session import run
     from sdfcheck.lint.targets import matrix
     from sdfcheck.source.sniff import sniff
 
     path = Path(what)
-    options = options_of(target=[consumer.value for consumer in Consumer], config=config, isolated=isolated)
+    configuration = Configuration(config, isolated=isolated, trusted=trust_config)
+    options = options_of(configuration, target=[consumer.value for consumer in Consumer])
     return matrix(run([path], options), sniff(path.read_bytes(), path), path)
 
 

@@ -10,6 +10,7 @@ from sdfcheck.cli.convert.inputs import Reader
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.source.sniff import Kind
 
 CASES = Path(__file__).parents[1] / "fixtures" / "convert" / "urdf-to-sdf"
@@ -36,7 +37,7 @@ def test_there_are_cases() -> None:
 @pytest.mark.parametrize("case", sorted(CASES.iterdir()), ids=lambda case: case.name)
 def test_conversion(case: Path, request: pytest.FixtureRequest) -> None:
     (source,) = case.glob("input.*")
-    with Reader(None, True, (), lint=False) as reader:
+    with Reader(Configuration(isolated=True), (), lint=False) as reader:
         document = reader.read(source, {Kind.URDF: "URDF"}).document
     assert document is not None
     done = urdf_to_sdf(document, options_of(case))

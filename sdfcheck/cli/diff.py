@@ -18,6 +18,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 if TYPE_CHECKING:
     from sdfcheck.convert.difference import Change
     from sdfcheck.convert.file_difference import FileDifference
+    from sdfcheck.lint.config.configuration import Configuration
 
 _SIGNS = {"added": "+", "removed": "-", "renamed": ">", "changed": "~"}
 _COLORS = {"added": "green", "removed": "red", "renamed": "cyan", "changed": "yellow"}
@@ -31,8 +32,7 @@ class Request(NamedTuple):
     form: str
     exit_code: bool
     tolerance: float
-    config: Path | None
-    isolated: bool
+    configuration: Configuration
     color: str
 
 
@@ -69,15 +69,13 @@ def diff(**given: Any) -> int:
 
 def _compare(request: Request) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
-    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.motion.poses import PoseError
 
-    configuration = Configuration(request.config, isolated=request.isolated)
     documents = []
     for file in (request.a, request.b):
         require_file(file)
-        documents.append(load(file, configuration.settings_for(file)))
+        documents.append(load(file, request.configuration.settings_for(file)))
     try:
         return compare_files(*documents, tolerance=request.tolerance)
     except DescriptionError as error:

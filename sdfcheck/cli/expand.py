@@ -16,6 +16,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expansion
@@ -30,8 +31,7 @@ class Request(NamedTuple):
     package_paths: tuple[Path, ...]
     variables: tuple[str, ...]
     annotate: bool
-    config: Path | None
-    isolated: bool
+    configuration: Configuration
 
 
 @click.command()
@@ -74,12 +74,11 @@ def _expand(request: Request) -> tuple[Document, Expansion]:
     """Expand with what the command line and the configuration say; the command line has the last word."""
     from sdfcheck.files.library import Library, SearchPaths
     from sdfcheck.files.regular import read_regular
-    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.source.document import read
     from sdfcheck.xacro.expansion import Expander, Surroundings
 
     file = request.file
-    settings = Configuration(request.config, isolated=request.isolated).settings_for(file)
+    settings = request.configuration.settings_for(file)
     named = [pair(text, "=", "--package name=path") for text in request.packages]
     packages = {**dict(settings.packages), **{name: Path(path) for name, path in named}}
     paths = (*request.package_paths, *settings.package_paths)

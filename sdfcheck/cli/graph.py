@@ -16,7 +16,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.config.configuration import Settings
+    from sdfcheck.lint.config.configuration import Configuration, Settings
     from sdfcheck.source.document import Document
 
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
@@ -30,7 +30,7 @@ _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 )
 @configured
 @colored("When to colour the tree.")
-def graph_command(kind: str, file: Path, form: str, config: Path | None, isolated: bool, color: str) -> int:
+def graph_command(kind: str, file: Path, form: str, configuration: Configuration, color: str) -> int:
     """Show what is tied to what in an SDFormat, URDF or xacro file.
 
     \b
@@ -39,12 +39,9 @@ def graph_command(kind: str, file: Path, form: str, config: Path | None, isolate
             all joints at zero: x y z (m) roll pitch yaw (rad)
     joints  which joint carries which link
     """
-    from sdfcheck.lint.config.configuration import Configuration
-
     require_file(file)
-    settings = Configuration(config, isolated=isolated).settings_for(file)
     try:
-        drawn = graph(load(file, settings), GraphKind(kind))
+        drawn = graph(load(file, configuration.settings_for(file)), GraphKind(kind))
     except ValueError as error:
         from sdfcheck.robot.errors import DescriptionError
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
+    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.mass_report import LinkMass, MassReport, ModelMass
     from sdfcheck.source.document import Document
@@ -50,18 +51,15 @@ class _Block(NamedTuple):
 @formatted("A table to read, or JSON.  [default: table]", "table", "json")
 @click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
 @configured
-def inertia(file: Path, form: str, name: str | None, config: Path | None, isolated: bool) -> int:
+def inertia(file: Path, form: str, name: str | None, configuration: Configuration) -> int:
     """Show mass, centre of mass and inertia of links and models, and of the whole file.
 
     Automatic inertias are computed; meshes need the extra `mesh`. Centres of mass are in
     the frame of the model, with all joints at zero; moments are about the centre of
     mass, in axes parallel to those of the model.
     """
-    from sdfcheck.lint.config.configuration import Configuration
-
     require_file(file)
-    settings = Configuration(config, isolated=isolated).settings_for(file)
-    report = measure(load(file, settings))
+    report = measure(load(file, configuration.settings_for(file)))
     if name is not None:
         report = _only(report, name)
     if form == "json":

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.options import PATH, colored, folders, listing, path
+from sdfcheck.cli.options import PATH, colored, configured, folders, listing, path
 from sdfcheck.cli.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
 from sdfcheck.files.library import SearchPaths
@@ -60,8 +60,7 @@ class Request:
     model_paths: tuple[Path, ...]
     force_exclude: bool
     skip_unrelated: bool
-    config: Path | None
-    isolated: bool
+    configuration: Configuration
     show_files: bool
     show_settings: bool
     color: str
@@ -115,8 +114,7 @@ class Request:
 @folders("--model-path", "model_paths", "A folder in which to look for models.")
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
 @click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
-@path("--config", "Use this configuration file and no other.")
-@click.option("--isolated", is_flag=True, help="Use no configuration file.")
+@configured
 @click.option("--show-files", is_flag=True, help="List the files that would be checked.")
 @click.option("--show-settings", is_flag=True, help="Show the settings that apply to the first path.")
 @click.option(
@@ -231,8 +229,6 @@ class _Notifier:
 
 def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
     """What the session needs to know, and the paths without ``-``."""
-    if request.config is not None and request.isolated:
-        raise WrongUsage("--config and --isolated exclude each other")
     if request.add_ignore and (request.fix or request.baseline):
         raise WrongUsage("--add-ignore goes with neither --fix nor --baseline")
     if request.reason and not request.add_ignore:
@@ -252,7 +248,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
     elif request.stdin_filename is not None:
         raise WrongUsage("--stdin-filename needs - among the paths")
     options = Options(
-        Configuration(request.config, isolated=request.isolated),
+        request.configuration,
         Choice(request.select, request.extend_select or (), request.ignore or ()),
         request.target,
         force_exclude=request.force_exclude,

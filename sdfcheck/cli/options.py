@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import wraps
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -15,10 +16,36 @@ PATH = click.Path(path_type=Path)
 F = TypeVar("F", bound=Callable[..., Any])
 
 
-def configured(command: F) -> F:
-    """``--config`` and ``--isolated``: by which configuration to go."""
-    command = click.option("--isolated", is_flag=True, help="Use no configuration file.")(command)
-    return click.option("--config", type=PATH, metavar="FILE", help="Use this configuration file.")(command)
+_CONFIGURATION = (
+    click.option("--config", type=PATH, metavar="FILE", help="Use this configuration file and no other."),
+    click.option("--isolated", is_flag=True, help="Use no configuration file."),
+    click.option(
+        "--trust-config",
+        is_flag=True,
+        help="Let the configuration that is found run code (plugins), write files and lead elsewhere.",
+    ),
+)
+
+
+def configured(command: Callable[..., Any]) -> Any:
+    """``--config``, ``--isolated`` and ``--trust-config``, passed as one ``configuration``."""
+
+    @wraps(command)
+    def with_configuration(
+        *, config: Path | None, isolated: bool, trust_config: bool, **given: Any
+    ) -> object:
+        from sdfcheck.lint.config.configuration import Configuration
+
+        if config is not None and isolated:
+            raise WrongUsage("--config and --isolated exclude each other")
+        if isolated and trust_config:
+            raise WrongUsage("--isolated and --trust-config exclude each other")
+        configuration = Configuration(config, isolated=isolated, trusted=trust_config)
+        return command(configuration=configuration, **given)
+
+    for option in reversed(_CONFIGURATION):
+        with_configuration = option(with_configuration)
+    return with_configuration
 
 
 def colored(help: str = "When to colour.") -> Callable[[F], F]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -11,6 +11,9 @@ from sdfcheck.cli.graph import load
 from sdfcheck.cli.options import configured, require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.config.configuration import Configuration
 
 
 class Request(NamedTuple):
@@ -22,8 +25,7 @@ class Request(NamedTuple):
     precision: int | None
     expand_includes: bool
     expand_auto_inertials: bool
-    config: Path | None
-    isolated: bool
+    configuration: Configuration
 
 
 @click.command(name="print")
@@ -62,11 +64,10 @@ def print_command(**given: Any) -> int:
     """
     from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
     from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
-    from sdfcheck.lint.config.configuration import Configuration
 
     request = Request(**given)
     require_file(request.file)
-    settings = Configuration(request.config, isolated=request.isolated).settings_for(request.file)
+    settings = request.configuration.settings_for(request.file)
     style = CanonicalStyle(
         NumberStyle(request.degrees, request.snap, request.precision),
         request.expand_includes,

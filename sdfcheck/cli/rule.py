@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 import sys
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.options import colored
+from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
 from sdfcheck.cli.terminal import emit, wants_color
 from sdfcheck.lint.manual import manual, record, render
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.config.configuration import Configuration
 
 
 @click.command()
 @click.argument("selectors", nargs=-1, required=True, metavar="RULE...")
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to explain.")
-@click.option("--config", type=click.Path(path_type=Path), metavar="FILE", help="Take plugins from there.")
-@click.option("--isolated", is_flag=True, help="Use no configuration file, so no plugins.")
+@configured
 @colored()
-def rule(
-    selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool, color: str
-) -> int:
+def rule(selectors: tuple[str, ...], output_format: str, configuration: Configuration, color: str) -> int:
     """Explain rules, given by code, name or family (ALL for all)."""
-    index, known = loaded(config, isolated=isolated)
+    index, known = loaded(configuration)
     pages = [manual(facts, index) for facts in narrowed(known, selectors)]
     if output_format == "json":
         import json

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
@@ -23,20 +24,19 @@ VERSION = 1
 @click.command()
 @click.argument("selectors", nargs=-1, metavar="[RULES]...")
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to list.")
-@click.option("--config", type=click.Path(path_type=Path), metavar="FILE", help="Take plugins from there.")
-@click.option("--isolated", is_flag=True, help="Use no configuration file, so no plugins.")
+@configured
 @click.option(
     "--test", "pack", metavar="PACK", help="Run the examples of a pack: a folder, entry point or import name."
 )
 def rules(
-    selectors: tuple[str, ...], output_format: str, config: Path | None, isolated: bool, pack: str | None
+    selectors: tuple[str, ...], output_format: str, configuration: Configuration, pack: str | None
 ) -> int:
     """List the rules, or those that the codes, names or families RULES cover."""
     if pack is not None:
         if output_format == "json":
             raise WrongUsage("--test writes text only")
         return test(pack, selectors)
-    index, known = loaded(config, isolated=isolated)
+    index, known = loaded(configuration)
     chosen = narrowed(known, selectors)
     if output_format == "json":
         import json
@@ -48,11 +48,11 @@ def rules(
     return 2 if index.faults else 0
 
 
-def loaded(config: Path | None, *, isolated: bool) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
+def loaded(configuration: Configuration) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
     """The packs, and the facts of all rules, under the configuration of the current folder.
 
     What conversions report is listed with them."""
-    settings = Configuration(config, isolated=isolated).settings_in(Path.cwd())
+    settings = configuration.settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
     losses = tuple(kind.facts for kind in LossKind)
     index = book.index(settings)

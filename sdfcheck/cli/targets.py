@@ -30,9 +30,7 @@ VERSION = 1
 )
 @formatted("How to show the verdicts.", "text", "json")
 @configured
-def targets_command(
-    file: Path, target: tuple[str, ...], form: str, config: Path | None, isolated: bool
-) -> int:
+def targets_command(file: Path, target: tuple[str, ...], form: str, configuration: Configuration) -> int:
     """Say which readers accept an SDFormat, URDF or xacro file, and why others do not.
 
     \b
@@ -43,7 +41,7 @@ def targets_command(
     """
     require_file(file)
     readers = tuple(Consumer(name) for name in target) or tuple(Consumer)
-    rows = verdicts(file, readers, Configuration(config, isolated=isolated))
+    rows = verdicts(file, readers, configuration)
     if form == "json":
         import json
 

@@ -31,13 +31,13 @@ def lint(  # noqa: PLR0913
     package_paths: Sequence[Path] = (),
     config: Path | None = None,
     isolated: bool = False,
+    trust_config: bool = False,
     executor: Executor | None = None,
 ) -> Run:
     """Lint files, folders, or a text.
 
     ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A
-    text goes by ``name``. The other arguments are the options of the command; configuration
-    files count as they do there, unless ``isolated``.
+    text goes by ``name``. The other arguments are the options of the command, configuration files included.
 
     The workers of an ``executor`` lint portions of the files: processes, threads, or a cluster
     that has the same files. Files whose worker died are in ``skipped``, with the reason.
@@ -47,33 +47,31 @@ def lint(  # noqa: PLR0913
     """
     text, paths = told_apart(what)
     options = options_of(
+        Configuration(config, isolated=isolated, trusted=trust_config),
         select=select,
         extend_select=extend_select,
         ignore=ignore,
         target=target,
         search=SearchPaths(tuple(model_paths), tuple(package_paths)),
-        config=config,
-        isolated=isolated,
     )
     options = options._replace(stdin=text, stdin_path=Path(name), arguments=tuple((arguments or {}).items()))
     return _run(paths, options, executor)
 
 
-def options_of(  # noqa: PLR0913
+def options_of(
+    configuration: Configuration,
     *,
     select: Sequence[str] | None = None,
     extend_select: Sequence[str] = (),
     ignore: Sequence[str] = (),
     target: Sequence[str] | None = None,
     search: SearchPaths | None = None,
-    config: Path | None = None,
-    isolated: bool = False,
 ) -> Options:
     """The options of the command; raises WrongUsage for an unknown target."""
     if target:
         check_targets(tuple(target))
     return Options(
-        Configuration(config, isolated=isolated),
+        configuration,
         Choice(tuple(select) if select is not None else None, tuple(extend_select), tuple(ignore)),
         tuple(target) if target is not None else None,
         search=search or SearchPaths(),

@@ -24,6 +24,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input
     from sdfcheck.convert.result import Conversion
+    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
     from sdfcheck.source.text import Span
@@ -58,8 +59,7 @@ class Request(NamedTuple):
     strict: bool
     lint: bool
     output_format: tuple[str, ...]
-    config: Path | None
-    isolated: bool
+    configuration: Configuration
     color: str
     quiet: bool
 
@@ -153,7 +153,7 @@ def convert_files(
     _refuse_to_overwrite(request.files, targets, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
     outcomes = []
     unusable = 0
-    with Reader(request.config, request.isolated, request.arguments, lint=request.lint) as reader:
+    with Reader(request.configuration, request.arguments, lint=request.lint) as reader:
         for file, target in zip(request.files, targets, strict=True):
             try:
                 outcome = _convert(reader.read(file, kinds), convert, request)

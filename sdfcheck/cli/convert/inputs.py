@@ -42,14 +42,13 @@ class Reader:
 
     def __init__(
         self,
-        config: Path | None,
-        isolated: bool,
+        configuration: Configuration,
         arguments: Sequence[str],
         *,
         lint: bool = True,
     ) -> None:
         self._book = RuleBook(SILENT, None)
-        self._configuration = Configuration(config, isolated=isolated)
+        self._configuration = configuration
         self._arguments = dict(pair(text, ":=", "name:=value") for text in arguments)
         self._lint = lint
         self._libraries: dict[SearchPaths, Library] = {}

@@ -82,13 +82,15 @@ class Settings(NamedTuple):
 class Configuration:
     """Finds and keeps the settings of each folder.
 
-    ``file`` replaces all that could be found, ``isolated`` uses none.
+    ``file`` replaces all that could be found, ``isolated`` uses none. Those that are found
+    may run code, write files and lead out of their repository only if they are ``trusted``.
     """
 
-    __slots__ = ("_by_folder", "_fixed")
+    __slots__ = ("_by_folder", "_fixed", "_trusted")
 
-    def __init__(self, file: Path | None = None, *, isolated: bool = False) -> None:
+    def __init__(self, file: Path | None = None, *, isolated: bool = False, trusted: bool = False) -> None:
         self._by_folder: dict[Path, Settings] = {}
+        self._trusted = trusted
         self._fixed: Settings | None = None
         if isolated:
             self._fixed = Settings()
@@ -99,7 +101,7 @@ class Configuration:
         """The settings of a file.
 
         Raises:
-            WrongUsage: the configuration that counts is faulty.
+            WrongUsage: the configuration that counts is faulty, or would need to be trusted.
         """
         return self._fixed or self.settings_in(Path(os.path.abspath(path)).parent)
 
@@ -109,11 +111,23 @@ class Configuration:
             return self._fixed
         settings = self._by_folder.get(folder)
         if settings is None:
-            settings = _settings_of(folder)
+            settings = self._found_in(folder)
             if settings is None:
                 settings = Settings() if folder.parent == folder else self.settings_in(folder.parent)
             self._by_folder[folder] = settings
         return settings
+
+    def _found_in(self, folder: Path) -> Settings | None:
+        for name in NAMES:
+            path = f"{folder}{os.sep}{name}"
+            if os.path.isfile(path) and (name != PYPROJECT or _mentions_us(path)):
+                settings = load(Path(path))
+                if not self._trusted:
+                    from sdfcheck.lint.config.trust import require_trust
+
+                    require_trust(settings.files, settings._asdict())
+                return settings
+        return None
 
 
 def load(path: Path, root: Path | None = None) -> Settings:
@@ -124,14 +138,6 @@ def load(path: Path, root: Path | None = None) -> Settings:
     """
     values, files = _load(path, root, ())
     return Settings()._replace(**values, files=files)
-
-
-def _settings_of(folder: Path) -> Settings | None:
-    for name in NAMES:
-        path = f"{folder}{os.sep}{name}"
-        if os.path.isfile(path) and (name != PYPROJECT or _mentions_us(path)):
-            return load(Path(path))
-    return None
 
 
 def _mentions_us(pyproject: str) -> bool:

@@ -38,7 +38,8 @@ def pack(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 def told(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
-    assert main(arguments) == 0
+    trusting = [] if "--isolated" in arguments else ["--trust-config"]
+    assert main([*arguments, *trusting]) == 0
     return capsys.readouterr().out
 
 
@@ -99,6 +100,6 @@ def test_the_engines_own_rules_are_explained(capsys: pytest.CaptureFixture[str])
 
 
 def test_an_unknown_rule_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["rule", "od-flaw"]) == 2
+    assert main(["rule", "od-flaw", "--trust-config"]) == 2
     assert capsys.readouterr().err == "error: unknown rule `od-flaw`, did you mean `odd-flaw`?\n"
     assert main(["rule"]) == 2

@@ -70,7 +70,7 @@ def test_an_installed_pack_is_known_by_its_entry_point(
     capsys: pytest.CaptureFixture[str], installed: Path
 ) -> None:
     Path("sdfcheck.toml").write_text('plugins = ["acme"]\n')
-    code, out, err = lint(capsys)
+    code, out, err = lint(capsys, "--trust-config")
     assert (code, err) == (1, "")
     assert "[TST001]" in out
     assert main(["rules", "--test", "acme"]) == 0

@@ -57,7 +57,7 @@ def here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 @pytest.fixture
 def run(capsys: pytest.CaptureFixture[str]) -> Run:
     def lint(*arguments: str) -> tuple[int, list[str], list[str]]:
-        code = main(["lint", "model.sdf", "--output-format", "concise", *arguments])
+        code = main(["lint", "model.sdf", "--trust-config", "--output-format", "concise", *arguments])
         out, err = capsys.readouterr()
         return code, out.splitlines(), err.splitlines()
 
@@ -179,7 +179,7 @@ def test_what_rules_print_is_not_in_the_report(capsys: pytest.CaptureFixture[str
         rules="print('imported')\n"
         + HEAD.replace("        name =", "        print('called')\n        name =")
     )
-    assert main(["lint", "model.sdf", "--output-format", "json"]) == 1
+    assert main(["lint", "model.sdf", "--trust-config", "--output-format", "json"]) == 1
     out, err = capsys.readouterr()
     assert [d["code"] for d in json.loads(out)["diagnostics"]] == ["TST001"]
     called = line_of(HEAD, "def check") + 1
@@ -203,7 +203,7 @@ def test_a_selector_of_a_rule_that_is_left_out_says_so(run: Run) -> None:
 def test_the_list_of_rules_says_what_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
     pack(rules=f"{HEAD}{FAULTY}    bad = ()\n")
     for arguments in (["rules", "TST"], ["rule", "sound"]):
-        assert main(arguments) == 2
+        assert main([*arguments, "--trust-config"]) == 2
         out, err = capsys.readouterr()
         assert "TST001" in out
         assert "has no `bad` example" in err
@@ -212,7 +212,7 @@ def test_the_list_of_rules_says_what_is_left_out(capsys: pytest.CaptureFixture[s
 def test_programs_get_faults_as_an_exception() -> None:
     pack(rules=f"{HEAD}{FAULTY}    bad = ()\n")
     with pytest.raises(sdfcheck.WrongUsage, match=r"checks/rules\.py:\d+: Faulty: has no `bad` example"):
-        sdfcheck.lint(Path("model.sdf"))
+        sdfcheck.lint(Path("model.sdf"), trust_config=True)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,99 @@
+"""What a configuration may do without a person's consent, and where a person gives it.
+
+A configuration that is found beside the files comes from whoever wrote them. It decides how
+they are linted; it may run code, write files and lead out of its repository only if somebody
+trusts it: on the command line, or in a configuration of their own.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from sdfcheck.files.packages import project_root
+from sdfcheck.files.regular import read_regular
+from sdfcheck.lint.config.reading import ConfigFile, parse_toml, shown
+from sdfcheck.source.wrong_usage import WrongUsage
+
+KEY = "trusted"
+"""The key of a person's own configuration: folders whose configurations are trusted."""
+
+
+def require_trust(files: Sequence[ConfigFile], settings: Mapping[str, Any]) -> None:
+    """Make sure that what a found configuration asks for is harmless, or its folder trusted.
+
+    ``files`` are the one that was found and those that it extends, ``settings`` what they settle.
+
+    Raises:
+        WrongUsage: it is neither, or a person's own configuration is faulty.
+    """
+    path = files[0].path
+    for key, effect in _reach(path, settings):
+        if _is_trusted(path.parent):
+            return
+        file = next((file for file in files if key in file.text), files[0])
+        own = own_configuration()
+        always = f", or name its folder under `{KEY}` in {own} to trust it always" if own else ""
+        raise file.error(
+            f"`{key}` {effect}, which needs your consent: pass --trust-config if you trust this"
+            f" configuration{always}; --isolated uses no configuration",
+            key,
+        )
+
+
+def own_configuration() -> Path | None:
+    """Where a person's own configuration is; None where there is no home."""
+    if sys.platform == "win32":
+        folder = os.environ.get("APPDATA", "")
+    else:
+        folder = os.environ.get("XDG_CONFIG_HOME", "") or os.path.expanduser("~/.config")
+    # A relative folder would be one that the files bring.
+    return Path(folder, "sdfcheck", "config.toml") if os.path.isabs(folder) else None
+
+
+def _reach(path: Path, settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The keys that do more than decide how the repository's files are linted, and what they do."""
+    if settings["plugins"]:
+        yield "plugins", "runs code"
+    if any("=" in form for form in settings["output_format"]):
+        yield "output-format", "writes a file"
+    root = os.path.realpath(project_root(path))
+    for key, places in (
+        ("packages", [place for _, place in settings["packages"]]),
+        ("package-paths", settings["package_paths"]),
+        ("model-paths", settings["model_paths"]),
+    ):
+        if not all(_is_below(os.path.realpath(place), root) for place in places):
+            yield key, f"leads out of {shown(Path(root))}"
+
+
+def _is_trusted(folder: Path) -> bool:
+    """Whether a person's own configuration names a folder, or one above it."""
+    own = own_configuration()
+    if own is None or not own.is_file():
+        return False
+    real = os.path.realpath(folder)
+    return any(_is_below(real, os.path.realpath(trusted)) for trusted in _trusted_folders(own))
+
+
+def _trusted_folders(own: Path) -> Iterator[str]:
+    try:
+        table = parse_toml(own, read_regular(own).decode("utf-8-sig"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise WrongUsage(f"cannot read {own}: {error}") from None
+    folders = table.pop(KEY, [])
+    if table:
+        raise WrongUsage(f"{own}: unknown key `{next(iter(table))}`; it has `{KEY}` only")
+    if not isinstance(folders, list) or not all(isinstance(folder, str) for folder in folders):
+        raise WrongUsage(f"{own}: `{KEY}` should be a list of folders")
+    for folder in map(os.path.expanduser, folders):
+        if not os.path.isabs(folder):
+            raise WrongUsage(f"{own}: `{KEY}` should name absolute folders, not `{folder}`")
+        yield folder
+
+
+def _is_below(path: str, folder: str) -> bool:
+    return path == folder or path.startswith(os.path.join(folder, ""))
