@@ -35,7 +35,7 @@ P = TypeVar("P", bound=Part)
 class Root(Part):
     """A whole file: its worlds, and the models, lights and actors that are in none. A URDF file is one model."""
 
-    __slots__ = ("_document", "included")
+    __slots__ = ("_document", "_each", "included")
 
     def __init__(self, document: Document) -> None:
         element = document.root
@@ -45,6 +45,7 @@ class Root(Part):
         self.root = self
         self.element = element
         self.registry: Registry = {}
+        self._each: dict[str, tuple[Part, ...]] = {}
         self.is_given = True
         self.is_urdf = element.name == "robot"
         self.included = 0
@@ -112,9 +113,9 @@ class Root(Part):
 
     def part_of(self, element: Element) -> Part:
         """The part that an element of this file makes."""
+        found = self.registry.get(element)
         if element is self.element:
             return self
-        found = self.registry.get(element)
         if found is None:
             parent = element.parent
             assert parent is not None, "the root element is known"
@@ -137,12 +138,14 @@ class Root(Part):
         if name == "FrameReference":
             yield from self.frame_references
             return
-        index = self.elements
-        elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
-        if name == "Custom":
-            elements = self._customs
-        if elements:
-            yield from self.made_of(elements, name)
+        found = self._each.get(name)
+        if found is None:
+            index = self.elements
+            elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
+            if name == "Custom":
+                elements = self._customs
+            found = self._each[name] = tuple(self.made_of(elements, name)) if elements else ()
+        yield from found
 
     def made_of(self, elements: Iterable[Element], kind: str) -> Iterator[Any]:
         """The parts of a class that elements of this file make; that of ``robot`` is its model."""

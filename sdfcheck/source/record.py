@@ -27,6 +27,9 @@ else:
 def _complete(cls: Any, values: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
     """The values of all fields: those given in order, those given by name, and defaults."""
     fields, defaults = cls._fields, cls._field_defaults
+    lacking = len(fields) - len(values)
+    if not named and 0 < lacking <= len(defaults):  # the frequent case
+        return values + tuple(defaults.values())[-lacking:]
     given = {**defaults, **dict(zip(fields, values, strict=False)), **named}
     if (
         len(values) > len(fields)
