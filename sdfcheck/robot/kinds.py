@@ -87,9 +87,22 @@ SPECIAL = ("Custom", "FrameReference", "Root")
 
 def part_class(holder: Part, element: Element) -> type[Part]:
     """The class of the part that an element in a holder makes."""
+    return _class_of(holder.element.tag, holder.kind, element.tag) or _class_in(
+        _place(holder), holder.kind, element.name
+    )
+
+
+@lru_cache(maxsize=1000)
+def _class_of(holder: str, kind: str, tag: str) -> type[Part] | None:
+    """The same for names without a colon; None for others."""
+    names = holder + tag
+    return _class_in(holder, kind, tag) if names.isascii() and "{" not in names and ":" not in names else None
+
+
+def _place(holder: Part) -> str:
+    """The name of the holder's element; a macro of xacro stands for the link or joint that it writes."""
     place = holder.element.name
-    # A macro of xacro stands for the link or joint to which its content belongs.
-    return _class_in(holder.kind if place.startswith("xacro:") else place, holder.kind, element.name)
+    return holder.kind if place.startswith("xacro:") else place
 
 
 @lru_cache(maxsize=1000)

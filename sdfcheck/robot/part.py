@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
+from sdfcheck.robot.kinds import part_class
 from sdfcheck.robot.values import Flag, Number, Text, Vector
 from sdfcheck.source.sniff import Kind
 
@@ -221,8 +222,6 @@ class Part:
         """The part that a child element makes, each time the same."""
         found = self.registry.get(element)
         if found is None:
-            from sdfcheck.robot.kinds import part_class
-
             found = self.registry[element] = part_class(self, element)(self, element)
         return found
 

@@ -7,7 +7,7 @@ again, with places, by the rules about inertials.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 from sdfcheck.robot import solids
@@ -15,6 +15,9 @@ from sdfcheck.source.element import Element
 
 _PLAUSIBLE = (0.01, 10.0)
 """Traces within these factors of a solid's are beyond suspicion."""
+
+_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_ORIGIN = [0.0, 0.0, 0.0]
 
 _MAKERS = {
     "box": lambda t: solids.box(*_three(t["size"])),
@@ -39,17 +42,18 @@ def is_sound(link: Element) -> bool:
         return False
 
 
-def _read(inertial: Element) -> tuple[float, list[float], list[float]]:
+def _read(inertial: Element) -> tuple[float, tuple[float, ...], list[float]]:
     if any(key == "auto" for key, _ in inertial.items()):
         raise ValueError
-    mass, moments, centre = math.nan, [], [0.0, 0.0, 0.0]
+    mass, centre = math.nan, _ORIGIN
+    moments: tuple[float, ...] = ()
     for child in inertial:
         tag = child.tag
         if tag == "mass":
             mass = float(_texts(child).get("value") or child.text or "")
         elif tag == "inertia":
             texts = _texts(child)
-            moments = [float(texts.get(name) or 0) for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")]
+            moments = tuple([float(texts.get(name) or 0) for name in _MOMENTS])
         elif tag in {"pose", "origin"}:
             centre = _position(child)
     return mass, moments, centre
@@ -76,25 +80,29 @@ def _three(text: str | None) -> list[float]:
     return [float(x), float(y), float(z)]
 
 
-def _is_possible(mass: float, moments: list[float]) -> bool:
+@lru_cache(maxsize=1000)
+def _is_possible(mass: float, moments: tuple[float, ...]) -> bool:
     if not (mass > 0 and math.isfinite(mass) and moments):
         return False
     low, middle, high = solids.Moments(*moments).principal()
     return low > 0 and low + middle >= high
 
 
-def _is_plausible(mass: float, moments: list[float], centre: list[float], shapes: list[Element]) -> bool:
+def _is_plausible(
+    mass: float, moments: tuple[float, ...], centre: list[float], shapes: list[Element]
+) -> bool:
     volume = total = 0.0
     for shape in shapes:
-        at, geometry = [0.0, 0.0, 0.0], None
+        at, geometry = _ORIGIN, None
         for child in shape:
-            if child.tag == "geometry":
+            tag = child.tag
+            if tag == "geometry":
                 geometry = child
-            elif child.tag in {"pose", "origin"}:
+            elif tag in {"pose", "origin"}:
                 at = _position(child)
-        solid = _solid(geometry)
+        solid = _solid_of(geometry)
         if solid is not None:
-            distance = math.dist(at, centre)
+            distance = math.dist(at, centre) if at != centre else 0.0
             volume += solid.volume
             total += solid.volume * (solid.moments.trace + 2 * distance * distance)
     if not volume:
@@ -103,13 +111,16 @@ def _is_plausible(mass: float, moments: list[float], centre: list[float], shapes
     return low <= sum(moments[:3]) / (mass * total / volume) <= high
 
 
-def _solid(geometry: Element | None) -> solids.Solid | None:
+def _solid_of(geometry: Element | None) -> solids.Solid | None:
     if geometry is not None:
         for shape in geometry:
-            make = _MAKERS.get(shape.tag)
-            return make(_as_given(_texts(shape))) if make else None
+            if shape.tag in _MAKERS:
+                return _solid(shape.tag, *_texts(shape).items())
+            return None
     return None
 
 
-def _as_given(texts: Mapping[str, str | None]) -> dict[str, str]:
-    return {name: text or "" for name, text in texts.items()}
+@lru_cache(maxsize=1000)
+def _solid(shape: str, *texts: tuple[str, str | None]) -> solids.Solid:
+    """The solid of a shape; worlds repeat themselves."""
+    return _MAKERS[shape]({name: text or "" for name, text in texts})

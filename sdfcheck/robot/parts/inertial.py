@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.solids import Moments
+from sdfcheck.robot.sound_inertia import is_sound
 from sdfcheck.robot.values import Number, is_true, lazy
 
 if TYPE_CHECKING:
@@ -147,8 +148,6 @@ class Inertial(Part):
 
         Worked out quickly; False proves nothing.
         """
-        from sdfcheck.robot.sound_inertia import is_sound
-
         return self.is_given and is_sound(self.link.element)
 
     @property
