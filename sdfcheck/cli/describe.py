@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import click
 
 from sdfcheck.cli.options import formatted
-from sdfcheck.cli.terminal import emit
+from sdfcheck.cli.terminal import emit, emit_lines, lines_of
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
 from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
@@ -44,9 +44,9 @@ def describe_command(element: str, sdf_version: str, form: str) -> None:
 
         emit(json.dumps({"version": VERSION, "places": [record(one) for one in found]}, indent=2) + "\n")
     elif len(found) > _MANY:
-        emit(_overview(element, found))
+        emit_lines(lines_of(_overview(element, found)))
     else:
-        emit("\n".join(text(one) for one in found))
+        emit_lines(lines_of("\n".join(text(one) for one in found)))
 
 
 def version(given: str) -> Version:

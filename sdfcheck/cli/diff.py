@@ -10,9 +10,9 @@ import click
 
 from sdfcheck.cli.graph import load
 from sdfcheck.cli.options import colored, configured, formatted, require_file
-from sdfcheck.cli.terminal import emit, wants_color
-from sdfcheck.report.visible import visible
+from sdfcheck.cli.terminal import emit, emit_lines, wants_color
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
@@ -63,7 +63,8 @@ def diff(**given: Any) -> int:
     if request.form == "json":
         emit(_json(found))
     else:
-        emit(_text(found, color=wants_color(request.color, sys.stdout)))
+        color = wants_color(request.color, sys.stdout)
+        emit_lines(_lines(found, color=color), color=color)
     return 1 if found.changes and request.exit_code else 0
 
 
@@ -85,13 +86,13 @@ def _compare(request: Request) -> FileDifference:
         raise WrongUsage(str(error)) from None
 
 
-def _text(found: FileDifference, *, color: bool) -> str:
+def _lines(found: FileDifference, *, color: bool) -> list[str]:
     if not found.changes:
         parts = [
             f"{count} {word}{'s' * (count != 1)}"
             for count, word in ((found.models, "model"), (found.links, "link"), (found.joints, "joint"))
         ]
-        return f"the same robot: {', '.join(parts)}\n"
+        return [f"the same robot: {', '.join(parts)}"]
     lines: list[str] = []
     for model, changes in found.changes:
         if not any(
@@ -99,7 +100,7 @@ def _text(found: FileDifference, *, color: bool) -> str:
         ):
             lines.append(f"model {visible(model)}")
         lines += [_line(change, color) for change in changes]
-    return "\n".join(lines) + "\n"
+    return lines
 
 
 def _line(change: Change, color: bool) -> str:
@@ -123,7 +124,7 @@ def _json(found: FileDifference) -> str:
         {"name": name, "changes": [_change(change) for change in changes]} for name, changes in found.changes
     ]
     document = {"version": 1, "equal": not found.changes, "models": models}
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(document, indent=2) + "\n"
 
 
 def _change(change: Change) -> dict[str, str]:

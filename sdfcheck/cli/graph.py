@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from sdfcheck.cli.options import colored, configured, formatted, require_file
-from sdfcheck.cli.terminal import emit, wants_color
+from sdfcheck.cli.terminal import emit, emit_lines, lines_of, wants_color
 from sdfcheck.robot import graph_text
 from sdfcheck.robot.graphs import GraphKind, graph
 from sdfcheck.source.sniff import Kind
@@ -50,8 +50,9 @@ def graph_command(kind: str, file: Path, form: str, configuration: Configuration
         line, column = error.element.span.begin
         raise WrongUsage(f"{file}:{line}:{column}: {error}") from None
     if form == "tree":
-        paint = _paint if wants_color(color, sys.stdout) else graph_text.plain
-        emit(graph_text.tree(drawn, paint))
+        colors = wants_color(color, sys.stdout)
+        text = graph_text.tree(drawn, _paint if colors else graph_text.plain)
+        emit_lines(lines_of(text), color=colors)
     else:
         emit(graph_text.dot(drawn) if form == "dot" else graph_text.mermaid(drawn))
     return 0

@@ -12,9 +12,9 @@ import click
 
 from sdfcheck.cli.graph import load
 from sdfcheck.cli.options import configured, formatted, require_file
-from sdfcheck.cli.terminal import emit, say
-from sdfcheck.report.visible import visible
+from sdfcheck.cli.terminal import emit, emit_lines, say
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def inertia(file: Path, form: str, name: str | None, configuration: Configuratio
 
         draw(report, Console(highlight=False))
     else:
-        emit(_text(report))
+        emit_lines(_lines(report))
     for note in _warnings(report):
         say(f"warning: {note}")
     return 0
@@ -148,7 +148,7 @@ def _short(number: float) -> str:
     return f"{number if abs(number) > 1e-15 else 0:.5g}"
 
 
-def _text(report: MassReport) -> str:
+def _lines(report: MassReport) -> list[str]:
     """Columns of one width over all models, for pipes."""
     blocks = list(_blocks(report))
     rows = [_HEADER, *(row for block in blocks for row in block.rows)]
@@ -156,7 +156,7 @@ def _text(report: MassReport) -> str:
     lines = [f"# {_UNITS}"]
     for block in blocks:
         lines += ["", block.title, *(_aligned(row, widths) for row in (_HEADER, *block.rows))]
-    return "\n".join(lines) + "\n"
+    return lines
 
 
 def _aligned(row: Iterable[str], widths: list[int]) -> str:
@@ -208,7 +208,7 @@ def _json(report: MassReport) -> str:
         "total": _body(report.total),
         "complete": report.is_complete,
     }
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(document, indent=2) + "\n"
 
 
 def _model(model: ModelMass) -> dict[str, Any]:

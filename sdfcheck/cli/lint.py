@@ -11,7 +11,7 @@ import click
 
 from sdfcheck.cli.options import PATH, colored, configured, folders, listing, path
 from sdfcheck.cli.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
-from sdfcheck.cli.terminal import Progress, emit, pair, say, wants_color
+from sdfcheck.cli.terminal import Progress, emit, emit_lines, lines_of, pair, say, wants_color
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
@@ -188,7 +188,7 @@ def _report(request: Request, wanted: Sequence[Output], done: Run, *, aside: boo
     if request.statistics:
         from sdfcheck.report import statistics
 
-        emit(statistics.render(done, color=color))
+        emit_lines(lines_of(statistics.render(done, color=color)), color=color)
     elif not request.quiet and not any(o.file is None and o.format.is_text for o in wanted):
         from sdfcheck.report.summary import closing_line
 
@@ -270,7 +270,7 @@ def _show_files(request: Request, paths: Sequence[Path], options: Options) -> in
     found = find(paths, options)
     skipped = list(found.skipped)
     files = [file.path for file in selected(found, options, skipped, notify=notifier)]
-    emit("".join(f"{path}\n" for path in files))
+    emit_lines(map(str, files))
     notifier.flush()
     if not request.quiet:
         for path, reason in sorted(skipped):

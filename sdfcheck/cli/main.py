@@ -10,11 +10,13 @@ import os
 import sys
 import warnings
 from collections.abc import Sequence
+from io import StringIO
 from typing import NoReturn
 
 import click
 
 from sdfcheck.cli.group import LazyCommand, LazyGroup
+from sdfcheck.cli.terminal import say
 from sdfcheck.release import __version__
 from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
@@ -68,16 +70,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except click.Abort:
         return 130
     except click.ClickException as error:
-        error.show()
+        _complain(error)
         return 2
     except WrongUsage as error:
-        click.echo(f"error: {error}", err=True)
+        say(f"error: {error}")
         return 2
     except Exception as error:
         if os.environ.get("SDFCHECK_DEBUG"):
             raise
-        click.echo(_apology(error), err=True)
+        say(_apology(error))
         return 2
+
+
+def _complain(error: click.ClickException) -> None:
+    """Say what is wrong with the command line; the message may repeat any name of a file."""
+    message = f"Error: {error.format_message()}"
+    with StringIO() as shown:
+        error.show(shown)
+        usage = shown.getvalue().removesuffix(f"{message}\n")
+    for line in usage.splitlines():
+        say(line)
+    say(message)
 
 
 def _apology(error: Exception) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.terminal import emit, emit_lines, lines_of, say_exactly, say_lines
 from sdfcheck.files.overwrite import overwrite, same_file
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
@@ -67,6 +67,14 @@ def refuse_inputs(places: Iterable[Path | None], inputs: Iterable[Path]) -> None
                 raise WrongUsage(f"{place} is an input and would be overwritten; name another file")
 
 
+def show(format: OutputFormat, text: str, *, color: bool, aside: bool = False) -> None:
+    """Write a report to stdout, or aside to stderr; what programs read stays as it is."""
+    if format.is_text:
+        (say_lines if aside else emit_lines)(lines_of(text), color=color)
+    else:
+        (say_exactly if aside else emit)(text)
+
+
 def write(output: Output, run: Run, *, color: bool, aside: bool = False) -> None:
     """Render a run and put it where it belongs; ``aside``: to stderr where that is stdout.
 
@@ -75,7 +83,7 @@ def write(output: Output, run: Run, *, color: bool, aside: bool = False) -> None
     """
     text = render(output.format, run, color=color and output.file is None)
     if output.file is None:
-        say(text.rstrip("\n")) if aside else emit(text)
+        show(output.format, text, color=color, aside=aside)
         return
     try:
         overwrite(output.file, text.encode("utf-8", "backslashreplace"))

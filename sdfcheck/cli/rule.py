@@ -9,7 +9,7 @@ import click
 
 from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
-from sdfcheck.cli.terminal import emit, wants_color
+from sdfcheck.cli.terminal import emit, emit_lines, lines_of, wants_color
 from sdfcheck.lint.manual import manual, record, render
 
 if TYPE_CHECKING:
@@ -32,7 +32,8 @@ def rule(selectors: tuple[str, ...], output_format: str, configuration: Configur
         emit(json.dumps({"version": VERSION, "rules": explained}, indent=2) + "\n")
         return 2 if index.faults else 0
     text = "\n".join(render(page) for page in pages)
-    emit(_painted(text) if wants_color(color, sys.stdout) else text)
+    painted = wants_color(color, sys.stdout)
+    emit_lines(lines_of(_painted(text) if painted else text), color=painted)
     return 2 if index.faults else 0
 
 

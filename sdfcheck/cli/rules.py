@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.options import configured
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.terminal import emit, emit_lines, lines_of, say
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.manual import facts_record, markdown
@@ -44,7 +44,7 @@ def rules(
         listed = [dict(facts_record(facts)) for facts in chosen]
         emit(json.dumps({"version": VERSION, "rules": listed}, indent=2) + "\n")
     else:
-        emit(table(chosen))
+        emit_lines(lines_of(table(chosen)))
     return 2 if index.faults else 0
 
 
@@ -82,7 +82,7 @@ def test(pack: str, selectors: tuple[str, ...]) -> int:
     failed = len(lines) - len(faults)
     outcome = f"{counts}: {failed} failed" if failed else f"{counts}: all as expected"
     left_out = f"; {_counted(len(faults), 'fault')} in the pack" if faults else ""
-    emit("".join(f"{line}\n" for line in (*lines, f"{outcome}{left_out}")))
+    emit_lines((*lines, f"{outcome}{left_out}"))
     return 1 if lines else 0
 
 

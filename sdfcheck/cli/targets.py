@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import click
 
 from sdfcheck.cli.options import configured, formatted, require_file
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.terminal import emit, emit_lines, say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.session import Level, Notice, Options, run
@@ -50,9 +50,9 @@ def targets_command(file: Path, target: tuple[str, ...], form: str, configuratio
             "file": file.as_posix(),
             "readers": [record(row) for row in rows],
         }
-        emit(json.dumps(record_of_all, indent=2, ensure_ascii=False) + "\n")
+        emit(json.dumps(record_of_all, indent=2) + "\n")
     else:
-        emit(text(rows, file))
+        emit_lines(lines(rows, file))
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 
@@ -77,15 +77,13 @@ def verdicts(file: Path, readers: Sequence[Consumer], configuration: Configurati
     return matrix(done, sniff(file.read_bytes(), file), file, readers)
 
 
-def text(rows: Sequence[Row], file: Path) -> str:
+def lines(rows: Sequence[Row], file: Path) -> Iterator[str]:
     """A line a reader, and below it the reasons."""
     width = max(len(row.reader.value) for row in rows)
-    lines = []
     for row in rows:
         note = f": {row.note}" if row.note else ""
-        lines.append(f"{row.reader.value:{width}}  {row.verdict.value}{note}")
-        lines += [f"{'':{width}}    {line}" for line in _reasons(row, file)]
-    return "\n".join(lines) + "\n"
+        yield f"{row.reader.value:{width}}  {row.verdict.value}{note}"
+        yield from (f"{'':{width}}    {line}" for line in _reasons(row, file))
 
 
 _SHOWN = 5

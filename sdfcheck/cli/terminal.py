@@ -1,16 +1,17 @@
-"""Where output goes, and whether it is coloured."""
+"""Where output goes, and whether it is coloured: all text leaves the program here, and acts on nothing."""
 
 from __future__ import annotations
 
 import os
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TextIO
 
 import click
 
+from sdfcheck.source.visible import harmless, harmless_document, visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
@@ -25,7 +26,22 @@ def wants_color(choice: str, stream: TextIO | None, environment: Mapping[str, st
     return stream is not None and stream.isatty() and environment.get("TERM") != "dumb"
 
 
+def emit_lines(lines: Iterable[str], *, color: bool = False) -> None:
+    """Write text for people to stdout, each line harmless; with ``color`` colors pass. Raises as ``emit`` does."""
+    _write("".join(f"{harmless(line, color=color)}\n" for line in lines))
+
+
 def emit(text: str) -> None:
+    """Write a document or what programs read to stdout: exactly, unless it is a terminal.
+
+    Raises:
+        WrongUsage: stdout is closed or takes no more.
+    """
+    is_shown = sys.stdout is not None and sys.stdout.isatty()
+    _write(harmless_document(text) if is_shown else text)
+
+
+def _write(text: str) -> None:
     """Write to stdout, as UTF-8 wherever no person is looking; a reader that has left is no error.
 
     Raises:
@@ -48,9 +64,24 @@ def emit(text: str) -> None:
         raise WrongUsage(f"cannot write the output: {error.strerror}") from None
 
 
+def lines_of(text: str) -> list[str]:
+    """The lines of a text of our own, in which names are visible already."""
+    return text.removesuffix("\n").split("\n") if text else []
+
+
 def say(text: str) -> None:
-    """Write one line to stderr."""
-    click.echo(text, err=True)
+    """Write one line to stderr, whatever is in it."""
+    click.echo(harmless(text), err=True)
+
+
+def say_lines(lines: Iterable[str], *, color: bool = False) -> None:
+    """Write text for people to stderr."""
+    click.echo("\n".join(harmless(line, color=color) for line in lines), err=True, color=color)
+
+
+def say_exactly(text: str) -> None:
+    """Write what programs read to stderr."""
+    click.echo(text, err=True, nl=False)
 
 
 class Progress:
@@ -70,7 +101,7 @@ class Progress:
             return
         self._next = now + self.INTERVAL
         self._drawn = True
-        self._stream.write(f"\r\x1b[K[{done}/{total}] {str(path)[-60:]}")
+        self._stream.write(f"\r\x1b[K[{done}/{total}] {visible(str(path)[-60:])}")
         self._stream.flush()
 
     def clear(self) -> None:

@@ -9,8 +9,8 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.report.colors import INK_OF, Ink, Paint
 from sdfcheck.report.frame import Mark, frame
 from sdfcheck.report.paths import Paths
-from sdfcheck.report.visible import visible
 from sdfcheck.source.text import Span
+from sdfcheck.source.visible import visible
 
 _HINT_COLUMN = 53
 

@@ -7,7 +7,7 @@ from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import INK_OF, Ink, Paint, painter
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import closing_line
-from sdfcheck.report.visible import visible
+from sdfcheck.source.visible import visible
 
 
 def render(run: Run, *, color: bool = False) -> str:

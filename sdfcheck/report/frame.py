@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from sdfcheck.report.colors import Ink, Paint
-from sdfcheck.report.visible import cells, visible
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
+from sdfcheck.source.visible import cells, visible
 
 _LONGEST = 120  # characters of a line that are shown
 _CONTEXT = 30  # characters kept on either side of a mark in a longer line

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report.paths import Paths
-from sdfcheck.report.visible import visible
+from sdfcheck.source.visible import visible
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 _SHOWN = 10  # annotations that GitHub shows of one step

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable
 
 from sdfcheck.robot.graphs import UNKNOWN, Edge, Graph, GraphKind, Node
+from sdfcheck.source.visible import visible
 
 Paint = Callable[[str, str], str]
 """Colours a piece of text; the second word says what it is: kind, label or note."""
@@ -82,28 +83,23 @@ def _ends(graph: Graph, edge: Edge) -> tuple[int, int]:
 def _line(graph: Graph, number: int, label: str, paint: Paint) -> str:
     node = graph.nodes[number]
     kind, _, name = node.title.partition(" ")
-    text = f"{paint(kind, 'kind')} {_visible(name)}".rstrip()
+    text = f"{paint(kind, 'kind')} {visible(name)}".rstrip()
     if label:
-        label = paint(_visible(label), "label")
+        label = paint(visible(label), "label")
         text = f"{label} → {text}" if graph.kind is GraphKind.JOINTS else f"{text} ({label})"
-    return f"{text}  {paint(node.note, 'note')}" if node.note else text
+    return f"{text}  {paint(visible(node.note), 'note')}" if node.note else text
 
 
 def _words(node: Node) -> list[str]:
     return [word for word in (node.title, node.note) if word]
 
 
-def _visible(text: str) -> str:
-    """Names may hold anything, also what would move a terminal's cursor."""
-    return "".join(letter if letter.isprintable() else "�" for letter in text)
-
-
 def _dot_text(words: list[str]) -> str:
-    escaped = (_visible(word).replace("\\", "\\\\").replace('"', '\\"') for word in words)
+    escaped = (visible(word).replace("\\", "\\\\").replace('"', '\\"') for word in words)
     return '"' + "\\n".join(escaped) + '"'
 
 
 def _mermaid_text(words: list[str]) -> str:
     escapes = {"#": "#35;", '"': "#quot;", "<": "#lt;", ">": "#gt;", "&": "#amp;", "`": "#96;"}
-    escaped = ("".join(escapes.get(letter, letter) for letter in _visible(word)) for word in words)
+    escaped = ("".join(escapes.get(letter, letter) for letter in visible(word)) for word in words)
     return '"' + "<br/>".join(escaped) + '"'

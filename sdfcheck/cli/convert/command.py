@@ -261,7 +261,7 @@ def _write(done: Conversion, target: Path | None) -> None:
 
 
 def _report(outcomes: Sequence[_Outcome], wanted: Sequence[Output], request: Request, stream: Any) -> None:
-    from sdfcheck.cli.output import write
+    from sdfcheck.cli.output import show, write
     from sdfcheck.lint.run import Run
     from sdfcheck.report import render
 
@@ -272,8 +272,8 @@ def _report(outcomes: Sequence[_Outcome], wanted: Sequence[Output], request: Req
         if output.format.is_text and not diagnostics:
             continue
         if output.file is None and stream is sys.stderr:
-            text = render(output.format, done, color=wants_color(request.color, stream))
-            say(text.removesuffix("\n"))
+            color = wants_color(request.color, stream)
+            show(output.format, render(output.format, done, color=color), color=color, aside=True)
         else:
             write(output, done, color=wants_color(request.color, sys.stdout))
     if request.quiet:

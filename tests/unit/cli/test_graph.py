@@ -50,7 +50,7 @@ def test_names_cannot_move_the_cursor(tmp_path: Path, capsys: pytest.CaptureFixt
         '<sdf version="1.12"><model name="m"><link name="a&#x9b;2J"/></model></sdf>', encoding="utf-8"
     )
     main(["graph", "joints", str(file), "--isolated"])
-    assert capsys.readouterr().out == "link a�2J\n"
+    assert capsys.readouterr().out == "link a<U+009B>2J\n"
 
 
 def test_xacro_is_expanded(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
