@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from sdfcheck.convert.file_difference import FileDifference
     from sdfcheck.convert.loss import Loss, NotConvertible
     from sdfcheck.convert.result import Conversion
+    from sdfcheck.formats.suggest import suggest, suggest_in
     from sdfcheck.lint.call import lint
     from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
     from sdfcheck.lint.example import (
@@ -53,6 +54,8 @@ if TYPE_CHECKING:
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.frame import Frame
     from sdfcheck.robot.frame_reference import FrameReference
+    from sdfcheck.robot.includes.included import Obstacle
+    from sdfcheck.robot.includes.model_config import ConfigFault, ModelConfig
     from sdfcheck.robot.load import Unreadable, load, parse
     from sdfcheck.robot.lookup import NotFound
     from sdfcheck.robot.model import Model
@@ -75,11 +78,13 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.physics import Actor, Gripper, Physics, State
     from sdfcheck.robot.parts.placement import Placement
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.sensor import Sensor
+    from sdfcheck.robot.parts.resource import Resource
+    from sdfcheck.robot.parts.sensor import Contact, Sensor
     from sdfcheck.robot.parts.setting import Setting
     from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
     from sdfcheck.robot.root import Root
     from sdfcheck.robot.scope import Scope
+    from sdfcheck.robot.uri_spelling import UriFault
     from sdfcheck.robot.values import Flag, Number, Text, Vector
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
@@ -93,6 +98,7 @@ _HOMES = {
     "sdfcheck.convert.file_difference": "FileDifference",
     "sdfcheck.convert.loss": "Loss NotConvertible",
     "sdfcheck.convert.result": "Conversion",
+    "sdfcheck.formats.suggest": "suggest suggest_in",
     "sdfcheck.lint.diagnostic": "Diagnostic Label Origin Severity",
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
@@ -111,6 +117,8 @@ _HOMES = {
     "sdfcheck.robot.editing": "EditError edit",
     "sdfcheck.robot.errors": "DescriptionError",
     "sdfcheck.robot.frame": "Frame",
+    "sdfcheck.robot.includes.included": "Obstacle",
+    "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
     "sdfcheck.robot.lookup": "NotFound",
     "sdfcheck.robot.model": "Model",
     "sdfcheck.robot.motion.mass": "MassProperties",
@@ -132,12 +140,14 @@ _HOMES = {
     "sdfcheck.robot.parts.physics": "Actor Gripper Physics State",
     "sdfcheck.robot.parts.placement": "Placement",
     "sdfcheck.robot.parts.plugin": "Plugin",
-    "sdfcheck.robot.parts.sensor": "Sensor",
+    "sdfcheck.robot.parts.resource": "Resource",
+    "sdfcheck.robot.parts.sensor": "Contact Sensor",
     "sdfcheck.robot.parts.setting": "Setting",
     "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
     "sdfcheck.robot.frame_reference": "FrameReference",
     "sdfcheck.robot.root": "Root",
     "sdfcheck.robot.scope": "Scope",
+    "sdfcheck.robot.uri_spelling": "UriFault",
     "sdfcheck.robot.values": "Flag Number Text Vector",
     "sdfcheck.robot.world": "World",
     "sdfcheck.source.document": "Document",
@@ -164,7 +174,9 @@ __all__ = [
     "Axis",
     "Bad",
     "Collision",
+    "ConfigFault",
     "Consumer",
+    "Contact",
     "Conversion",
     "Custom",
     "DescriptionError",
@@ -196,11 +208,13 @@ __all__ = [
     "Material",
     "Mimic",
     "Model",
+    "ModelConfig",
     "Name",
     "Node",
     "NotConvertible",
     "NotFound",
     "Number",
+    "Obstacle",
     "Origin",
     "Part",
     "Physics",
@@ -210,6 +224,7 @@ __all__ = [
     "PoseError",
     "Position",
     "Reaction",
+    "Resource",
     "Root",
     "Ros2Control",
     "Rule",
@@ -228,6 +243,7 @@ __all__ = [
     "Transmission",
     "Tree",
     "Unreadable",
+    "UriFault",
     "Value",
     "Vector",
     "VendorRule",
@@ -256,6 +272,8 @@ __all__ = [
     "refuses",
     "repeating",
     "replace",
+    "suggest",
+    "suggest_in",
     "targets",
     "undersized",
     "unreadable",

@@ -12,9 +12,7 @@ if TYPE_CHECKING:
     from sdfcheck.formats.sdf.problems import *  # noqa: F403
     from sdfcheck.formats.urdf.problems import *  # noqa: F403
     from sdfcheck.formats.vendor.problems import *  # noqa: F403
-    from sdfcheck.robot.file_problems import *  # noqa: F403
-    from sdfcheck.robot.include_problems import *  # noqa: F403
-    from sdfcheck.robot.model_config import *  # noqa: F403
+    from sdfcheck.robot.includes.parameter_problems import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
     from sdfcheck.xacro.problems import *  # noqa: F403
 
@@ -23,9 +21,7 @@ _HOMES = (
     "sdfcheck.formats.namespace_problems",
     "sdfcheck.formats.sdf.problems",
     "sdfcheck.formats.urdf.problems",
-    "sdfcheck.robot.file_problems",
-    "sdfcheck.robot.include_problems",
-    "sdfcheck.robot.model_config",
+    "sdfcheck.robot.includes.parameter_problems",
     "sdfcheck.xacro.problems",
     "sdfcheck.formats.vendor.problems",
 )

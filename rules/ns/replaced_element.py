@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_JOINT, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_COLLISION, IN_JOINT, Bad, Consumer, Custom, Diagnostic, Good, Rule, Severity, warns
 
 
 class ReplacedElement(Rule):
@@ -15,7 +15,7 @@ class ReplacedElement(Rule):
     name = "replaced-element"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: warns("takes the default"), Consumer.DRAKE: warns("takes the default")}
-    explains = (problems.ReplacedElement,)
+    looks_at = (Custom,)
     scaffold = IN_COLLISION
 
     bad = (
@@ -38,10 +38,17 @@ class ReplacedElement(Rule):
         ),
     )
 
-    def check(self, problem: problems.ReplacedElement) -> Iterator[Diagnostic]:
-        custom, element = problem.custom, problem.element
-        yield self.diagnostic(
-            custom,
-            f"{element.title} has no `{problem.child}`; `{custom.name}` cannot replace it",
-            labels={element: f"`{problem.child}` is required here"},
-        )
+    @staticmethod
+    def applies(custom: Custom) -> bool:
+        return bool(custom.replaced)
+
+    def check(self, custom: Custom) -> Iterator[Diagnostic]:
+        element = custom.element.parent
+        if element is None:
+            return
+        for name in custom.replaced:
+            yield self.diagnostic(
+                custom,
+                f"{element.title} has no `{name}`; `{custom.tag}` cannot replace it",
+                labels={element: f"`{name}` is required here"},
+            )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_MODEL, Bad, Consumer, Custom, Diagnostic, Good, Rule, Severity, warns
 
 
 class TopologyChanged(Rule):
@@ -19,7 +19,7 @@ class TopologyChanged(Rule):
         Consumer.GAZEBO: warns("does not see the element"),
         Consumer.DRAKE: warns("does not see the element"),
     }
-    explains = (problems.TopologyChanged,)
+    looks_at = (Custom,)
     scaffold = IN_MODEL
 
     bad = (
@@ -49,10 +49,17 @@ class TopologyChanged(Rule):
         ),
     )
 
-    def check(self, problem: problems.TopologyChanged) -> Iterator[Diagnostic]:
-        element, custom, parent = problem.element, problem.custom, problem.parent
-        yield self.diagnostic(
-            element,
-            f"{element.title} stands in the custom element `{custom.name}`, where no reader finds it",
-            labels={custom: f"`{element.name}` belongs directly in {parent.title}"},
-        )
+    @staticmethod
+    def applies(custom: Custom) -> bool:
+        return bool(custom.displaced)
+
+    def check(self, custom: Custom) -> Iterator[Diagnostic]:
+        parent = custom.element.parent
+        for element in custom.displaced if parent is not None else ():
+            yield self.diagnostic(
+                element,
+                f"{element.title} stands in the custom element `{custom.tag}`, where no reader finds it",
+                labels={
+                    custom: f"`{element.name}` belongs directly in {parent.title if parent is not None else ''}"
+                },
+            )

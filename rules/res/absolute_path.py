@@ -8,9 +8,10 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Include,
+    Resource,
     Rule,
     Severity,
-    problems,
     warns,
 )
 
@@ -31,7 +32,7 @@ class AbsolutePath(Rule):
         Consumer.GAZEBO: warns("does not find the file on another computer"),
         Consumer.DRAKE: warns("refuses the file on another computer"),
     }
-    explains = (problems.AbsolutePath,)
+    looks_at = (Include, Resource)
     scaffold = IN_VISUAL
 
     bad = (
@@ -52,6 +53,11 @@ class AbsolutePath(Rule):
         Good(MESH.format("model://arm/arm.dae")),
     )
 
-    def check(self, problem: problems.AbsolutePath) -> Iterator[Diagnostic]:
-        message = f"absolute path `{problem.value.text.strip()}` holds on one computer only"
-        yield self.diagnostic(problem.value, message)
+    @staticmethod
+    def applies(named: Include | Resource) -> bool:
+        # What is included and not found is an error of its own.
+        return named.is_absolute and named.misspelling is None and named.obstacle is None
+
+    def check(self, named: Include | Resource) -> Iterator[Diagnostic]:
+        if named.uri_value is not None:
+            yield self.diagnostic(named.uri_value, f"absolute path `{named.uri}` holds on one computer only")

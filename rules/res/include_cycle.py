@@ -1,6 +1,7 @@
+import os
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Include, Rule, Severity, Value, refuses
 
 SELF = (
     '<sdf version="1.12"><model name="{}"><link name="l"/>'
@@ -19,7 +20,7 @@ class IncludeCycle(Rule):
     name = "include-cycle"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: refuses("crashes"), Consumer.DRAKE: refuses("crashes")}
-    explains = (problems.IncludeCycle,)
+    looks_at = (Include,)
 
     bad = (
         Bad(
@@ -45,11 +46,20 @@ class IncludeCycle(Rule):
         ),
     )
 
-    def check(self, problem: problems.IncludeCycle) -> Iterator[Diagnostic]:
-        first, *others = problem.steps
-        name = first.element.document.path.name
+    @staticmethod
+    def applies(include: Include) -> bool:
+        # Each cycle is reported once, in the file of it that comes first by its path.
+        ring = include.ring
+        return bool(ring) and real_path(ring[0]) == min(map(real_path, ring))
+
+    def check(self, include: Include) -> Iterator[Diagnostic]:
+        first, *others = include.ring
         ways = [step.element.document.path.name for step in others]
-        message = f"{name} includes itself"
+        message = f"{include.document.path.name} includes itself"
         if ways:
             message += f" by way of {', '.join(ways)}"
         yield self.diagnostic(first, message, labels=dict.fromkeys(others, "and from here"))
+
+
+def real_path(step: Value) -> str:
+    return os.path.realpath(step.element.document.path)

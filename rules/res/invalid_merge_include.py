@@ -8,12 +8,13 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Include,
     Rule,
     Severity,
     listed,
-    problems,
 )
 
+NOT_INTO_WORLDS = ("link", "gripper")
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 LAMP = '<sdf version="1.12"><light name="lamp" type="point"/></sdf>'
 SET = '<sdf version="1.12"><model name="set"><model name="arm"><link name="l"/></model></model></sdf>'
@@ -31,7 +32,7 @@ class InvalidMergeInclude(Rule):
     name = "invalid-merge-include"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.InvalidMerge,)
+    looks_at = (Include,)
     scaffold = IN_WORLD
 
     bad = (
@@ -59,12 +60,25 @@ class InvalidMergeInclude(Rule):
         Good('<include merge="false"><uri>lamp.sdf</uri></include>', files={"lamp.sdf": LAMP}),
     )
 
-    def check(self, problem: problems.InvalidMerge) -> Iterator[Diagnostic]:
-        article = "an" if problem.kind == "actor" else "a"
-        if problem.kind != "model":
-            message = f"{article} {problem.kind} cannot be merged, only a model can"
-        elif problem.parts:
-            message = f"a world cannot take {listed(problem.parts, most=3)} from a merged model"
+    @staticmethod
+    def applies(include: Include) -> bool:
+        if not include.is_merged or include.brought is None:
+            return False
+        into = include.element.parent.name if include.element.parent is not None else ""
+        if include.found.kind != "model" or into not in {"model", "world"}:
+            return True
+        return into == "world" and any(kind in NOT_INTO_WORLDS for kind, _ in include.merged_parts)
+
+    def check(self, include: Include) -> Iterator[Diagnostic]:
+        kind, into, merge = include.found.kind, include.element.parent, include.attribute("merge")
+        if into is None or merge is None:
+            return
+        if kind != "model":
+            article = "an" if kind == "actor" else "a"
+            message = f"{article} {kind} cannot be merged, only a model can"
+        elif into.name == "world":
+            parts = [f"{kind} `{name}`" for kind, name in include.merged_parts if kind in NOT_INTO_WORLDS]
+            message = f"a world cannot take {listed(parts, most=3)} from a merged model"
         else:
-            message = f"nothing can be merged into {problem.parent.title}"
-        yield self.diagnostic(problem.merge, message)
+            message = f"nothing can be merged into {into.title}"
+        yield self.diagnostic(merge, message)

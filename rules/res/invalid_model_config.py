@@ -1,24 +1,37 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems, refuses
+from sdfcheck import (
+    IN_WORLD,
+    Bad,
+    ConfigFault,
+    Consumer,
+    Diagnostic,
+    Good,
+    Include,
+    ModelConfig,
+    Rule,
+    Severity,
+    Value,
+    refuses,
+)
 
 CONFIG = "model.config"
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 MESSAGES = {
-    problems.ConfigFault.NO_MODEL: "the root element of a model.config is `model`, not `{}`",
-    problems.ConfigFault.NO_NAME: "the model has no `name`",
-    problems.ConfigFault.NO_NAME_NO_FILE: "neither `name` nor `sdf` says what the model is",
-    problems.ConfigFault.NO_FILE: "no `sdf` says which file is the model",
-    problems.ConfigFault.EMPTY_FILE: "`sdf` names no file",
-    problems.ConfigFault.NO_VERSION: "`sdf` has no `version`",
-    problems.ConfigFault.BAD_VERSION: "`{}` is no version of SDFormat",
-    problems.ConfigFault.TOO_NEW: "version {} is newer than any reader knows",
-    problems.ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
-    problems.ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
+    ConfigFault.NO_MODEL: "the root element of a model.config is `model`, not `{}`",
+    ConfigFault.NO_NAME: "the model has no `name`",
+    ConfigFault.NO_NAME_NO_FILE: "neither `name` nor `sdf` says what the model is",
+    ConfigFault.NO_FILE: "no `sdf` says which file is the model",
+    ConfigFault.EMPTY_FILE: "`sdf` names no file",
+    ConfigFault.NO_VERSION: "`sdf` has no `version`",
+    ConfigFault.BAD_VERSION: "`{}` is no version of SDFormat",
+    ConfigFault.TOO_NEW: "version {} is newer than any reader knows",
+    ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
+    ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
 }
 SEVERITIES = {
-    problems.ConfigFault.NO_NAME: Severity.WARNING,
-    problems.ConfigFault.UNMADE_FILE: Severity.INFO,
+    ConfigFault.NO_NAME: Severity.WARNING,
+    ConfigFault.UNMADE_FILE: Severity.INFO,
 }
 
 
@@ -36,7 +49,7 @@ class InvalidModelConfig(Rule):
     name = "invalid-model-config"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: refuses("refuses the model"), Consumer.DRAKE: refuses("refuses the model")}
-    explains = (problems.InvalidModelConfig, problems.OldManifest)
+    looks_at = (ModelConfig, Include)
     scaffold = "<model><name>arm</name>{}</model>"
 
     bad = (
@@ -77,14 +90,21 @@ class InvalidModelConfig(Rule):
         ),
     )
 
-    def check(self, problem: problems.InvalidModelConfig | problems.OldManifest) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.OldManifest):
-            message = f"`{problem.uri.text}` has only a manifest.xml, and readers look for a model.config"
-            yield self.diagnostic(problem.uri, message)
-            return
-        place, fault = problem.place, problem.fault
-        named = place.text.strip() if isinstance(place, Value) else place.name
-        message = MESSAGES[fault].format(named, problem.near)
-        if problem.near is not None and fault is not problems.ConfigFault.UNMADE_FILE:
-            message += f", did you mean `{problem.near}`?"
-        yield self.diagnostic(place, message, severity=SEVERITIES.get(fault, Severity.ERROR))
+    @staticmethod
+    def applies(subject: ModelConfig | Include) -> bool:
+        return subject.is_misconfigured
+
+    def check(self, subject: ModelConfig | Include) -> Iterator[Diagnostic]:
+        if isinstance(subject, ModelConfig):
+            yield from self.misconfigured(subject)
+        elif subject.uri_value is not None:
+            message = f"`{subject.uri}` has only a manifest.xml, and readers look for a model.config"
+            yield self.diagnostic(subject.uri_value, message)
+
+    def misconfigured(self, config: ModelConfig) -> Iterator[Diagnostic]:
+        for place, fault, near in config.faults:
+            named = place.text.strip() if isinstance(place, Value) else place.name
+            message = MESSAGES[fault].format(named, near)
+            if near is not None and fault is not ConfigFault.UNMADE_FILE:
+                message += f", did you mean `{near}`?"
+            yield self.diagnostic(place, message, severity=SEVERITIES.get(fault, Severity.ERROR))

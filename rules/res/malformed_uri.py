@@ -9,10 +9,12 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Include,
+    Resource,
     Rule,
     Severity,
+    UriFault,
     accepts,
-    problems,
     replace,
     warns,
 )
@@ -21,9 +23,7 @@ from sdfcheck_rules.res.places import needs_no_escape
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 URDF_MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 # libsdformat cuts off a scheme, whichever it is, together with its slashes.
-CUT_OFF = frozenset(
-    {problems.UriFault.SLASHES, problems.UriFault.SCHEME_CASE, problems.UriFault.UNKNOWN_SCHEME}
-)
+CUT_OFF = frozenset({UriFault.SLASHES, UriFault.SCHEME_CASE, UriFault.UNKNOWN_SCHEME})
 
 
 class MalformedUri(Rule):
@@ -38,7 +38,7 @@ class MalformedUri(Rule):
     name = "malformed-uri"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: warns("does not find the file"), Consumer.DRAKE: REFUSES}
-    explains = (problems.MalformedUri,)
+    looks_at = (Include, Resource)
     scaffold = IN_VISUAL
 
     bad = (
@@ -82,26 +82,31 @@ class MalformedUri(Rule):
         Good(MESH.format("\n  meshes/arm.dae\n"), why="blanks around the text of an element do not count"),
     )
 
-    def check(self, problem: problems.MalformedUri) -> Iterator[Diagnostic]:
-        text, fault, meant = problem.value.text, problem.fault, problem.meant
-        holder = problem.value.element.parent
-        is_include = holder is not None and holder.name == "include"
+    @staticmethod
+    def applies(named: Include | Resource) -> bool:
+        return named.misspelling is not None
+
+    def check(self, named: Include | Resource) -> Iterator[Diagnostic]:
+        value, misspelling = named.uri_value, named.misspelling
+        if value is None or misspelling is None:
+            return
+        text, (fault, meant) = value.text, misspelling
         affects = {}
-        if is_include:
+        if named.kind == "include":
             is_cut = fault in CUT_OFF and "://" in text
             affects = {Consumer.GAZEBO: accepts("looks for what follows the scheme") if is_cut else REFUSES}
-        scheme = text.strip().partition(":")[0]
+        scheme = named.uri.partition(":")[0]
         message = {
-            problems.UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
-            problems.UriFault.SLASHES: f"not two slashes behind `{scheme}:` in `{text}`",
-            problems.UriFault.SCHEME_CASE: f"the scheme `{scheme}` is spelt in small letters",
-            problems.UriFault.UNKNOWN_SCHEME: f"no reader knows the scheme `{scheme}`",
-            problems.UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
-            problems.UriFault.BLANK: f"a blank too many in `{text}`",
+            UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
+            UriFault.SLASHES: f"not two slashes behind `{scheme}:` in `{text}`",
+            UriFault.SCHEME_CASE: f"the scheme `{scheme}` is spelt in small letters",
+            UriFault.UNKNOWN_SCHEME: f"no reader knows the scheme `{scheme}`",
+            UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
+            UriFault.BLANK: f"a blank too many in `{text}`",
         }[fault]
         if meant is None:
-            yield self.diagnostic(problem.value, message, affects=affects)
+            yield self.diagnostic(value, message, affects=affects)
             return
         message += f"; did you mean `{meant}`?"
-        fix = replace(problem.value, meant, f"write {meant}") if needs_no_escape(meant) else None
-        yield self.diagnostic(problem.value, message, fix=fix, affects=affects)
+        fix = replace(value, meant, f"write {meant}") if needs_no_escape(meant) else None
+        yield self.diagnostic(value, message, fix=fix, affects=affects)

@@ -7,18 +7,16 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Element,
     Good,
-    Reaction,
+    Resource,
+    Root,
     Rule,
     Severity,
-    Value,
-    accepts,
-    problems,
     used,
     warns,
 )
-from sdfcheck_rules.res.places import looked_for, place
+from sdfcheck_rules.res.absences import Absences, reactions
+from sdfcheck_rules.res.places import looked_for, near_file, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 
@@ -45,7 +43,7 @@ class MissingFile(Rule):
         Consumer.DRAKE: REFUSES,
         Consumer.MUJOCO: REFUSES,
     }
-    explains = (problems.MissingFile, problems.MissingFolder, problems.MissingOwner)
+    looks_at = (Root,)
     scaffold = IN_VISUAL
 
     bad = (
@@ -89,37 +87,45 @@ class MissingFile(Rule):
         ),
     )
 
-    def check(
-        self, problem: problems.MissingFile | problems.MissingFolder | problems.MissingOwner
-    ) -> Iterator[Diagnostic]:
-        value, location = problem.value, problem.location
-        where = looked_for(value, location.tried)
-        if isinstance(problem, problems.MissingFile):
-            message = f"{problem.what} `{value.text.strip()}` does not exist{used(problem.count)}"
-            if problem.suggestion is not None:
-                message += f", did you mean `{problem.suggestion}`?"
-            severity = Severity.ERROR if problem.has_kin else Severity.WARNING
-            affects = reactions(value, REFUSES if problem.has_kin else ELSEWHERE)
-            yield self.diagnostic(value, message, severity=severity, help=where, affects=affects)
-            return
-        times = f", needed for {len(problem.uses)} files" if len(problem.uses) > 1 else ""
-        if isinstance(problem, problems.MissingFolder):
-            message = f"there is no folder `{place(value.element.document, problem.folder)}`{times}"
-        else:
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(resource.is_missing for resource in root.resources)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        absences = Absences(resource for resource in root.resources if resource.is_missing)
+        for uses in absences.files.values():
+            yield self.file(uses)
+        for uses in absences.owners.values():
+            location = uses[0].location
+            assert location is not None, "what is missing was looked for"
             setting = "model-paths" if location.scheme == "model" else "package-paths"
-            message = f"{location.scheme} `{location.name}` is not on the search path{times}"
-            where += f"; set `{setting}` in the configuration if it is elsewhere"
-        affects = reactions(value, ELSEWHERE)
-        yield self.diagnostic(value, message, severity=Severity.WARNING, help=where, affects=affects)
+            advice = f"; set `{setting}` in the configuration if it is elsewhere"
+            yield self.together(
+                uses, f"{location.scheme} `{location.name}` is not on the search path", advice
+            )
+        for folder, uses in absences.folders.items():
+            yield self.together(uses, f"there is no folder `{place(root.document, folder)}`")
 
+    def file(self, uses: list[Resource]) -> Diagnostic:
+        resource = uses[0]
+        near, has_kin = near_file(resource)
+        message = f"{resource.what} `{resource.uri}` does not exist{used(len(uses))}"
+        if near is not None:
+            message += f", did you mean `{near}`?"
+        return self.diagnostic(
+            resource.uri_value,
+            message,
+            severity=Severity.ERROR if has_kin else Severity.WARNING,
+            help=looked_for(resource),
+            affects=reactions(resource, REFUSES if has_kin else ELSEWHERE),
+        )
 
-def reactions(value: Value, missing: Reaction) -> dict[Consumer, Reaction]:
-    """Drake looks for the meshes of links, MuJoCo for those of collisions that are paths."""
-    roles = {each.name for each in value.element.iterancestors() if isinstance(each, Element)}
-    is_mesh = (value.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
-    opened = is_mesh and "collision" in roles and ":/" not in value.text
-    unread = accepts("does not look for it")
-    return {
-        Consumer.DRAKE: missing if is_mesh and roles & {"visual", "collision"} else unread,
-        Consumer.MUJOCO: missing if opened else unread,
-    }
+    def together(self, uses: list[Resource], message: str, advice: str = "") -> Diagnostic:
+        times = f", needed for {len(uses)} files" if len(uses) > 1 else ""
+        return self.diagnostic(
+            uses[0].uri_value,
+            message + times,
+            severity=Severity.WARNING,
+            help=looked_for(uses[0]) + advice,
+            affects=reactions(uses[0], ELSEWHERE),
+        )

@@ -8,12 +8,13 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Plugin,
     Rule,
     Severity,
-    problems,
     warns,
 )
 
+NAMELESS_SINCE = "1.10"
 OLDER = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("older releases refuse the file"))
 
 
@@ -29,7 +30,7 @@ class MissingPluginAttribute(Rule):
     name = "missing-plugin-attribute"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
-    explains = (problems.MissingAttribute,)
+    looks_at = (Plugin,)
     scaffold = IN_MODEL
 
     bad = (
@@ -49,17 +50,28 @@ class MissingPluginAttribute(Rule):
         ),
     )
 
-    def check(self, problem: problems.MissingAttribute) -> Iterator[Diagnostic]:
-        element, name = problem.element, problem.attribute
-        if element.name != "plugin":
-            return
-        message = (
-            f"`{name}` of {element.title} is empty" if problem.empty else f"{element.title} has no `{name}`"
-        )
-        value = element.attribute(name)
-        target = element.span if value is None else value.name_span
-        severity, affects = Severity.ERROR, {}
-        if problem.until is not None:
-            message += f", required up to version {problem.until}"
-            severity, affects = Severity.WARNING, OLDER
-        yield self.diagnostic(target, message, severity=severity, affects=affects)
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return lacks_file(plugin) or lacks_name(plugin)
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        title = plugin.title
+        if lacks_file(plugin):
+            value = plugin.filename_value
+            if value is None:
+                yield self.diagnostic(plugin, f"{title} has no `filename`")
+            else:
+                yield self.diagnostic(value.name_span, f"`filename` of {title} is empty")
+        if lacks_name(plugin):
+            message = f"{title} has no `name`, required up to version 1.9"
+            yield self.diagnostic(plugin, message, severity=Severity.WARNING, affects=OLDER)
+
+
+def lacks_file(plugin: Plugin) -> bool:
+    return not plugin.filename and not plugin.misspells("filename")
+
+
+def lacks_name(plugin: Plugin) -> bool:
+    if plugin.name_value is not None or plugin.root.is_urdf:
+        return False
+    return plugin.root.is_older_than(NAMELESS_SINCE) and not plugin.misspells("name")

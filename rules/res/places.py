@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from pathlib import Path
 
-from sdfcheck import Document, Value
+from sdfcheck import Document, Include, Resource, suggest
 
 _SHOWN = 3
 
@@ -21,13 +20,49 @@ def place(document: Document, path: str | Path) -> str:
     return min(short, whole, key=len)
 
 
-def looked_for(value: Value, paths: Sequence[str]) -> str:
+def looked_for(named: Include | Resource) -> str:
     """Where something was looked for, the first few places."""
-    document = value.element.document
-    places = list(dict.fromkeys(place(document, path) for path in paths))
+    paths = named.location.tried if named.location is not None else ()
+    places = list(dict.fromkeys(place(named.document, path) for path in paths))
     left = len(places) - _SHOWN
     more = f" and {left} more {'place' if left == 1 else 'places'}" if left > 0 else ""
     return f"looked for {', '.join(places[:_SHOWN])}{more}"
+
+
+def expected(resource: Resource) -> str | None:
+    """Of the paths that were tried the one in the model or package that was found."""
+    location = resource.location
+    if location is None:
+        return None
+    if location.owner is None:
+        return next(iter(location.tried), None)
+    first = location.tried[0]
+    return first if first.startswith(f"{os.path.normpath(location.owner)}{os.sep}") else None
+
+
+def near_file(resource: Resource) -> tuple[str | None, bool]:
+    """The file that is probably meant, and whether there are any of the kind where it is expected.
+
+    Without any, such files may be kept elsewhere.
+    """
+    path = expected(resource)
+    if path is None:
+        return None, False
+    folder, own = os.path.split(path)
+    beside = names_in(folder or os.curdir, (os.path.splitext(own)[1],))
+    return suggest(own, beside), bool(beside)
+
+
+def descriptions(folder: Path) -> list[str]:
+    """The files of a folder that may be meant by who names the folder."""
+    return names_in(folder, (".sdf", ".urdf"))
+
+
+def names_in(folder: str | Path, endings: tuple[str, ...]) -> list[str]:
+    try:
+        return sorted(name for name in os.listdir(folder) if name.endswith(endings))
+    except OSError:
+        return []
 
 
 def needs_no_escape(text: str) -> bool:

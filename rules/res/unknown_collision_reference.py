@@ -6,11 +6,14 @@ from sdfcheck import (
     IN_WORLD,
     Bad,
     Consumer,
+    Contact,
     Diagnostic,
     Good,
+    Gripper,
     Rule,
     Severity,
-    problems,
+    State,
+    suggest_in,
     warns,
 )
 
@@ -29,7 +32,7 @@ class UnknownCollisionReference(Rule):
     name = "unknown-collision-reference"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("senses nothing")}
-    explains = (problems.UnknownReference,)
+    looks_at = (Contact, Gripper, State)
     scaffold = IN_LINK
 
     bad = (
@@ -60,8 +63,14 @@ class UnknownCollisionReference(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnknownReference) -> Iterator[Diagnostic]:
-        message = f"{problem.scope.title} has no {problem.kind} `{problem.value.text}`"
-        if problem.suggestion is not None:
-            message += f", did you mean `{problem.suggestion}`?"
-        yield self.diagnostic(problem.value, message)
+    @staticmethod
+    def applies(part: Contact | Gripper | State) -> bool:
+        return bool(part.unresolved)
+
+    def check(self, part: Contact | Gripper | State) -> Iterator[Diagnostic]:
+        for value, kind, scope, names in part.unresolved:
+            message = f"{scope.title} has no {kind} `{value.text}`"
+            near = suggest_in(part.document, value.text, names)
+            if near is not None:
+                message += f", did you mean `{near}`?"
+            yield self.diagnostic(value, message)

@@ -1,7 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, used, warns
+from sdfcheck import (
+    IN_URDF_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Resource,
+    Root,
+    Rule,
+    Severity,
+    used,
+    warns,
+)
 
+RELATIVE = ""
+MODEL = "model"
 MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 
 
@@ -17,7 +31,7 @@ class UnportableMeshUri(Rule):
     name = "unportable-mesh-uri"
     severity = Severity.INFO
     affects = {Consumer.URDFDOM: warns("hands the address on to programs that do not resolve it")}
-    explains = (problems.UnportableUri,)
+    looks_at = (Root,)
     scaffold = IN_URDF_LINK
 
     bad = (
@@ -29,7 +43,26 @@ class UnportableMeshUri(Rule):
     )
     good = (Good(MESH.format("package://arm/meshes/arm.stl")), Good(MESH.format("file:///opt/arm.stl")))
 
-    def check(self, problem: problems.UnportableUri) -> Iterator[Diagnostic]:
-        what = f"`{problem.scheme}://`" if problem.scheme else "a relative path"
-        message = f"{what}{used(len(problem.uses))} is not resolved by ROS programs"
-        yield self.diagnostic(problem.value, message, help="`package://` is understood more widely")
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return root.is_urdf and any(scheme(resource) is not None for resource in root.resources)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        schemes = [scheme(resource) for resource in root.resources]
+        for kind in (RELATIVE, MODEL):
+            uses = [resource for resource, own in zip(root.resources, schemes, strict=True) if own == kind]
+            if uses:
+                what = f"`{kind}://`" if kind else "a relative path"
+                message = f"{what}{used(len(uses))} is not resolved by ROS programs"
+                advice = "`package://` is understood more widely"
+                yield self.diagnostic(uses[0].uri_value, message, help=advice)
+
+
+def scheme(resource: Resource) -> str | None:
+    """The scheme of an address that ROS programs do not resolve; None for others, and for what is malformed."""
+    uri = resource.uri
+    if not resource.is_urdf or uri.startswith("/") or "$" in uri or "\\" in uri:
+        return None
+    head, delimiter, _ = uri.partition("://")
+    found = head.lower() if delimiter else RELATIVE
+    return found if found in (RELATIVE, MODEL) and ":/" not in head else None

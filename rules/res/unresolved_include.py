@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
-from sdfcheck_rules.res.places import looked_for
+from sdfcheck import IN_WORLD, REFUSES, Bad, Consumer, Diagnostic, Good, Include, Root, Rule, Severity
+from sdfcheck_rules.res.places import descriptions, looked_for
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 
@@ -20,7 +20,7 @@ class UnresolvedInclude(Rule):
     name = "unresolved-include"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.UnresolvedInclude, problems.FolderWithoutConfig)
+    looks_at = (Root,)
     scaffold = IN_WORLD
 
     bad = (
@@ -65,36 +65,51 @@ class UnresolvedInclude(Rule):
         ),
     )
 
-    def check(
-        self, problem: problems.UnresolvedInclude | problems.FolderWithoutConfig
-    ) -> Iterator[Diagnostic]:
-        text = problem.uri.text
-        if isinstance(problem, problems.FolderWithoutConfig):
-            files = " or ".join(f"`{text.rstrip('/')}/{name}`" for name in problem.descriptions)
-            advice = f"name the file: {files}" if files else None
-            yield self.diagnostic(
-                problem.uri, f"`{text}` leads to a folder without `model.config`", help=advice
-            )
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(include.is_missing or include.needs_config for include in root.includes)
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        alike: dict[object, list[Include]] = {}
+        for include in root.includes:
+            if include.needs_config:
+                yield from self.folder(include)
+            elif include.is_missing:
+                # What is missing for a reason outside of the file is reported once.
+                is_outside = include.is_searched_for or (include.location and include.location.is_remote)
+                alike.setdefault(include.uri if is_outside else include, []).append(include)
+        for includes in alike.values():
+            yield from self.missing(includes[0], len(includes))
+
+    def folder(self, include: Include) -> Iterator[Diagnostic]:
+        text, value, location = include.uri, include.uri_value, include.location
+        if value is None or location is None or location.path is None:
             return
-        location = problem.location
-        where = looked_for(problem.uri, location.tried)
-        times = f" ({len(problem.uses)} includes)" if len(problem.uses) > 1 else ""
+        files = " or ".join(f"`{text.rstrip('/')}/{name}`" for name in descriptions(location.path))
+        advice = f"name the file: {files}" if files else None
+        yield self.diagnostic(value, f"`{text}` leads to a folder without `model.config`", help=advice)
+
+    def missing(self, include: Include, count: int) -> Iterator[Diagnostic]:
+        text, value, location = include.uri, include.uri_value, include.location
+        if value is None or location is None:
+            return
+        where = looked_for(include)
+        times = f" ({count} includes)" if count > 1 else ""
+        severity = Severity.ERROR
+        advice: str | None = where
         if location.is_remote:
+            severity, advice = Severity.INFO, None
             message = f"`{text}` is not fetched, so what it brings is not known{times}"
-            yield self.diagnostic(problem.uri, message, severity=Severity.INFO)
         elif not location.is_local:
-            yield self.diagnostic(problem.uri, f"no reader knows the scheme `{location.scheme}`")
+            advice, message = None, f"no reader knows the scheme `{location.scheme}`"
         elif location.owner is not None:
             missing = text.partition(f"{location.name}/")[2]
             message = f"there is no `{missing}` in {location.scheme} `{location.name}`"
-            yield self.diagnostic(problem.uri, message, help=where)
-        elif problem.is_searched_for:
+        elif include.is_searched_for:
             kind = location.scheme or "model"
-            yield self.diagnostic(
-                problem.uri,
-                f"{kind} `{location.name or text}` is not on the search path{times}",
-                severity=Severity.WARNING,
-                help=f"{where}; set `{kind}-paths` in the configuration if it is elsewhere",
-            )
+            message = f"{kind} `{location.name or text}` is not on the search path{times}"
+            severity = Severity.WARNING
+            advice = f"{where}; set `{kind}-paths` in the configuration if it is elsewhere"
         else:
-            yield self.diagnostic(problem.uri, f"`{text}` leads to no file", help=where)
+            message = f"`{text}` leads to no file"
+        yield self.diagnostic(value, message, severity=severity, help=advice)

@@ -1,8 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
-from sdfcheck.problems import Obstacle
+from sdfcheck import (
+    IN_WORLD,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Include,
+    Obstacle,
+    Rule,
+    Severity,
+)
 
+SETTINGS = ("name", "static", "placement_frame")
 ARM = {"arm.sdf": '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'}
 
 
@@ -19,7 +31,7 @@ class UnusableInclude(Rule):
     name = "unusable-include"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.UnusableInclude, problems.EmptyIncludeSetting)
+    looks_at = (Include,)
     scaffold = IN_WORLD
 
     bad = (
@@ -57,19 +69,31 @@ class UnusableInclude(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnusableInclude | problems.EmptyIncludeSetting) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.EmptyIncludeSetting):
-            yield self.diagnostic(problem.element, f"`{problem.element.name}` of this include is empty")
-            return
-        name = f"`{problem.file.name}`"
-        if problem.obstacle is Obstacle.UNREADABLE:
-            message = f"{name} cannot be read"
-        elif problem.obstacle is Obstacle.XACRO:
-            message = f"{name} is xacro, which has to be expanded before it can be included"
-        elif problem.obstacle is Obstacle.FOREIGN:
-            message = f"{name} is neither SDFormat nor URDF: its root element is `{problem.root}`"
-        elif problem.holds_world:
-            message = f"{name} holds no model but a world, and a world cannot be included"
-        else:
-            message = f"{name} holds no model, actor or light"
-        yield self.diagnostic(problem.uri, message)
+    @staticmethod
+    def applies(include: Include) -> bool:
+        return include.is_read_in_vain or any(True for _ in empty_settings(include))
+
+    def check(self, include: Include) -> Iterator[Diagnostic]:
+        for setting in empty_settings(include):
+            yield self.diagnostic(setting, f"`{setting.name}` of this include is empty")
+        if include.is_read_in_vain and include.uri_value is not None:
+            yield self.diagnostic(include.uri_value, self.reason(include))
+
+    def reason(self, include: Include) -> str:
+        file, document = include.found.file, include.found.document
+        name = f"`{file.name}`" if file is not None else "it"
+        root = document.root if document is not None else None
+        if include.obstacle is Obstacle.XACRO:
+            return f"{name} is xacro, which has to be expanded before it can be included"
+        if root is None:
+            return f"{name} cannot be read"
+        if include.obstacle is Obstacle.FOREIGN:
+            return f"{name} is neither SDFormat nor URDF: its root element is `{root.name}`"
+        if root.has("world"):
+            return f"{name} holds no model but a world, and a world cannot be included"
+        return f"{name} holds no model, actor or light"
+
+
+def empty_settings(include: Include) -> Iterator[Element]:
+    """Settings that libsdformat does not survive."""
+    return (setting for name in SETTINGS for setting in include.children(name) if not setting.content)

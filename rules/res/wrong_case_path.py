@@ -7,9 +7,10 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Include,
+    Resource,
     Rule,
     Severity,
-    problems,
     refuses,
     replace,
     warns,
@@ -37,7 +38,7 @@ class WrongCasePath(Rule):
         Consumer.GAZEBO: warns("does not find the file where the case of letters counts"),
         Consumer.DRAKE: warns("refuses the file where the case of letters counts"),
     }
-    explains = (problems.WrongCase,)
+    looks_at = (Include, Resource)
     scaffold = IN_VISUAL
 
     bad = (
@@ -56,12 +57,18 @@ class WrongCasePath(Rule):
     )
     good = (Good(MESH.format("Meshes/arm.dae"), files={"Meshes/arm.dae": ""}),)
 
-    def check(self, problem: problems.WrongCase) -> Iterator[Diagnostic]:
-        value, meant = problem.value, problem.meant
-        there = meant or place(value.element.document, problem.near)
+    @staticmethod
+    def applies(named: Include | Resource) -> bool:
+        return named.other_case is not None
+
+    def check(self, named: Include | Resource) -> Iterator[Diagnostic]:
+        value, found = named.uri_value, named.other_case
+        if value is None or found is None:
+            return
+        meant = found.meant
         severity, affects = self.severity, {}
-        if value.element.parent is not None and value.element.parent.name == "include":
+        if named.kind == "include":
             severity, affects = Severity.ERROR, dict.fromkeys(self.affects, ELSEWHERE)
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
-        message = f"`{value.text.strip()}` is spelt `{there}` on disk"
+        message = f"`{named.uri}` is spelt `{meant or place(named.document, found.path)}` on disk"
         yield self.diagnostic(value, message, severity=severity, fix=fix, affects=affects)

@@ -1,7 +1,9 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Element, Good, Rule, Sensor, Severity, warns
 
+NEED_SETTINGS = ("camera", "contact", "lidar", "logical_camera")
+"""Settings without which a sensor has nothing sensible to run on."""
 SCAN = (
     "<scan><horizontal><samples>9</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan>"
     "<range><min>0.1</min><max>9</max></range>"
@@ -19,7 +21,7 @@ class MismatchedSensor(Rule):
     name = "mismatched-sensor"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("takes defaults")}
-    explains = (problems.MismatchedSensor,)
+    looks_at = (Sensor,)
     scaffold = IN_LINK
 
     bad = (
@@ -43,11 +45,30 @@ class MismatchedSensor(Rule):
         ),
     )
 
-    def check(self, problem: problems.MismatchedSensor) -> Iterator[Diagnostic]:
-        kind, wrong, expected = problem.type, problem.wrong, problem.expected
-        subject = f"{kind.element.title} of type `{kind.text.strip()}`"
+    @staticmethod
+    def applies(sensor: Sensor) -> bool:
+        expected = sensor.settings_names
+        if not expected or sensor.root.is_urdf or any(sensor.misspells(name) for name in expected):
+            return False
+        return wrong_settings(sensor) is not None or lacks_settings(sensor)
+
+    def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
+        kind, expected, wrong = sensor.type_value, sensor.settings_names[0], wrong_settings(sensor)
+        if kind is None:
+            return
+        subject = f"{sensor.title} of type `{sensor.type}`"
         if wrong is None:
             yield self.diagnostic(kind, f"{subject} has no `{expected}`, so it runs on defaults")
             return
         message = f"{subject} does not read `{wrong.name}`, but `{expected}`"
         yield self.diagnostic(wrong, message, labels={kind: "the type"})
+
+
+def wrong_settings(sensor: Sensor) -> Element | None:
+    """The first element that configures sensors of another type."""
+    names = sensor.settings_names
+    return next((given for given in sensor.given_settings if given.name not in names), None)
+
+
+def lacks_settings(sensor: Sensor) -> bool:
+    return sensor.settings_names[0] in NEED_SETTINGS and not sensor.given_settings

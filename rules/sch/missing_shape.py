@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import (
+    IN_COLLISION,
+    IN_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Root,
+    Rule,
+    Severity,
+    warns,
+)
 
 
 class MissingShape(Rule):
@@ -17,7 +29,7 @@ class MissingShape(Rule):
         Consumer.GAZEBO: warns("shows and collides with nothing"),
         Consumer.DRAKE: warns("leaves it out"),
     }
-    explains = (problems.MissingShape,)
+    looks_at = (Root,)
     scaffold = IN_COLLISION
 
     bad = (
@@ -32,7 +44,39 @@ class MissingShape(Rule):
         ),
     )
 
-    def check(self, problem: problems.MissingShape) -> Iterator[Diagnostic]:
-        element = problem.element
-        what = "shape" if element.name == "geometry" else "`geometry`"
-        yield self.diagnostic(element, f"{element.title} has no {what}")
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return any(True for _ in without_shape(root))
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for element in without_shape(root):
+            what = "shape" if element.name == "geometry" else "`geometry`"
+            yield self.diagnostic(element, f"{element.title} has no {what}")
+
+
+def without_shape(root: Root) -> Iterator[Element]:
+    """Geometries without shape; visuals and collisions of links without geometry. URDF has rules of its own."""
+    if root.is_urdf:
+        return
+    geometries = root.elements.get("geometry", ())
+    shaped = {geometry.parent for geometry in geometries}
+    for kind in ("visual", "collision"):
+        for element in root.elements.get(kind, ()):
+            if (
+                element not in shaped
+                and is_of_link(element)
+                and not root.part_of(element).misspells("geometry")
+            ):
+                yield element
+    for geometry in geometries:
+        is_empty = len(geometry) == 0 or next(geometry.children(), None) is None
+        # In a sonar it is the name of a shape.
+        if is_empty and geometry.parent is not None and geometry.parent.name != "sonar":
+            yield geometry
+
+
+def is_of_link(element: Element) -> bool:
+    """Elsewhere a collision is a reference, which holds its name; up to 1.11 states go by the names of parts, too."""
+    if element.parent is None or element.parent.name != "link":
+        return False
+    return not any(ancestor.tag == "state" for ancestor in element.iterancestors())

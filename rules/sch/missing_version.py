@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Root, Rule, Severity, make_fix
 
 
 class MissingVersion(Rule):
@@ -14,7 +14,7 @@ class MissingVersion(Rule):
     name = "missing-version"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    explains = (problems.MissingVersion,)
+    looks_at = (Root,)
 
     bad = (
         Bad(
@@ -32,16 +32,22 @@ class MissingVersion(Rule):
     )
     good = (Good('<sdf version="1.6"><model name="m"><link name="base"/></model></sdf>'),)
 
-    def check(self, problem: problems.MissingVersion) -> Iterator[Diagnostic]:
-        root, assumed = problem.element, problem.assumed
+    @staticmethod
+    def applies(root: Root) -> bool:
+        if root.is_urdf or root.element.name != "sdf" or root.misspells("version"):
+            return False
+        return not (root.version or "").strip()
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        element, assumed = root.element, root.read_as
         spans = root.document.spans
         title = f"declare version {assumed}, as which the file was checked"
-        if problem.empty:
-            whole = spans.attribute_whole(root, "version")
+        if root.version is not None:
+            whole = spans.attribute_whole(element, "version")
             fix = make_fix(title, (Edit(whole, f' version="{assumed}"'),), unsafe=True)
-            name = spans.attribute_name(root, "version")
-            yield self.diagnostic(name, f"`version` of `{root.name}` is empty", fix=fix)
+            name = spans.attribute_name(element, "version")
+            yield self.diagnostic(name, f"`version` of `{element.name}` is empty", fix=fix)
             return
-        behind = root.span._replace(start=root.span.end)
-        fix = make_fix(title, (Edit(behind, f' version="{assumed}"'),), unsafe=True)
-        yield self.diagnostic(root, f"`{root.name}` has no `version`", fix=fix)
+        after = element.span._replace(start=element.span.end)
+        fix = make_fix(title, (Edit(after, f' version="{assumed}"'),), unsafe=True)
+        yield self.diagnostic(element, f"`{element.name}` has no `version`", fix=fix)

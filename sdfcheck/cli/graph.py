@@ -66,7 +66,7 @@ def load(file: Path, settings: Settings) -> Document:
     """
     from sdfcheck.files.library import Library, SearchPaths
     from sdfcheck.files.regular import read_regular
-    from sdfcheck.robot.multiplied import refuse_too_many
+    from sdfcheck.robot.includes.multiplied import refuse_too_many
     from sdfcheck.source.sniff import sniff
 
     search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)

@@ -45,15 +45,13 @@ _ANALYSES = {
     Kind.SDF: (
         "sdfcheck.formats.sdf.survey:problems",
         "sdfcheck.formats.sdf.structure:structure_problems",
-        "sdfcheck.robot.resources:problems",
+        "sdfcheck.robot.includes.gate:problems",
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",
         "sdfcheck.formats.urdf.names:problems",
-        "sdfcheck.robot.resources:urdf_problems",
         "sdfcheck.consumers.gazebo:problems",
     ),
-    Kind.MODEL_CONFIG: ("sdfcheck.robot.model_config:problems",),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
 

@@ -28,6 +28,10 @@ def subjects(document: Document, looks_at: Sequence[str], selects: Sequence[str]
         root = root_of(document)
         for name in classes:
             found += root.made_of(selected, name) if is_narrowed else root.each(name)
+    elif document.kind is Kind.MODEL_CONFIG and "ModelConfig" in classes:
+        from sdfcheck.robot.includes.model_config import ModelConfig
+
+        found.append(document.view(ModelConfig))
     return found if is_narrowed else [*found, *selected]
 
 

@@ -44,7 +44,7 @@ def is_merged_model(frame: Frame) -> bool:
 
 def merged_model(frame: Frame) -> Element | None:
     """The element of the model that such a frame stands for."""
-    from sdfcheck.robot.includes import included
+    from sdfcheck.robot.includes.included import included
 
     return included(frame.element.document, frame.element).model
 

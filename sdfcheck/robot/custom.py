@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.part import Part
 
 if TYPE_CHECKING:
@@ -38,6 +39,16 @@ class Custom(Part):
     @property
     def prefix(self) -> str:
         return self.tag.partition(":")[0]
+
+    @property
+    def displaced(self) -> tuple[Element, ...]:
+        """The standard elements in it that belong beside it, where simulators look for them."""
+        return () if self.is_attribute else survey(self.document).displaced.get(self.element, ())
+
+    @property
+    def replaced(self) -> tuple[str, ...]:
+        """The names of required elements that are absent beside it, and in place of which it seems to be given."""
+        return () if self.is_attribute else tuple(survey(self.document).replaced.get(self.element, ()))
 
     @property
     def text(self) -> str:

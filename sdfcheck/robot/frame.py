@@ -54,7 +54,7 @@ class MergedFrame(Frame):
     @lazy
     def apart(self) -> Model:
         """The model as it is by itself, not merged."""
-        from sdfcheck.robot.includes import included
+        from sdfcheck.robot.includes.included import included
         from sdfcheck.robot.model import included_model
 
         model = included_model(cast("Scope", self.model.holder), included(self.document, self.element))

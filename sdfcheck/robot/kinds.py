@@ -15,6 +15,7 @@ _HOMES = {
     "axis": "parts.axis:Axis",
     "axis2": "parts.axis:Axis",
     "collision": "parts.shape:Collision",
+    "contact": "parts.sensor:Contact",
     "drake:frame": "frame:Frame",
     "drake:joint": "parts.joint:Joint",
     "dynamics": "parts.axis:Dynamics",
@@ -47,6 +48,7 @@ _HOMES = {
 """Element → where the class of its part is; all others make a :class:`Setting`, prefixed ones a :class:`Custom`."""
 
 _ELSEWHERE = {
+    "contact": frozenset(("sensor", "audio_source")),
     "inertial": frozenset(("link",)),
     "link": frozenset(("model", "robot", "gazebo")),
     "model": frozenset(("sdf", "world", "model", "gazebo")),
@@ -55,7 +57,9 @@ _ELSEWHERE = {
     "gazebo": frozenset(("robot",)),
     "material": frozenset(("visual", "robot", "collision")),
     "physics": frozenset(("world",)),
-    "plugin": frozenset(("world", "model", "sensor", "visual", "gui", "actor", "light", "gazebo")),
+    "plugin": frozenset(
+        ("world", "model", "sensor", "visual", "gui", "actor", "light", "projector", "gazebo")
+    ),
 }
 """Names that mean something else elsewhere → the elements in which they mean this."""
 
@@ -70,7 +74,14 @@ _OF_JOINTS = {
 
 CLASSES = {
     name: home
-    for home in {*_HOMES.values(), "custom:Custom", "part:Part", "parts.setting:Setting", "root:Root"}
+    for home in {
+        *_HOMES.values(),
+        "custom:Custom",
+        "part:Part",
+        "parts.resource:Resource",
+        "parts.setting:Setting",
+        "root:Root",
+    }
     for name in (home.partition(":")[2],)
 }
 """Class → where it is."""
@@ -80,9 +91,6 @@ ELEMENTS: dict[str, tuple[str, ...]] = {}
 for _element, _home in _HOMES.items():
     _class = _home.partition(":")[2]
     ELEMENTS[_class] = (*ELEMENTS.get(_class, ()), _element)
-
-SPECIAL = ("Custom", "FrameReference", "Root")
-"""What rules can look at besides what elements of certain names become."""
 
 
 def part_class(holder: Part, element: Element) -> type[Part]:

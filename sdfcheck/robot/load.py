@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_regular
-from sdfcheck.robot.multiplied import TooManyModels, refuse_too_many
+from sdfcheck.robot.includes.multiplied import TooManyModels, refuse_too_many
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import HEAD, Kind, sniff

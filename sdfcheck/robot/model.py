@@ -9,7 +9,7 @@ from sdfcheck.robot.scope import Scope
 from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.includes import Included
+    from sdfcheck.robot.includes.included import Included
     from sdfcheck.robot.link_names import LinkNames
     from sdfcheck.robot.material_names import MaterialNames
     from sdfcheck.robot.motion.lumping import Lumping
@@ -117,7 +117,7 @@ class Model(Scope):
     @property
     def is_included_as_static(self) -> bool:
         """Is it the model of a file that was reached by an include which makes it static?"""
-        from sdfcheck.robot.includes import is_made_static
+        from sdfcheck.robot.includes.included import is_made_static
 
         return self.holder is self.root and is_made_static(self.document)
 
@@ -287,7 +287,7 @@ def included_model(source: Scope, found: Included) -> Model | None:
         model.chain = (*chain, inside)
         model.via = found.include
         if model.alterations is None and found.include.has("experimental:params"):
-            from sdfcheck.robot.parameters import parameters
+            from sdfcheck.robot.includes.parameters import parameters
 
             model.alterations = parameters(found).alterations
     return model

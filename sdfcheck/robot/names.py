@@ -79,7 +79,7 @@ class Names:
         found = [pair for names in self._siblings.values() for pair in repeated(names)]
         document = self.root.document
         if document.library is not None and not self.root.is_urdf and "merge" in document.source.text:
-            from sdfcheck.robot.merges import merged_namesakes
+            from sdfcheck.robot.includes.merges import merged_namesakes
 
             found += merged_namesakes(document)
         return tuple(found)
@@ -142,7 +142,7 @@ def _doubtful(root: Root) -> Iterator[Element]:
 def _included(root: Root) -> Iterator[Name]:
     """The names that includes bring into their scopes, as far as they are known."""
     for include in survey(root.document).index.get("include", ()):
-        from sdfcheck.robot.includes import included
+        from sdfcheck.robot.includes.included import included
 
         found = included(root.document, include)
         parent = include.parent

@@ -125,3 +125,10 @@ class Node(Part):
         from sdfcheck.robot.motion.pose import resolved
 
         return resolved(self, relative_to)
+
+
+class Outside(Node):
+    """The world around a model that is alone in its file."""
+
+    __slots__ = ()
+    kind = "world"

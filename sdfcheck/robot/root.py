@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
+from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.robot.kinds import ELEMENTS, class_named
-from sdfcheck.robot.node import Node
+from sdfcheck.robot.node import Node, Outside
 from sdfcheck.robot.part import Part, Registry
 from sdfcheck.robot.scope import WORLD_FRAME, Scope
+from sdfcheck.robot.special import SPECIAL
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.sniff import Kind
 
@@ -20,10 +22,12 @@ if TYPE_CHECKING:
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
     from sdfcheck.robot.names import Names
+    from sdfcheck.robot.parts.include import Include
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
+    from sdfcheck.robot.parts.resource import Resource
     from sdfcheck.robot.rings import Ring
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
@@ -82,17 +86,32 @@ class Root(Part):
     @property
     def read_as(self) -> Version:
         """The version of the format as which it is read: the newest where none or an unknown one is declared."""
-        from sdfcheck.formats.sdf.survey import survey
-
         return survey(self.document).version
+
+    @lazy
+    def includes(self) -> tuple[Include, ...]:
+        """The includes that libsdformat follows, misplaced ones as well."""
+        if self.is_urdf or "<include" not in self.document.source.text:
+            return ()
+        from sdfcheck.robot.includes.included import includes_of
+
+        return tuple(self.made_of(includes_of(self.document), "Include"))
+
+    @lazy
+    def resources(self) -> tuple[Resource, ...]:
+        """The meshes, textures, scripts and sounds that it names."""
+        from sdfcheck.robot.parts.resource import resources_of
+
+        return resources_of(self)
 
     @lazy
     def scopes(self) -> tuple[Scope, ...]:
         """The worlds and models at the top of the file, in its order."""
         if self.is_urdf:
             return (cast("Scope", self.part(self.element)),)
-        tops = (child for child in self.children() if child.tag in {"world", "model"})
-        return tuple(cast("Scope", self.part(child)) for child in tops)
+        return tuple(
+            cast("Scope", self.part(top)) for top in self.children() if top.tag in {"world", "model"}
+        )
 
     def all_scopes(self) -> Iterator[Scope]:
         """Every world and model that the file itself writes, in the order of the file."""
@@ -132,18 +151,13 @@ class Root(Part):
     def each(self, kind: type[Part] | str) -> Iterator[Any]:
         """The parts of a class that the file itself writes, in the order of the file."""
         name = kind if isinstance(kind, str) else kind.__name__
-        if name == "Root":
-            yield self
-            return
-        if name == "FrameReference":
-            yield from self.frame_references
+        if name in SPECIAL:
+            yield from SPECIAL[name](self)
             return
         found = self._each.get(name)
         if found is None:
             index = self.elements
             elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
-            if name == "Custom":
-                elements = self._customs
             found = self._each[name] = tuple(self.made_of(elements, name)) if elements else ()
         yield from found
 
@@ -241,19 +255,7 @@ class Root(Part):
             from sdfcheck.robot.gazebo_blocks import with_extensions
 
             return with_extensions(index)
-        from sdfcheck.formats.sdf.survey import survey
-
         return survey(self.document).index
-
-    @property
-    def _customs(self) -> list[Element]:
-        if self.is_urdf:
-            from sdfcheck.formats.urdf.survey import survey as urdf_survey
-
-            return urdf_survey(self.document).customs
-        from sdfcheck.formats.sdf.survey import survey
-
-        return [custom for custom, _, _ in survey(self.document).customs]
 
     @property
     def mass_properties(self) -> MassProperties | None:
@@ -279,13 +281,6 @@ class Root(Part):
         from sdfcheck.robot.lookup import pick
 
         return pick(self, "model", self.models, key)
-
-
-class Outside(Node):
-    """The world around a model that is alone in its file."""
-
-    __slots__ = ()
-    kind = "world"
 
 
 def root_of(document: Document) -> Root:

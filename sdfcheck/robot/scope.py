@@ -18,10 +18,10 @@ from sdfcheck.robot.node import Node
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.alterations import Alterations
     from sdfcheck.robot.frame import Frame, MergedFrame
     from sdfcheck.robot.guess import Guess
-    from sdfcheck.robot.includes import Included
+    from sdfcheck.robot.includes.alterations import Alterations
+    from sdfcheck.robot.includes.included import Included
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.joint import Joint
@@ -220,7 +220,7 @@ class Scope(Node):
             if kind in NODES and (name := name.strip()):
                 self._take(source, nodes, name, child)
         if survey(source.document).index.get("include"):
-            from sdfcheck.robot.includes import included
+            from sdfcheck.robot.includes.included import included
 
             for include in source.element.children("include"):
                 self._include(source, nodes, included(source.document, include))

@@ -19,8 +19,8 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.alterations import Alterations
-    from sdfcheck.robot.includes import Included
+    from sdfcheck.robot.includes.alterations import Alterations
+    from sdfcheck.robot.includes.included import Included
 
 MODEL_FRAME = "__model__"
 WORLD_FRAME = "world"
@@ -208,7 +208,7 @@ class Scopes:
             inner = self._build("model", name, child, scope, origin) if kind == "model" else None
             scope.frames.setdefault(name, Frame(kind, name, child, scope, inner))
         if survey(document).index.get("include"):
-            from sdfcheck.robot.includes import included
+            from sdfcheck.robot.includes.included import included
 
             for include in element.children("include"):
                 self._include(scope, included(document, include), origin)
@@ -265,7 +265,7 @@ class Scopes:
             return None
         alterations = origin.alterations if origin is not None else None
         if alterations is None and found.include.has("experimental:params"):
-            from sdfcheck.robot.parameters import parameters
+            from sdfcheck.robot.includes.parameters import parameters
 
             alterations = parameters(found).alterations
         return _Origin(found.include, alterations, (*chain, inside))

@@ -1,14 +1,16 @@
-"""Slips in URIs, told from the text alone or by what lies on disk."""
+"""Misspelled URIs: judged by the text alone, or by what is on disk."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from enum import Enum
+from pathlib import Path
 
 from sdfcheck.files.uris import LOCAL_SCHEMES, REMOTE_SCHEMES, SEARCHED_SCHEMES, Location
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.robot.file_problems import AbsolutePath, MalformedUri, UriFault, WrongCase
 from sdfcheck.source.element import Value
+from sdfcheck.source.record import NamedTuple
 
 _SCHEMES = sorted(LOCAL_SCHEMES | REMOTE_SCHEMES)
 _PARTS = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):([/\\]*)(.*)", re.DOTALL)
@@ -16,57 +18,85 @@ _DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[/\\]")
 _BLANKS = re.compile(r"(?<!\s)(?:\s*/\s+|\s+/\s*)")
 
 
-def malformed(value: Value) -> MalformedUri | None:
+class UriFault(Enum):
+    """The ways in which a text is not a URI, or not the one that is meant."""
+
+    BACKSLASH = "backslash"
+    SLASHES = "number of slashes"
+    SCHEME_CASE = "capital letters"
+    UNKNOWN_SCHEME = "unknown scheme"
+    NO_NAME = "no name"
+    BLANK = "blank"
+
+
+class Misspelling(NamedTuple):
+    """What is wrong with a URI, and what it was probably meant to be."""
+
+    fault: UriFault
+    meant: str | None
+
+
+class OtherCase(NamedTuple):
+    """What would be found if case did not matter; ``meant`` is the URI of it, if that is clear."""
+
+    path: Path
+    meant: str | None
+
+
+def misspelling(value: Value) -> Misspelling | None:
     """What is wrong with a URI whatever it leads to."""
     text = value.text.strip()
     if _DRIVE.match(text):
         return None
     if "\\" in text:
-        return MalformedUri(value, UriFault.BACKSLASH, _with_slashes(text))
+        return Misspelling(UriFault.BACKSLASH, _with_slashes(text))
     match = _PARTS.match(text)
     if match is not None:
         found = _scheme_fault(match[1], match[2], match[3])
         if found is not None:
-            return MalformedUri(value, *found)
-    if text != value.text:
-        return MalformedUri(value, UriFault.BLANK, text)
-    return None
+            return found
+    return Misspelling(UriFault.BLANK, text) if text != value.text else None
 
 
-def absolute(value: Value) -> AbsolutePath | None:
-    """A path that holds on this computer alone, unless an expression in the source makes it."""
-    text = value.text.strip()
-    is_path = text.startswith("/") or text.lower().startswith("file:///") or _DRIVE.match(text)
-    return AbsolutePath(value) if is_path and "$" not in value.span.text else None
-
-
-def misspelt(value: Value, location: Location) -> MalformedUri | WrongCase | None:
-    """A slip that explains why a URI leads nowhere."""
+def misplaced_blanks(value: Value) -> Misspelling | None:
+    """Blanks around slashes: a reason why a URI leads nowhere."""
     text = value.text.strip()
     if len(text.split()) > 1 and (tight := _BLANKS.sub("/", text)) != text:
-        return MalformedUri(value, UriFault.BLANK, tight)
-    if location.near is not None:
-        return WrongCase(value, location.near, _recased(text, location))
+        return Misspelling(UriFault.BLANK, tight)
     return None
 
 
-def _scheme_fault(scheme: str, slashes: str, rest: str) -> tuple[UriFault, str | None] | None:
+def is_absolute(value: Value) -> bool:
+    """Is it a path that holds on this computer alone? What an expression in the source makes may hold elsewhere."""
+    text = value.text.strip()
+    is_path = text.startswith("/") or text.lower().startswith("file:///") or _DRIVE.match(text) is not None
+    return is_path and "$" not in value.span.text
+
+
+def other_case(value: Value, location: Location) -> OtherCase | None:
+    """What is at the place of a URI but for the case of letters."""
+    if location.near is None:
+        return None
+    return OtherCase(location.near, _recased(value.text.strip(), location.near))
+
+
+def _scheme_fault(scheme: str, slashes: str, rest: str) -> Misspelling | None:
     lower = scheme.lower()
     if lower not in _SCHEMES:
         near = suggest(lower, _SCHEMES)
         if near is None or not slashes:
             return None
-        return UriFault.UNKNOWN_SCHEME, f"{near}://{rest}"
+        return Misspelling(UriFault.UNKNOWN_SCHEME, f"{near}://{rest}")
     if lower in REMOTE_SCHEMES and len(slashes) != 2:
-        return UriFault.SLASHES, f"{lower}://{rest}"
+        return Misspelling(UriFault.SLASHES, f"{lower}://{rest}")
     if lower not in SEARCHED_SCHEMES:
         return None
     if not rest.strip("/"):
-        return UriFault.NO_NAME, None
+        return Misspelling(UriFault.NO_NAME, None)
     if len(slashes) != 2:
-        return UriFault.SLASHES, f"{lower}://{rest}"
+        return Misspelling(UriFault.SLASHES, f"{lower}://{rest}")
     if lower != scheme:
-        return UriFault.SCHEME_CASE, f"{lower}://{rest}"
+        return Misspelling(UriFault.SCHEME_CASE, f"{lower}://{rest}")
     return None
 
 
@@ -78,12 +108,11 @@ def _with_slashes(text: str) -> str:
     return f"{match[1]}:{slashes}{match[3]}".replace("\\", "/")
 
 
-def _recased(text: str, location: Location) -> str | None:
+def _recased(text: str, near: Path) -> str | None:
     """The URI in the letters that the disk has; None where its parts are not those of the path."""
-    assert location.near is not None
     start = len(text) - len(re.sub(r"^[A-Za-z][A-Za-z0-9+.\-]+:/*", "", text))
     parts = list(_trailing(text[start:]))
-    meant = "/".join(location.near.parts[-len(parts) :])
+    meant = "/".join(near.parts[-len(parts) :])
     written = "/".join(parts)
     return text[: len(text) - len(written)] + meant if written.lower() == meant.lower() else None
 

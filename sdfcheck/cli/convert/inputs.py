@@ -78,7 +78,7 @@ class Reader:
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         kind = sniff(data, file)
-        from sdfcheck.robot.multiplied import refuse_too_many
+        from sdfcheck.robot.includes.multiplied import refuse_too_many
         from sdfcheck.source.document import read
 
         document = read(data, file, None if kind is Kind.BROKEN_XML else kind)

@@ -11,7 +11,7 @@ from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
 from sdfcheck.convert.rewrite.tidy_tree import text_of
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.robot.includes import included
+from sdfcheck.robot.includes.included import included
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source

@@ -18,9 +18,9 @@ from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.includes import Included, included, included_element
+from sdfcheck.robot.includes.included import Included, included, included_element
+from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
 from sdfcheck.robot.motion.rotations import to_rpy
-from sdfcheck.robot.parameters import PARAMETERS, parameters
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.scope import MODEL_FRAME
 from sdfcheck.source.document import Document

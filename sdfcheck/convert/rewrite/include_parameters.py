@@ -1,6 +1,6 @@
 """``experimental:params`` of an include, carried out on what it brings.
 
-What they do is what :mod:`sdfcheck.robot.parameters` checks; here they are sound.
+What they do is what :mod:`sdfcheck.robot.includes.parameters` checks; here they are sound.
 Source: libsdformat 17's ParamPassing.cc.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark
-from sdfcheck.robot.parameters import PARAMETERS
+from sdfcheck.robot.includes.parameters import PARAMETERS
 
 _OWN = frozenset({"element_id", "action"})
 

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from sdfcheck.files.uris import locate, scheme_of
-from sdfcheck.robot.includes import Included
+from sdfcheck.robot.includes.included import Included
 from sdfcheck.source.document import Document
 
 _FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))

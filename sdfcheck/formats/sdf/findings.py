@@ -7,12 +7,12 @@ problem.
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 
 from sdfcheck.formats.repetition import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.likely_parents import likely_parents
+from sdfcheck.formats.sdf.meant_version import meant_version
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.topology import standard_inside
@@ -53,8 +53,6 @@ REPEATABLE = frozenset(("geometry/polyline",))
 
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
-_VERSION = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
-
 
 Named = dict[Element, list[tuple[str, str, Element]]]
 """Parent → (element name, value of its ``name``, element)."""
@@ -69,6 +67,10 @@ class Findings:
         self.named = named
         self.customs: list[tuple[Element, Element, Definition]] = []
         """Custom elements in standard ones, with their parent and its definition."""
+        self.displaced: dict[Element, tuple[Element, ...]] = {}
+        """Custom elements → the standard ones in them that belong beside them."""
+        self.replaced: dict[Element, list[str]] = {}
+        """Custom elements → the required ones that are absent where they are given."""
         self.misspelled: set[tuple[Element, str]] = set()
         """What elements lack only because a child or attribute of theirs is misspelled."""
         self.found: list[object] = []
@@ -86,12 +88,8 @@ class Findings:
             if name != "version" and ":" not in name and not name.startswith("xmlns"):
                 self.unknown_attribute(root, definition, name)
         version = root.attribute("version")
-        if version is None and (root, "version") in self.misspelled:
-            return
-        if version is None or not version.text.strip():
-            self.found.append(problems.MissingVersion(root, self.version, empty=version is not None))
-        elif Version.parse(version.text) is None:
-            meant = _meant_version(version.text)
+        if version is not None and version.text.strip() and Version.parse(version.text) is None:
+            meant = meant_version(version.text)
             self.found.append(problems.UnknownVersion(version, meant, OLDEST, NEWEST))
 
     # Elements
@@ -131,8 +129,8 @@ class Findings:
         name = child.attributes.get("name")
         if name is not None:
             self.named.setdefault(parent, []).append((child.name, name, child))
-        for element in standard_inside(child, parent, place):
-            self.found.append(problems.TopologyChanged(element, child, parent))
+        if displaced := tuple(standard_inside(child, parent, place)):
+            self.displaced[child] = displaced
 
     def note_too_new(self, element: Element, parent: Element, place: str, since: Version) -> None:
         self.too_new.setdefault((place, ""), []).append(element)
@@ -150,14 +148,17 @@ class Findings:
     def missing(self, parent: Element, place: Definition, name: str) -> None:
         self.missing_children.append((parent, place, name))
 
-    def absent(self, parent: Element, place: Definition, name: str) -> object:
-        """A required child that is not there; a custom sibling may have been put in its stead."""
+    def replacement(self, parent: Element, place: Definition, name: str) -> Element | None:
+        """The custom sibling that may have been put in the place of a required child that is not there."""
         child = place.children[name]
         customs = [custom for custom, owner, _ in self.customs if owner is parent and len(custom) == 0]
         customs.sort(key=lambda custom: custom.name.partition(":")[2] != name)
-        for custom in customs if child.type is not None else ():
-            if custom.content and child.accepts(custom.content):
-                return problems.ReplacedElement(custom, parent, name)
+        fitting = (custom for custom in customs if custom.content and child.accepts(custom.content))
+        return next(fitting, None) if child.type is not None else None
+
+    def absent(self, parent: Element, place: Definition, name: str) -> problems.MissingElement:
+        """A required child that is not there."""
+        child = place.children[name]
         default = None if child.default == NOT_GIVEN else child.default
         refused = (place.path, name) in _REFUSED or self.is_refused_axis(parent, name)
         return problems.MissingElement(parent, name, default or None, refused)
@@ -256,7 +257,9 @@ class Findings:
     def judge_unknown(self) -> None:
         """Note the unknown elements; what a misspelt one was meant to be is not missing as well."""
         lacking = {
-            (parent, name): self.absent(parent, place, name) for parent, place, name in self.missing_children
+            (parent, name): self.absent(parent, place, name)
+            for parent, place, name in self.missing_children
+            if self.replacement(parent, place, name) is None
         }
         taken: dict[tuple[Element, str | None], bool] = {}
         for problem, place in self.unknown:
@@ -268,7 +271,7 @@ class Findings:
                 continue
             self.misspelled.add((parent, name))
             absent = lacking.get((parent, name))
-            refused = isinstance(absent, problems.MissingElement) and absent.refused
+            refused = absent is not None and absent.refused
             refused |= problem.refused or f"{parent.name}/{name}" in _VITAL
             self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
 
@@ -276,7 +279,11 @@ class Findings:
         """Everything found, once the walk is over."""
         self.judge_unknown()
         for parent, place, name in self.missing_children:
-            if (parent, name) not in self.misspelled:
+            if (parent, name) in self.misspelled:
+                continue
+            if (custom := self.replacement(parent, place, name)) is not None:
+                self.replaced.setdefault(custom, []).append(name)
+            else:
                 self.found.append(self.absent(parent, place, name))
         for key, uses in self.too_new.items():
             attribute = key[1]
@@ -290,10 +297,3 @@ class Findings:
             else:
                 self.found.append(problems.TooNewElement(first, parent, since, declaration, all_uses))
         return folded(counted(self.found, self.strange))
-
-
-def _meant_version(text: str) -> str | None:
-    """The version that a misspelled one means: blanks around it, a leading zero, a third number, a comma."""
-    found = _VERSION.match(text)
-    version = Version.parse(f"1.{found[1]}") if found else None
-    return str(version) if version else None

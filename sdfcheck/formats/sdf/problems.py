@@ -15,14 +15,6 @@ if TYPE_CHECKING:
     from sdfcheck.formats.urdf.table import UrdfAttribute
 
 
-class MissingVersion(Record):
-    """The root element has no ``version``, or an ``empty`` one; all else is judged as of ``assumed``."""
-
-    element: Element
-    assumed: Version
-    empty: bool = False
-
-
 class UnknownVersion(Record):
     """A version that no reader knows; ``meant`` is the one that it was probably meant to be.
 
@@ -140,14 +132,6 @@ class MissingElement(Record):
     refused: bool = False
 
 
-class ReplacedElement(Record):
-    """A required child is absent and the custom element replaces it."""
-
-    custom: Element
-    element: Element
-    child: str
-
-
 class MissingAttribute(Record):
     """A required attribute is absent, or ``empty``.
 
@@ -248,12 +232,6 @@ class UnknownChoice(Record):
     refused: bool
 
 
-class MissingShape(Record):
-    """A geometry without shape, or a visual or collision without geometry."""
-
-    element: Element
-
-
 class SeveralShapes(Record):
     """``element`` is ignored because ``first`` is taken."""
 
@@ -266,23 +244,3 @@ class ConflictingRotation(Record):
 
     value: Value
     format: Value
-
-
-class MismatchedSensor(Record):
-    """A sensor whose ``type`` and settings disagree.
-
-    ``wrong`` is a settings element of another type; None when the settings that the
-    type reads, ``expected``, are absent.
-    """
-
-    type: Value
-    expected: str
-    wrong: Element | None
-
-
-class TopologyChanged(Record):
-    """A standard element inside a custom one, where no reader looks for it."""
-
-    element: Element
-    custom: Element
-    parent: Element

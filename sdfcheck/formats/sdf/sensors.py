@@ -1,4 +1,4 @@
-"""Sensors: does the element that configures one go with its type?
+"""Sensors: which element configures one of a type, and which has a newer name.
 
 Source: libsdformat 17's Sensor.cc and gz-sensors.
 """
@@ -50,10 +50,8 @@ SETTINGS = {
 }
 """Sensor type → the elements that may hold its settings; the second is the older name of the first."""
 
-_ALL_SETTINGS = frozenset(name for names in SETTINGS.values() for name in names)
-
-# Without settings a sensor of these types has nothing sensible to run on.
-_NEEDS_SETTINGS = frozenset((*_CAMERAS, *_LIDARS, "contact", "logical_camera"))
+ALL_SETTINGS = frozenset(name for names in SETTINGS.values() for name in names)
+"""The elements that configure sensors of any type."""
 
 
 def sensor_problems(surveyed: Survey) -> Iterator[object]:
@@ -65,10 +63,6 @@ def sensor_problems(surveyed: Survey) -> Iterator[object]:
             continue
         if any((sensor, name) in surveyed.misspelled for name in expected):
             continue
-        given = [child for child in sensor.children() if child.name in _ALL_SETTINGS]
-        wrong = next((child for child in given if child.name not in expected), None)
-        if wrong is not None or (not given and kind.text.strip() in _NEEDS_SETTINGS):
-            yield problems.MismatchedSensor(kind, expected[0], wrong)
         if len(expected) > 1:
             yield from _renamed(surveyed, sensor, expected)
 

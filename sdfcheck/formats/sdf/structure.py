@@ -65,19 +65,8 @@ def _root(document: Document) -> Iterator[object]:
 
 
 def _shapes(surveyed: Survey) -> Iterator[object]:
-    shaped = _parents(surveyed, "geometry")
-    for kind in ("visual", "collision"):
-        for element in surveyed.index.get(kind, ()):
-            # Elsewhere a collision is a reference, which holds its name.
-            if (
-                element not in shaped
-                and (element, "geometry") not in surveyed.misspelled
-                and _stands_in(element, "link")
-                and not _is_state(element)
-            ):
-                yield problems.MissingShape(element)
     for geometry in surveyed.index.get("geometry", ()):
-        if len(geometry) == 1 and geometry[0].tag in SHAPES:
+        if len(geometry) < 2:
             continue
         # In a sonar it is the name of a shape.
         if not _stands_in(geometry, "sonar"):
@@ -86,8 +75,6 @@ def _shapes(surveyed: Survey) -> Iterator[object]:
 
 def _shapes_of(geometry: Element) -> Iterator[object]:
     children = list(geometry.children())
-    if not children:
-        yield problems.MissingShape(geometry)
     # Where no child is a shape, the unknown or custom child is the mistake, or the vendor's own shape.
     shapes = [child for child in children if child.name in SHAPES]
     if len(shapes) < 2:

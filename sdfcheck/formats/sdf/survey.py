@@ -32,7 +32,17 @@ class Survey:
     ``named`` lists, per parent, its children that have a ``name``.
     """
 
-    __slots__ = ("customs", "document", "index", "misspelled", "named", "problems", "version")
+    __slots__ = (
+        "customs",
+        "displaced",
+        "document",
+        "index",
+        "misspelled",
+        "named",
+        "problems",
+        "replaced",
+        "version",
+    )
 
     def __init__(self, document: Document) -> None:
         root = document.root
@@ -47,6 +57,10 @@ class Survey:
         """Parent → (element name, value of its ``name``, element)."""
         self.customs = walk.explained.customs if walk.explained else []
         """Custom elements in standard ones, with their parent and its definition."""
+        self.displaced = walk.explained.displaced if walk.explained else {}
+        """Custom elements → the standard ones in them that belong beside them."""
+        self.replaced = walk.explained.replaced if walk.explained else {}
+        """Custom elements → the required ones that are absent where they are given."""
         self.misspelled = walk.explained.misspelled if walk.explained else set()
         """What elements lack only because a child or attribute of theirs is misspelled."""
 

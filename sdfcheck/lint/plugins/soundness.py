@@ -123,7 +123,8 @@ def _selector(selector: str) -> str | None:
 def _looks_at(value: object) -> str | None:
     if text := _tuple_of("looks_at", type, "classes, such as Joint")(value):
         return text
-    from sdfcheck.robot.kinds import ELEMENTS, SPECIAL
+    from sdfcheck.robot.kinds import ELEMENTS
+    from sdfcheck.robot.special import SPECIAL
 
     known = (*ELEMENTS, *SPECIAL, Element.__name__)
     strange = [kind.__name__ for kind in value if kind.__name__ not in known]  # type: ignore[attr-defined]

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.parts.resource import FileUse
+from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.includes import Included
+    from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.node import Node
-    from sdfcheck.source.element import Value
+    from sdfcheck.source.element import Element, Value
 
 
-class Include(Part):
+class Include(FileUse):
     """An ``include``."""
 
     __slots__ = ()
@@ -26,27 +26,80 @@ class Include(Part):
         name = self.find("name")
         return name.content if name is not None else ""
 
-    @property
+    @lazy
     def uri_value(self) -> Value | None:
         """The uri with its place; None where there is none."""
-        return self.found.uri
-
-    @property
-    def uri(self) -> str:
-        """The uri; empty where there is none."""
-        return self.uri_value.text if self.uri_value is not None else ""
-
-    @property
-    def is_merged(self) -> bool:
-        """Do the parts of the model become parts of the one that includes it?"""
-        return self.found.merge
+        uri = self.find("uri")
+        return uri.own_value if uri is not None and uri.content else None
 
     @lazy
     def found(self) -> Included:
         """What it leads to: file, document, model, or why there is none."""
-        from sdfcheck.robot.includes import included
+        from sdfcheck.robot.includes.included import included
 
         return included(self.document, self.element)
+
+    # Where it leads
+
+    @property
+    def obstacle(self) -> Obstacle | None:
+        """Why it brings nothing; None where it brings something, and for a text without other files around it."""
+        return self.found.obstacle if self.document.library is not None else None
+
+    @property
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the uri leads, or nothing that is looked up?"""
+        if self.obstacle is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is Obstacle.NOT_FOUND
+
+    @property
+    def needs_config(self) -> bool:
+        """Does it lead to a folder that has no ``model.config``?"""
+        if self.obstacle is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is Obstacle.NO_CONFIG
+
+    @property
+    def is_read_in_vain(self) -> bool:
+        """Does it lead to a file that cannot be included? What is not XML at all is reported in that file."""
+        if self.obstacle is None or self.found.file is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is not Obstacle.BROKEN
+
+    @property
+    def is_searched_for(self) -> bool:
+        """Does it name a model or package that is looked for on search paths? Nothing near by has been found, then.
+
+        To libsdformat a bare word is the name of a model, too.
+        """
+        if self.location is None:
+            return False
+        is_word = not self.location.scheme and not {*self.uri} & {"/", "\\", "."}
+        return is_word or (self.location.is_searched_for and self.location.owner is None)
+
+    @property
+    def is_misconfigured(self) -> bool:
+        """Does it lead to a model folder that has a ``manifest.xml`` of old instead of a ``model.config``?"""
+        config = self.found.config
+        return config is not None and config.path.name == "manifest.xml"
+
+    @lazy
+    def ring(self) -> tuple[Value, ...]:
+        """The uris that lead from it back to its file, outside in; empty if they do not."""
+        if self.document.library is None or self.found.document is None:
+            return ()
+        from sdfcheck.robot.includes.included import ring
+
+        return ring(self.document, self.element)
+
+    # What it brings
 
     @property
     def placement_frame_value(self) -> Value | None:
@@ -76,3 +129,22 @@ class Include(Part):
         from sdfcheck.robot.frame import MergedFrame
 
         return self.node.model if isinstance(self.node, MergedFrame) else self.model
+
+    @property
+    def brought(self) -> Element | None:
+        """The model, actor or light of the file that it leads to; None if there is none."""
+        return self.found.model
+
+    @property
+    def is_merged(self) -> bool:
+        """Do the parts of the model become parts of the one that includes it?"""
+        return is_true(self._text("merge") or "")
+
+    @property
+    def merged_parts(self) -> tuple[tuple[str, str], ...]:
+        """Kind and name of what moves from the model into the one that includes it, where it is merged."""
+        if not self.is_merged or self.brought is None:
+            return ()
+        from sdfcheck.robot.includes.merges import moved
+
+        return tuple((kind, name) for kind, name, _ in moved(self.found))

@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Number, is_true
+from sdfcheck.robot.unknown_name import DEFAULT, UnknownName
+from sdfcheck.robot.values import Number, is_true, lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.source.element import Element
+    from sdfcheck.robot.scope import Scope
+    from sdfcheck.source.element import Element, Value
 
 
 class Physics(Part):
@@ -45,6 +47,35 @@ class State(Part):
     __slots__ = ()
     kind = "state"
 
+    @property
+    def world(self) -> Scope | None:
+        """The world that it is a state of."""
+        from sdfcheck.robot.scope import Scope
+
+        return self.holder if isinstance(self.holder, Scope) and self.holder.kind == "world" else None
+
+    @property
+    def world_value(self) -> Value | None:
+        """The name of the world that it writes, with its place."""
+        return self.attribute("world_name")
+
+    @lazy
+    def unresolved(self) -> tuple[UnknownName, ...]:
+        """The name of a world that is another one, or else the names that no model of the world has."""
+        world, value = self.world, self.world_value
+        if world is None or not world.is_complete:
+            return ()
+        if value is not None and value.text.strip() not in {"", DEFAULT, world.name}:
+            return (UnknownName(value, "world", self.root.element, (world.name,)),)
+        models = tuple(name for name, node in world.nodes.items() if node.kind == "model")
+        states = (state for kind in ("model", "model_state") for state in self.children(kind))
+        names = (state.attribute("name") for state in states)
+        return tuple(
+            UnknownName(name, "model", world.element, models)
+            for name in names
+            if name is not None and "::" not in name.text and name.text not in models
+        )
+
 
 class Actor(Part):
     """A figure that moves along a trajectory."""
@@ -74,3 +105,29 @@ class Gripper(Part):
 
     __slots__ = ()
     kind = "gripper"
+
+    @property
+    def link_names(self) -> tuple[Value, ...]:
+        """The names of links that it writes, with their places."""
+        names = (name for kind in ("gripper_link", "palm_link") for name in self.children(kind))
+        return tuple(name.own_value for name in names if name.content)
+
+    @lazy
+    def unresolved(self) -> tuple[UnknownName, ...]:
+        """The names that are not those of links."""
+        from sdfcheck.robot.scope import Scope
+
+        scope = self.holder
+        if not isinstance(scope, Scope):
+            return ()
+        names = [value for value in self.link_names if not _is_link(scope, value.text)]
+        links = tuple(link.name for link in scope.links) if names else ()
+        return tuple(UnknownName(value, "link", scope.element, links) for value in names)
+
+
+def _is_link(scope: Scope, name: str) -> bool:
+    """Is it the name of a link, or may it be one? What has an empty part is reported as that."""
+    if name == DEFAULT or "" in name.split("::"):
+        return True
+    found = scope.resolve(name)
+    return scope.may_hold(name) if found is None else found.kind == "link"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from sdfcheck.robot.part import Part
+from sdfcheck.robot.unknown_name import DEFAULT, UnknownName
 from sdfcheck.robot.values import Number, is_true
 
 if TYPE_CHECKING:
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.robot.parts.setting import Setting
-    from sdfcheck.source.element import Value
+    from sdfcheck.source.element import Element, Value
 
 SETTINGS = {
     "camera": "camera",
@@ -37,6 +38,38 @@ SETTINGS = {
     "navsat": "navsat",
 }
 """Type → the element that holds its settings, where they are not called alike."""
+
+
+class Contact(Part):
+    """What a contact sensor, or a sound, listens to."""
+
+    __slots__ = ()
+    kind = "contact"
+
+    @property
+    def link(self) -> Link | None:
+        """The link whose collisions it names."""
+        from sdfcheck.robot.parts.link import Link
+
+        holder = self.holder.holder if self.holder is not None else None
+        return holder if isinstance(holder, Link) else None
+
+    @property
+    def collision_names(self) -> tuple[Value, ...]:
+        """The names of collisions that it writes, with their places."""
+        return tuple(name.own_value for name in self.children("collision") if name.content)
+
+    @property
+    def unresolved(self) -> tuple[UnknownName, ...]:
+        """The names that no collision of the link has. Scoped ones are spelled in ways that differ by simulator."""
+        if self.link is None:
+            return ()
+        names = tuple(collision.attributes.get("name", "") for collision in self.link.children("collision"))
+        return tuple(
+            UnknownName(value, "collision", self.link.element, names)
+            for value in self.collision_names
+            if value.text not in (DEFAULT, *names) and "::" not in value.text
+        )
 
 
 class Sensor(Part):
@@ -83,13 +116,27 @@ class Sensor(Part):
         """The topic that it publishes on; empty where the simulator chooses one."""
         topic = self.find("topic")
         text = topic.content if topic is not None else ""
-        return "" if text == "__default__" else text
+        return "" if text == DEFAULT else text
 
     @property
     def always_on(self) -> bool:
         """Does it run whether or not somebody listens?"""
         element = self.find("always_on")
         return element is not None and is_true(element.content)
+
+    @property
+    def settings_names(self) -> tuple[str, ...]:
+        """The elements that may configure a sensor of its type; empty for a type that is not known."""
+        from sdfcheck.formats.sdf.sensors import SETTINGS as NAMES
+
+        return NAMES.get(self.type, ())
+
+    @property
+    def given_settings(self) -> tuple[Element, ...]:
+        """Its elements that configure sensors, of whatever type."""
+        from sdfcheck.formats.sdf.sensors import ALL_SETTINGS
+
+        return tuple(child for child in self.children() if child.name in ALL_SETTINGS)
 
     @property
     def settings(self) -> Setting | None:

@@ -50,14 +50,6 @@ def test_every_shape_is_one(shape: str) -> None:
     assert in_link(f'<visual name="v"><geometry><!-- here --><{shape}/></geometry></visual>') == []
 
 
-def test_nothing_to_see() -> None:
-    assert (
-        only(in_link('<visual name="v"><geometry/></visual>'), problems.MissingShape).element.name
-        == "geometry"
-    )
-    assert only(in_link('<collision name="c"/>'), problems.MissingShape).element.name == "collision"
-
-
 @pytest.mark.parametrize("child", ["<p:torus/>", "<torus/>"])
 def test_an_unknown_shape_is_anothers_problem(child: str) -> None:
     assert in_link(f'<visual name="v"><geometry>{child}</geometry></visual>') == []
@@ -106,23 +98,6 @@ def test_in_a_static_model_the_mass_does_not_matter() -> None:
 
 
 # Sensors
-
-
-@pytest.mark.parametrize(
-    ("kind", "content", "expected", "wrong"),
-    [
-        ("imu", "<camera/>", "imu", "camera"),
-        ("camera", "", "camera", None),
-        ("gpu_lidar", "<update_rate>5</update_rate>", "lidar", None),
-        ("navsat", "<navsat/><imu/>", "navsat", "imu"),
-    ],
-)
-def test_settings_that_do_not_go_with_the_type(
-    kind: str, content: str, expected: str, wrong: str | None
-) -> None:
-    problem = only(in_link(f'<sensor name="s" type="{kind}">{content}</sensor>'), problems.MismatchedSensor)
-    assert problem.expected == expected
-    assert (problem.wrong.name if problem.wrong is not None else None) == wrong
 
 
 @pytest.mark.parametrize(

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.sdf.problems import ReplacedElement, TopologyChanged
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import Survey, survey
 from sdfcheck.source.document import read
 
 IN_MODEL = '<sdf version="1.12" xmlns:p="urn:p"><model name="m"><link name="base"/>{}</model></sdf>'
@@ -17,8 +16,14 @@ JOINT = '<joint name="j" type="fixed"><parent>world</parent><child>base</child><
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 
 
-def problems(text: str) -> list[object]:
-    return survey(read(text.encode(), Path("example.sdf"))).problems
+def surveyed(text: str) -> Survey:
+    return survey(read(text.encode(), Path("example.sdf")))
+
+
+def displaced(text: str) -> list[tuple[str, list[str]]]:
+    """Custom elements and the titles of the standard ones in them that belong beside them."""
+    found = surveyed(text).displaced
+    return [(custom.name, [element.title for element in elements]) for custom, elements in found.items()]
 
 
 @pytest.mark.parametrize(
@@ -38,22 +43,21 @@ def problems(text: str) -> list[object]:
     ],
 )
 def test_a_wrapped_standard_element(scaffold: str, inner: str, name: str) -> None:
-    (problem,) = problems(scaffold.replace("{}", f"<p:group>{inner}</p:group>"))
-    assert isinstance(problem, TopologyChanged)
-    assert (problem.element.name, problem.custom.name) == (name, "p:group")
-    assert problem.element.parent == problem.custom
-    assert problem.custom.parent == problem.parent
+    ((custom, (element,)),) = surveyed(
+        scaffold.replace("{}", f"<p:group>{inner}</p:group>")
+    ).displaced.items()
+    assert (element.name, custom.name) == (name, "p:group")
+    assert element.parent == custom
 
 
-def test_every_wrapped_element_is_told_and_nothing_in_it() -> None:
-    found = problems(IN_MODEL.replace("{}", '<p:g><link name="a"><pose/></link><link name="b"/></p:g>'))
-    assert [p.element.title for p in found if isinstance(p, TopologyChanged)] == ["link `a`", "link `b`"]
+def test_every_wrapped_element_is_displaced_and_nothing_in_it() -> None:
+    text = IN_MODEL.replace("{}", '<p:g><link name="a"><pose/></link><link name="b"/></p:g>')
+    assert displaced(text) == [("p:g", ["link `a`", "link `b`"])]
 
 
 def test_custom_elements_in_custom_elements_are_looked_into() -> None:
-    (problem,) = problems(IN_MODEL.replace("{}", '<p:g><p:h><link name="a"/></p:h></p:g>'))
-    assert isinstance(problem, TopologyChanged)
-    assert problem.custom.name == "p:g"
+    text = IN_MODEL.replace("{}", '<p:g><p:h><link name="a"/></p:h></p:g>')
+    assert displaced(text) == [("p:g", ["link `a`"])]
 
 
 @pytest.mark.parametrize(
@@ -74,7 +78,8 @@ def test_custom_elements_in_custom_elements_are_looked_into() -> None:
     ],
 )
 def test_content_that_only_borrows_a_name(scaffold: str, custom: str) -> None:
-    assert problems(scaffold.replace("{}", custom)) == []
+    assert displaced(scaffold.replace("{}", custom)) == []
+    assert surveyed(scaffold.replace("{}", custom)).problems == []
 
 
 CYLINDER = '<visual name="v"><geometry><cylinder>{}</cylinder></geometry></visual>'
@@ -82,11 +87,12 @@ CYLINDER = '<visual name="v"><geometry><cylinder>{}</cylinder></geometry></visua
 
 def test_a_custom_element_in_the_place_of_a_required_one() -> None:
     cylinder = CYLINDER.format("<p:diameter>2</p:diameter><length>1</length>")
-    (problem,) = problems(IN_LINK.replace("{}", cylinder))
-    assert isinstance(problem, ReplacedElement)
-    assert (problem.custom.name, problem.element.name, problem.child) == ("p:diameter", "cylinder", "radius")
+    found = surveyed(IN_LINK.replace("{}", cylinder))
+    assert [(custom.name, names) for custom, names in found.replaced.items()] == [("p:diameter", ["radius"])]
+    assert found.problems == []
 
 
 def test_a_custom_element_beside_the_required_one() -> None:
     cylinder = CYLINDER.format("<p:diameter>2</p:diameter><radius>1</radius><length>1</length>")
-    assert problems(IN_LINK.replace("{}", cylinder)) == []
+    found = surveyed(IN_LINK.replace("{}", cylinder))
+    assert (found.replaced, found.problems) == ({}, [])

@@ -5,6 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.engine import Dispatch, lint_document
+from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import Document, read
 
 WORLD = '<sdf version="1.12"><world name="w">{}</world></sdf>'
@@ -38,3 +42,14 @@ def document(folder: Path, text: str, **files: str) -> Document:
         folder, {"arm.sdf": ARM, "main.sdf": text, **{f"{name}.sdf": other for name, other in files.items()}}
     )
     return opened(folder / "main.sdf")
+
+
+def reported(document: Document, family: str = "RES") -> list[Diagnostic]:
+    """What the rules of a family report in a document."""
+    index = load_index()
+    facts = tuple(facts for facts in index.facts if facts.family == family)
+    return lint_document(document, Dispatch(index, ActiveRules(facts, {})))
+
+
+def codes(document: Document, family: str = "RES") -> list[str]:
+    return [diagnostic.code for diagnostic in reported(document, family)]

@@ -6,17 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.robot.file_problems import (
-    AbsolutePath,
-    MissingFile,
-    MissingFolder,
-    MissingOwner,
-    UnknownReference,
-    UnportableUri,
-    WrongCase,
-)
-from sdfcheck.robot.resources import problems, urdf_problems
-from tests.unit.robot.files import MODEL, document, opened, write
+from sdfcheck.robot.root import root_of
+from tests.unit.robot.files import MODEL, codes, document, opened, reported, write
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 LINK = MODEL.format('<link name="l">{}</link>')
@@ -24,9 +15,9 @@ VISUAL = LINK.format('<visual name="v">{}</visual>')
 FILES = {"meshes/arm.dae": "", "materials/textures/wood.png": "", "other/model.config": ""}
 
 
-def kinds(folder: Path, text: str) -> list[type]:
+def kinds(folder: Path, text: str) -> list[str]:
     write(folder, FILES)
-    return [type(problem) for problem in problems(document(folder, text))]
+    return codes(document(folder, text))
 
 
 @pytest.mark.parametrize(
@@ -36,16 +27,16 @@ def kinds(folder: Path, text: str) -> list[type]:
         ("file://meshes/arm.dae", []),
         ("https://example.org/arm.dae", []),
         ("__default__", []),
-        ("meshes/leg.dae", [MissingFile]),
-        ("model://other/leg.dae", [MissingFile]),
-        ("model://other/meshes/leg.dae", [MissingFolder]),
-        ("model://nowhere/leg.dae", [MissingOwner]),
-        ("package://nowhere/leg.dae", [MissingOwner]),
-        ("Meshes/arm.dae", [WrongCase]),
-        ("/nowhere/arm.dae", [AbsolutePath]),
+        ("meshes/leg.dae", ["RES001"]),
+        ("model://other/leg.dae", ["RES001"]),
+        ("model://other/meshes/leg.dae", ["RES001"]),
+        ("model://nowhere/leg.dae", ["RES001"]),
+        ("package://nowhere/leg.dae", ["RES001"]),
+        ("Meshes/arm.dae", ["RES005"]),
+        ("/nowhere/arm.dae", ["RES006"]),
     ],
 )
-def test_meshes(tmp_path: Path, uri: str, expected: list[type]) -> None:
+def test_meshes(tmp_path: Path, uri: str, expected: list[str]) -> None:
     assert kinds(tmp_path, VISUAL.format(MESH.format(uri))) == expected
 
 
@@ -65,7 +56,7 @@ def test_meshes(tmp_path: Path, uri: str, expected: list[type]) -> None:
     ],
 )
 def test_other_files(tmp_path: Path, text: str) -> None:
-    assert kinds(tmp_path, text) == [MissingFile]
+    assert kinds(tmp_path, text) == ["RES001"]
 
 
 @pytest.mark.parametrize(
@@ -89,12 +80,11 @@ def test_what_is_lacked_as_a_whole_is_told_once(tmp_path: Path) -> None:
         f'<visual name="{n}">{MESH.format(uri)}</visual>'
         for n, uri in enumerate(["gone/a.dae", "gone/b.dae", "model://lost/a.dae", "model://lost/b.dae"])
     )
-    found = list(problems(document(tmp_path, LINK.format(shapes))))
-    assert [(type(p), len(p.uses)) for p in found if isinstance(p, MissingOwner | MissingFolder)] == [
-        (MissingOwner, 2),
-        (MissingFolder, 2),
+    found = [diagnostic.message for diagnostic in reported(document(tmp_path, LINK.format(shapes)))]
+    assert found == [
+        "there is no folder `gone`, needed for 2 files",
+        "model `lost` is not on the search path, needed for 2 files",
     ]
-    assert len(found) == 2
 
 
 def test_urdf(tmp_path: Path) -> None:
@@ -107,20 +97,31 @@ def test_urdf(tmp_path: Path) -> None:
     ]
     visuals = "".join(f'<visual><geometry><mesh filename="{m}"/></geometry></visual>' for m in meshes)
     write(tmp_path, {**FILES, "r.urdf": f'<robot name="r"><link name="l">{visuals}</link></robot>'})
-    found = list(urdf_problems(opened(tmp_path / "r.urdf")))
-    assert [type(problem) for problem in found] == [
-        MissingFile,
-        MissingFile,
-        MissingOwner,
-        UnportableUri,
-        UnportableUri,
+    found = [(diagnostic.code, diagnostic.message) for diagnostic in reported(opened(tmp_path / "r.urdf"))]
+    assert found == [
+        ("RES001", "package `lost` is not on the search path"),
+        ("RES013", "a relative path is not resolved by ROS programs"),
+        ("RES001", "mesh `model://other/a.stl` does not exist"),
+        ("RES013", "`model://` is not resolved by ROS programs"),
+        ("RES001", "mesh `file://b.stl` does not exist"),
     ]
+
+
+def test_resources_know_what_they_are_and_where_they_lead(tmp_path: Path) -> None:
+    write(tmp_path, FILES)
+    material = "<material><pbr><metal><albedo_map>no.png</albedo_map></metal></pbr></material>"
+    root = root_of(document(tmp_path, VISUAL.format(MESH.format("meshes/arm.dae") + material)))
+    mesh, texture = root.resources
+    assert (mesh.what, mesh.uri, mesh.is_missing) == ("mesh", "meshes/arm.dae", False)
+    assert (texture.what, texture.uri, texture.is_missing) == ("texture", "no.png", True)
+    assert mesh.location is not None
+    assert mesh.location.path == tmp_path / "meshes/arm.dae"
 
 
 def test_without_a_library_only_the_spelling_counts(tmp_path: Path) -> None:
     found = document(tmp_path, VISUAL.format(MESH.format("gone.dae")))
     found.library = None
-    assert list(problems(found)) == []
+    assert codes(found) == []
 
 
 @pytest.mark.parametrize(
@@ -132,12 +133,8 @@ def test_without_a_library_only_the_spelling_counts(tmp_path: Path) -> None:
     ],
 )
 def test_collisions(tmp_path: Path, text: str, name: str | None) -> None:
-    found = [
-        problem.value.text
-        for problem in problems(document(tmp_path, LINK.format('<collision name="c"/>' + text)))
-        if isinstance(problem, UnknownReference)
-    ]
-    assert found == ([] if name is None else [name])
+    found = reported(document(tmp_path, LINK.format('<collision name="c"/>' + text)))
+    assert [d.message for d in found] == ([] if name is None else [f"link `l` has no collision `{name}`"])
 
 
 def test_gripper_links_may_be_included(tmp_path: Path) -> None:
@@ -145,9 +142,5 @@ def test_gripper_links_may_be_included(tmp_path: Path) -> None:
         "<include><uri>arm.sdf</uri></include>"
         '<gripper name="g"><gripper_link>arm::tip</gripper_link><palm_link>arm::grip</palm_link></gripper>'
     )
-    found = [
-        p.value.text
-        for p in problems(document(tmp_path, MODEL.format(text)))
-        if isinstance(p, UnknownReference)
-    ]
-    assert found == ["arm::grip"], "a frame is no link"
+    found = reported(document(tmp_path, MODEL.format(text)))
+    assert [d.span.text for d in found] == ["arm::grip"], "a frame is not a link"

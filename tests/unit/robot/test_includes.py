@@ -8,20 +8,11 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.formats.sdf.problems import MissingElement
-from sdfcheck.robot.file_problems import AbsolutePath, MalformedUri, WrongCase
-from sdfcheck.robot.include_problems import (
-    EmptyIncludeSetting,
-    FolderWithoutConfig,
-    IncludeCycle,
-    InvalidMerge,
-    OldManifest,
-    UnresolvedInclude,
-    UnusableInclude,
-)
-from sdfcheck.robot.includes import Included, Obstacle, included, includes_of
-from sdfcheck.robot.resources import problems
+from sdfcheck.robot.includes.gate import problems
+from sdfcheck.robot.includes.included import Included, Obstacle, included, includes_of
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
-from tests.unit.robot.files import ARM, CONFIG, MODEL, WORLD, document, opened, write
+from tests.unit.robot.files import ARM, CONFIG, MODEL, WORLD, codes, document, opened, reported, write
 
 
 def include(uri: str, more: str = "", merge: str = "") -> str:
@@ -66,7 +57,7 @@ def test_a_folder_says_which_file_it_means(tmp_path: Path) -> None:
     write(tmp_path, {"models/arm/model.config": CONFIG, "models/arm/model.sdf": ARM})
     found = document(tmp_path, WORLD.format(include("model://arm")))
     assert first(found).file == tmp_path / "models/arm/model.sdf"
-    assert kinds(found) == []
+    assert codes(found) == []
 
 
 def test_each_file_is_read_once(tmp_path: Path) -> None:
@@ -78,31 +69,30 @@ def test_each_file_is_read_once(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("uri", "problem"),
+    ("uri", "code"),
     [
-        ("nowhere.sdf", UnresolvedInclude),
-        ("model://nowhere", UnresolvedInclude),
-        ("https://example.org/arm", UnresolvedInclude),
-        ("Arm.sdf", WrongCase),
-        ("model:/arm", MalformedUri),
-        ("folder", FolderWithoutConfig),
-        ("old", OldManifest),
+        ("nowhere.sdf", "RES002"),
+        ("model://nowhere", "RES002"),
+        ("https://example.org/arm", "RES002"),
+        ("Arm.sdf", "RES005"),
+        ("model:/arm", "RES004"),
+        ("folder", "RES002"),
+        ("old", "RES007"),
     ],
 )
-def test_what_leads_nowhere(tmp_path: Path, uri: str, problem: type) -> None:
+def test_what_leads_nowhere(tmp_path: Path, uri: str, code: str) -> None:
     write(tmp_path, {"folder/arm.sdf": ARM, "old/manifest.xml": CONFIG, "old/model.sdf": ARM})
-    assert kinds(document(tmp_path, WORLD.format(include(uri)))) == [problem]
+    assert codes(document(tmp_path, WORLD.format(include(uri)))) == [code]
 
 
 def test_an_absolute_path_is_one_problem_only_where_it_leads_somewhere(tmp_path: Path) -> None:
-    assert kinds(document(tmp_path, WORLD.format(include(str(tmp_path / "arm.sdf"))))) == [AbsolutePath]
-    assert kinds(document(tmp_path, WORLD.format(include(str(tmp_path / "no.sdf"))))) == [UnresolvedInclude]
+    assert codes(document(tmp_path, WORLD.format(include(str(tmp_path / "arm.sdf"))))) == ["RES006"]
+    assert codes(document(tmp_path, WORLD.format(include(str(tmp_path / "no.sdf"))))) == ["RES002"]
 
 
 def test_what_is_elsewhere_is_told_once(tmp_path: Path) -> None:
-    (problem,) = problems(document(tmp_path, WORLD.format(include("model://lost_arm") * 3)))
-    assert isinstance(problem, UnresolvedInclude)
-    assert len(problem.uses) == 3
+    (diagnostic,) = reported(document(tmp_path, WORLD.format(include("model://lost_arm") * 3)))
+    assert diagnostic.message.endswith("(3 includes)")
 
 
 @pytest.mark.parametrize(
@@ -115,15 +105,15 @@ def test_what_is_elsewhere_is_told_once(tmp_path: Path) -> None:
     ],
 )
 def test_files_that_hold_nothing_to_include(tmp_path: Path, text: str, obstacle: Obstacle) -> None:
-    (problem,) = problems(document(tmp_path, WORLD.format(include("other.sdf")), other=text))
-    assert isinstance(problem, UnusableInclude)
-    assert problem.obstacle is obstacle
+    found = document(tmp_path, WORLD.format(include("other.sdf")), other=text)
+    assert first(found).obstacle is obstacle
+    assert codes(found) == ["RES012"]
 
 
 @pytest.mark.parametrize("text", ["", "<", "\x00\x01", "no markup"])
 def test_files_that_are_no_xml_are_told_there(tmp_path: Path, text: str) -> None:
     found = document(tmp_path, WORLD.format(include("other.sdf")), other=text)
-    assert kinds(found) == []
+    assert codes(found) == []
     assert first(found).obstacle is Obstacle.BROKEN
 
 
@@ -132,14 +122,14 @@ def test_what_has_no_end_is_not_read(tmp_path: Path) -> None:
     with (tmp_path / "huge.sdf").open("wb") as file:
         file.truncate(257 * 1024 * 1024)
     for uri in ("pipe", "huge.sdf"):
-        (problem,) = problems(document(tmp_path, WORLD.format(include(uri))))
-        assert isinstance(problem, UnusableInclude)
-        assert problem.obstacle is Obstacle.UNREADABLE
+        found = document(tmp_path, WORLD.format(include(uri)))
+        assert first(found).obstacle is Obstacle.UNREADABLE
+        assert codes(found) == ["RES012"]
 
 
 @pytest.mark.parametrize("setting", ["<name/>", "<static> </static>", "<pose/><placement_frame/>"])
 def test_empty_settings(tmp_path: Path, setting: str) -> None:
-    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", setting)))) == [EmptyIncludeSetting]
+    assert codes(document(tmp_path, WORLD.format(include("arm.sdf", setting)))) == ["RES012"]
 
 
 def test_a_placement_frame_needs_a_pose(tmp_path: Path) -> None:
@@ -154,8 +144,8 @@ def test_a_placement_frame_needs_a_pose(tmp_path: Path) -> None:
 
 
 def cycle(found: Document) -> list[str] | None:
-    steps = next((p.steps for p in problems(found) if isinstance(p, IncludeCycle)), None)
-    return None if steps is None else [step.element.document.path.name for step in steps]
+    rings = [d for d in reported(found) if d.code == "RES003"]
+    return [span.source.path.name for d in rings for span in (d.span, *(at.span for at in d.labels))] or None
 
 
 def test_a_file_that_includes_itself(tmp_path: Path) -> None:
@@ -193,30 +183,32 @@ SHELL = MODEL.format('<model name="n"><link name="l"/></model><frame name="f"/>'
     ],
 )
 def test_what_a_world_cannot_merge(tmp_path: Path, text: str, kind: str, parts: tuple[str, ...]) -> None:
-    (problem,) = problems(document(tmp_path, WORLD.format(include("other.sdf", merge="true")), other=text))
-    assert isinstance(problem, InvalidMerge)
-    assert (problem.kind, problem.parts) == (kind, parts)
+    found = document(tmp_path, WORLD.format(include("other.sdf", merge="true")), other=text)
+    (merged,) = root_of(found).includes
+    assert merged.found.kind == kind
+    assert not parts or [f"{kind} `{name}`" for kind, name in merged.merged_parts][: len(parts)] == [*parts]
+    assert codes(found) == ["RES009"]
 
 
 @pytest.mark.parametrize(("outer", "text"), [(WORLD, SHELL), (MODEL, ARM), (MODEL, GRIPPER)])
 def test_what_merges(tmp_path: Path, outer: str, text: str) -> None:
-    assert kinds(document(tmp_path, outer.format(include("other.sdf", merge="1")), other=text)) == []
+    assert codes(document(tmp_path, outer.format(include("other.sdf", merge="1")), other=text)) == []
 
 
 def test_a_parameter_may_remove_what_a_world_cannot_take(tmp_path: Path) -> None:
     remove = "".join(f'<link element_id="{name}" action="remove"/>' for name in ("base", "tip"))
     more = f"<experimental:params>{remove}</experimental:params>"
-    assert kinds(document(tmp_path, WORLD.format(include("arm.sdf", more, merge="true")))) == []
+    assert codes(document(tmp_path, WORLD.format(include("arm.sdf", more, merge="true")))) == []
 
 
 def test_nothing_merges_into_a_frame(tmp_path: Path) -> None:
     text = '<link name="l"/><frame name="f">' + include("arm.sdf", merge="true") + "</frame>"
-    (problem,) = problems(document(tmp_path, MODEL.format(text)))
-    assert isinstance(problem, InvalidMerge)
-    assert problem.parent.name == "frame"
+    (diagnostic,) = reported(document(tmp_path, MODEL.format(text)))
+    assert diagnostic.message == "nothing can be merged into frame `f`"
 
 
 def test_without_a_library_nothing_is_looked_up(tmp_path: Path) -> None:
     found = document(tmp_path, WORLD.format(include("nowhere.sdf") + include("folder", merge="true")))
     found.library = None
+    assert codes(found) == []
     assert kinds(found) == []

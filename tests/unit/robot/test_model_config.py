@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.model_config import ConfigFault, model_file, problems
+from sdfcheck.robot.includes.model_config import ConfigFault, ModelConfig, model_file
 from sdfcheck.source.document import read
 from tests.unit.robot.files import write
 
@@ -60,7 +60,7 @@ def test_faults(tmp_path: Path, text: str, faults: list[ConfigFault]) -> None:
     write(tmp_path, FILES)
     document = read(text.encode(), tmp_path / "model.config")
     document.library = Library()
-    assert [problem.fault for problem in problems(document)] == faults
+    assert [problem.fault for problem in ModelConfig(document).faults] == faults
 
 
 def test_a_file_that_may_be_meant(tmp_path: Path) -> None:
@@ -68,4 +68,4 @@ def test_a_file_that_may_be_meant(tmp_path: Path) -> None:
     text = '<model><name>a</name><sdf version="1.9">arm.sdf</sdf></model>'
     document = read(text.encode(), tmp_path / "model.config")
     document.library = Library()
-    assert [problem.near for problem in problems(document)] == ["model.sdf"]
+    assert [problem.near for problem in ModelConfig(document).faults] == ["model.sdf"]

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.uris import locate
-from sdfcheck.robot.file_problems import UriFault, WrongCase
-from sdfcheck.robot.uri_spelling import absolute, malformed, misspelt
+from sdfcheck.robot.uri_spelling import UriFault, is_absolute, misspelling, other_case
 from sdfcheck.source.document import read
 from sdfcheck.source.element import Value
 from tests.unit.robot.files import MODEL, opened, write
@@ -102,7 +101,7 @@ def test_any_text_is_looked_up(tmp_path: Path, uri: str) -> None:
     ],
 )
 def test_malformed(uri: str, fault: UriFault, meant: str | None) -> None:
-    found = malformed(value(uri))
+    found = misspelling(value(uri))
     assert found is not None
     assert (found.fault, found.meant) == (fault, meant)
 
@@ -112,19 +111,19 @@ def test_malformed(uri: str, fault: UriFault, meant: str | None) -> None:
     ["model://a/b.dae", "a b/c.dae", "https://x.org/a", "file:///a", "C:/a", "x:y", "drake://a", "a:b.stl"],
 )
 def test_sound(uri: str) -> None:
-    assert malformed(value(uri)) is None
+    assert misspelling(value(uri)) is None
 
 
 @pytest.mark.parametrize(
     "uri", ["/home/ann/a.dae", "file:///home/ann/a.dae", "C:\\a.dae", "file:///C:/a.dae"]
 )
 def test_absolute(uri: str) -> None:
-    assert absolute(value(uri)) is not None
+    assert is_absolute(value(uri))
 
 
 @pytest.mark.parametrize("uri", ["a.dae", "file://a.dae", "model://a", "$(find arm)/a.dae"])
 def test_not_absolute(uri: str) -> None:
-    assert absolute(value(uri)) is None
+    assert not is_absolute(value(uri))
 
 
 @pytest.mark.parametrize(
@@ -137,6 +136,6 @@ def test_not_absolute(uri: str) -> None:
 )
 def test_wrong_case(tmp_path: Path, uri: str, meant: str) -> None:
     write(tmp_path, {"home/main.sdf": MODEL, "home/arm/meshes/a.dae": ""})
-    found = misspelt(value(uri), locate(opened(tmp_path / "home/main.sdf"), uri))
-    assert isinstance(found, WrongCase)
+    found = other_case(value(uri), locate(opened(tmp_path / "home/main.sdf"), uri))
+    assert found is not None
     assert found.meant == meant

@@ -14,7 +14,7 @@ from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import Location, locate
 from sdfcheck.formats.sdf.problems import MisplacedElement
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.robot.model_config import config_of, model_file
+from sdfcheck.robot.includes.model_config import config_of, model_file
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple

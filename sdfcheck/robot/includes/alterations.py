@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import islice
 
-from sdfcheck.robot.includes import Included, included
+from sdfcheck.robot.includes.included import Included, included
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 

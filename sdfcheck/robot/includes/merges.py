@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.robot.include_problems import InvalidMerge
-from sdfcheck.robot.includes import Included, included, includes_of
+from sdfcheck.robot.includes.included import Included, included, includes_of
+from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
 from sdfcheck.robot.names import Name, Namesakes
-from sdfcheck.robot.parameters import PARAMETERS, parameters
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 
@@ -24,22 +23,12 @@ _Taken = dict[str, Name]
 """The names that are given already."""
 
 
-def merge_problems(document: Document) -> Iterator[object]:
-    """What is wrong with the merged includes of a document."""
-    for parent, group in _by_parent(document).items():
-        for found in group:
-            if found.merge and found.model is not None and (problem := _invalid(found, parent)) is not None:
-                yield problem
-
-
 def merged_namesakes(document: Document) -> list[Namesakes]:
     """The names that are taken where a document merges models."""
     pairs: list[Namesakes] = []
     for parent, group in _by_parent(document).items():
-        merged = [found for found in group if found.merge and found.model is not None]
-        sound = [found for found in merged if _invalid(found, parent) is None]
-        if sound:
-            pairs += _clashes(parent, sound, _taken(document, parent, group))
+        if merged := [found for found in group if _is_merged(found, parent)]:
+            pairs += _clashes(parent, merged, _taken(document, parent, group))
     return pairs
 
 
@@ -52,17 +41,16 @@ def _by_parent(document: Document) -> dict[Element, list[Included]]:
     return by_parent
 
 
-def _invalid(found: Included, parent: Element) -> InvalidMerge | None:
-    merge, kind = found.include.attribute("merge"), found.kind or "model"
-    if merge is None:
-        return None
-    if kind != "model" or parent.name not in {"model", "world"}:
-        return InvalidMerge(merge, kind, parent)
-    parts = [f"{k} `{name}`" for k, name, _ in _moved(found) if k in _NOT_INTO_WORLDS]
-    return InvalidMerge(merge, kind, parent, tuple(parts)) if parts and parent.name == "world" else None
+def _is_merged(found: Included, parent: Element) -> bool:
+    """Is it a model that becomes part of its parent?"""
+    if not found.merge or found.model is None or found.kind != "model":
+        return False
+    if parent.name == "world":
+        return all(kind not in _NOT_INTO_WORLDS for kind, _, _ in moved(found))
+    return parent.name == "model"
 
 
-def _moved(found: Included) -> Iterator[tuple[str, str, Element]]:
+def moved(found: Included) -> Iterator[tuple[str, str, Element]]:
     """The named parts of a model that is merged, after the changes by its parameters."""
     model = found.model
     if model is None:
@@ -97,7 +85,7 @@ def _clashes(parent: Element, merged: list[Included], taken: _Taken) -> Iterator
     names: set[str | None] = set()
     for found in merged:
         if found.uri is not None:
-            own = [Name(kind, name, found.uri, parent, is_merged=True) for kind, name, _ in _moved(found)]
+            own = [Name(kind, name, found.uri, parent, is_merged=True) for kind, name, _ in moved(found)]
             clash = next((name for name in own if name.name in taken), None)
             if clash is not None and found.name not in names:
                 yield Namesakes(taken[clash.name], clash)

@@ -15,9 +15,9 @@ from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.value_problems import text_problems
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.robot.alterations import Alterations, Node
-from sdfcheck.robot.include_problems import InvalidParameter, ParameterFault
-from sdfcheck.robot.includes import Included
+from sdfcheck.robot.includes.alterations import Alterations, Node
+from sdfcheck.robot.includes.included import Included
+from sdfcheck.robot.includes.parameter_problems import InvalidParameter, ParameterFault
 from sdfcheck.source.element import Element, Value
 
 PARAMETERS = "experimental:params"

@@ -1,4 +1,4 @@
-"""``model.config``: which file of a model folder is the model, and what can be wrong with saying so.
+"""``model.config``: which file of a model folder is the model, and how it fails to say so.
 
 Source: libsdformat 17's ``getModelFilePath``, checked against what it does.
 """
@@ -12,11 +12,13 @@ from pathlib import Path
 
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.problems import SyntaxDefect
-from sdfcheck.source.record import Record
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import TEMPLATE_SUFFIXES, Kind
+from sdfcheck.source.text import Span
 
 CONFIG = "model.config"
 OLD_CONFIG = "manifest.xml"
@@ -40,8 +42,8 @@ class ConfigFault(Enum):
     UNMADE_FILE = "file not made yet"
 
 
-class InvalidModelConfig(Record):
-    """Something in a ``model.config`` that readers stumble over.
+class Misconfiguration(NamedTuple):
+    """Something in a ``model.config`` that simulators stumble over.
 
     ``place`` is an element, or a value of one; ``near`` what a missing file may be called.
     """
@@ -51,25 +53,69 @@ class InvalidModelConfig(Record):
     near: str | None = None
 
 
-def problems(document: Document) -> list[InvalidModelConfig]:
-    """What is wrong with a ``model.config``, beyond its XML."""
-    root = document.root
-    if root is None or any(isinstance(problem, SyntaxDefect) for problem in document.problems):
-        return []  # what is not well formed is told as that
-    if root.name != "model":
-        return [InvalidModelConfig(root, ConfigFault.NO_MODEL)]
-    found: list[InvalidModelConfig] = []
-    name, entries = root.find("name"), list(root.children("sdf"))
-    is_named = name is not None and name.content != ""
-    if not entries:
-        fault = ConfigFault.NO_FILE if is_named else ConfigFault.NO_NAME_NO_FILE
-        return [InvalidModelConfig(root, fault)]
-    if not is_named:
-        found.append(InvalidModelConfig(root if name is None else name, ConfigFault.NO_NAME))
-    chosen = chosen_entry(root)
-    for entry in entries:
-        found += _of_entry(document, entry, is_chosen=entry is chosen)
-    return found
+class ModelConfig:
+    """The ``model.config`` of a model folder."""
+
+    kind = "model.config"
+
+    def __init__(self, document: Document) -> None:
+        assert document.root is not None, "a document without elements says nothing"
+        self.document = document
+        self.element = document.root
+
+    @property
+    def span(self) -> Span:
+        """The place of the root element."""
+        return self.element.span
+
+    @property
+    def name(self) -> str:
+        """The name of the model; empty if there is none."""
+        name = self.element.find("name")
+        return name.content if name is not None else ""
+
+    @property
+    def _name_or_root(self) -> Element:
+        name = self.element.find("name")
+        return self.element if name is None else name
+
+    @property
+    def entries(self) -> tuple[Element, ...]:
+        """The ``sdf`` elements, each for a version of the format."""
+        return tuple(self.element.children("sdf"))
+
+    @property
+    def chosen(self) -> Element | None:
+        """The one that is read."""
+        return chosen_entry(self.element)
+
+    @property
+    def file(self) -> Path | None:
+        """The file of the model; None if there is none of that name."""
+        return model_file(self.document)
+
+    @property
+    def is_misconfigured(self) -> bool:
+        """Does it fail to say which file is the model?"""
+        return bool(self.faults)
+
+    @lazy
+    def faults(self) -> tuple[Misconfiguration, ...]:
+        """How it fails to say which file is the model."""
+        if any(isinstance(problem, SyntaxDefect) for problem in self.document.problems):
+            return ()  # what is not well formed is reported as that
+        if self.element.name != "model":
+            return (Misconfiguration(self.element, ConfigFault.NO_MODEL),)
+        if not self.entries:
+            fault = ConfigFault.NO_FILE if self.name else ConfigFault.NO_NAME_NO_FILE
+            return (Misconfiguration(self.element, fault),)
+        found = []
+        if not self.name:
+            found.append(Misconfiguration(self._name_or_root, ConfigFault.NO_NAME))
+        chosen = self.chosen
+        for entry in self.entries:
+            found += _of_entry(self.document, entry, is_chosen=entry is chosen)
+        return tuple(found)
 
 
 def chosen_entry(root: Element) -> Element | None:
@@ -100,23 +146,23 @@ def model_file(config: Document) -> Path | None:
     return file if os.path.isfile(file) else None
 
 
-def _of_entry(document: Document, entry: Element, *, is_chosen: bool) -> list[InvalidModelConfig]:
+def _of_entry(document: Document, entry: Element, *, is_chosen: bool) -> list[Misconfiguration]:
     found = []
     version = entry.attribute("version")
     if version is None or not version.text.strip():
-        found.append(InvalidModelConfig(entry, ConfigFault.NO_VERSION))
+        found.append(Misconfiguration(entry, ConfigFault.NO_VERSION))
     elif (numbers := _version(entry)) is None:
-        found.append(InvalidModelConfig(version, ConfigFault.BAD_VERSION))
+        found.append(Misconfiguration(version, ConfigFault.BAD_VERSION))
     elif numbers > NEWEST:
-        found.append(InvalidModelConfig(version, ConfigFault.TOO_NEW))
+        found.append(Misconfiguration(version, ConfigFault.TOO_NEW))
     if not entry.content:
         if is_chosen:
-            found.append(InvalidModelConfig(entry, ConfigFault.EMPTY_FILE))
+            found.append(Misconfiguration(entry, ConfigFault.EMPTY_FILE))
     elif not os.path.isfile(document.path.parent / entry.content) and document.library is not None:
         template = _template(document.path.parent, entry.content)
         fault = ConfigFault.MISSING_FILE if template is None else ConfigFault.UNMADE_FILE
         near = template or _near(document.path.parent, entry.content)
-        found.append(InvalidModelConfig(entry.own_value, fault, near))
+        found.append(Misconfiguration(entry.own_value, fault, near))
     return found
 
 

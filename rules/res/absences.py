@@ -1,0 +1,46 @@
+"""Files that are missing, put together by what is lacked as a whole."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+from sdfcheck import Consumer, Element, Reaction, Resource, accepts
+from sdfcheck_rules.res.places import expected
+
+
+class Absences:
+    """Missing resources by what is not there, each once with all that needs it, in the order of the file."""
+
+    def __init__(self, missing: Iterable[Resource]) -> None:
+        self.files: dict[tuple[str, str], list[Resource]] = {}
+        """URI and what it is → resources."""
+        self.owners: dict[tuple[str, str], list[Resource]] = {}
+        """Scheme and name of a model or package → resources."""
+        self.folders: dict[str, list[Resource]] = {}
+        for resource in missing:
+            self._take(resource)
+
+    def _take(self, resource: Resource) -> None:
+        location = resource.location
+        if location is not None and location.is_searched_for and location.owner is None:
+            self.owners.setdefault((location.scheme, location.name), []).append(resource)
+            return
+        path = expected(resource)
+        folder = None if path is None else os.path.dirname(path) or os.curdir
+        if folder is None or (folder not in self.folders and os.path.isdir(folder)):
+            self.files.setdefault((resource.uri, resource.what), []).append(resource)
+        else:
+            self.folders.setdefault(folder, []).append(resource)
+
+
+def reactions(resource: Resource, missing: Reaction) -> dict[Consumer, Reaction]:
+    """Drake looks for the meshes of links, MuJoCo for those of collisions that are paths."""
+    roles = {each.name for each in resource.element.iterancestors() if isinstance(each, Element)}
+    is_mesh = (resource.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
+    opened = is_mesh and "collision" in roles and ":/" not in resource.uri
+    unread = accepts("does not look for it")
+    return {
+        Consumer.DRAKE: missing if is_mesh and roles & {"visual", "collision"} else unread,
+        Consumer.MUJOCO: missing if opened else unread,
+    }

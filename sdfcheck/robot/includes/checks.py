@@ -1,0 +1,33 @@
+"""By-products of reading includes: what is wrong with their parameters and placement.
+
+Source: libsdformat 17's parser.cc, checked against what it reports. What is wrong with
+an included file itself is reported there, where it is fixed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.formats.sdf.problems import MissingElement
+from sdfcheck.robot.includes.included import Included, included, includes_of
+from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
+from sdfcheck.source.document import Document
+
+
+def problems(document: Document) -> list[object]:
+    """What is wrong with the includes of an SDF document by itself, in no particular order."""
+    found: list[object] = []
+    for include in includes_of(document):
+        brought = included(document, include)
+        found += _placement(brought)
+        if include.has(PARAMETERS):
+            found += parameters(brought).problems
+    return found
+
+
+def _placement(found: Included) -> Iterator[object]:
+    placement = found.include.find("placement_frame")
+    if placement is None or not placement.content:
+        return
+    if not found.include.has("pose"):
+        yield MissingElement(found.include, "pose", None, refused=True)

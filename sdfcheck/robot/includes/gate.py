@@ -1,0 +1,15 @@
+"""The gate to what reading includes brings to light: a document that includes nothing loads none of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.source.document import Document
+
+
+def problems(document: Document) -> Iterator[object]:
+    """What is wrong with the parameters and placement of includes."""
+    if "<include" in document.source.text:
+        from sdfcheck.robot.includes import checks
+
+        yield from checks.problems(document)

@@ -1,0 +1,208 @@
+"""Files that a description names by URIs, and where those lead.
+
+No simulator refuses a description of SDFormat for a mesh, texture, script or sound that
+is absent: it is shown without, and collides with nothing. Nothing is fetched, and
+nothing is read.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.values import lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.files.uris import Location
+    from sdfcheck.robot.includes.included import Obstacle
+    from sdfcheck.robot.root import Root
+    from sdfcheck.robot.uri_spelling import Misspelling, OtherCase
+    from sdfcheck.source.element import Element, Value
+
+Index = Mapping[str, Sequence["Element"]]
+
+_MAPS = (
+    "albedo_map", "ambient_occlusion_map", "emissive_map", "environment_map", "glossiness_map", "light_map",
+    "metalness_map", "normal_map", "roughness_map", "specular_map",
+)  # fmt: skip
+_PBR = frozenset({"metal", "specular", "shader"})
+
+_PLACES: dict[str, frozenset[str]] = {
+    "uri": frozenset({"mesh", "heightmap", "image", "script", "audio_source"}),
+    "filename": frozenset({"mesh", "skin", "animation"}),
+    "texture": frozenset({"projector"}),
+    "diffuse": frozenset({"texture"}),
+    "normal": frozenset({"texture"}),
+    "cubemap_uri": frozenset({"sky"}),
+    "color_range_image": frozenset({"particle_emitter"}),
+    **dict.fromkeys(_MAPS, _PBR),
+}
+"""Elements of SDFormat whose text names a file, and the parents below which it does."""
+
+_WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "texture": "texture"}
+_TEXTURED = frozenset({"projector", "sky"})
+_SHIPPED = ("file://media/", "__default__")
+"""What Gazebo Classic brings along, and the word for nothing."""
+_EXPRESSIONS = ("$(", "${")
+_PICTURES = frozenset({"texture", "heightmap", "projector"})
+_TEXTURE_FOLDERS = ("materials/textures", "../materials/textures", "../textures")
+
+
+class FileUse(Part):
+    """Something that names a file by a URI: an include, or a resource."""
+
+    __slots__ = ()
+
+    @property
+    def uri_value(self) -> Value | None:
+        """The URI with its place; None where there is none."""
+        raise NotImplementedError
+
+    @property
+    def uri(self) -> str:
+        """The URI without blanks around it; empty where there is none."""
+        return self.uri_value.text.strip() if self.uri_value is not None else ""
+
+    @property
+    def obstacle(self) -> Obstacle | None:
+        """Why what it names cannot be read; None for what is not read at all."""
+        return None
+
+    @lazy
+    def location(self) -> Location | None:
+        """Where the URI leads; None without a URI, and for a text that is not looked at among other files."""
+        if self.uri_value is None or self.document.library is None:
+            return None
+        from sdfcheck.files.uris import locate
+
+        return locate(self.document, self.uri_value.text)
+
+    @property
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
+        raise NotImplementedError
+
+    @property
+    def is_absolute(self) -> bool:
+        """Is it a path that holds on this computer alone?"""
+        from sdfcheck.robot.uri_spelling import is_absolute
+
+        return self.uri_value is not None and is_absolute(self.uri_value)
+
+    @lazy
+    def misspelling(self) -> Misspelling | None:
+        """What is wrong with the URI as a text, whatever it leads to or where that explains why it leads nowhere."""
+        if self.uri_value is None or self._misspelling is not None:
+            return self._misspelling
+        from sdfcheck.robot.uri_spelling import misplaced_blanks
+
+        return misplaced_blanks(self.uri_value) if self.leads_nowhere else None
+
+    @lazy
+    def _misspelling(self) -> Misspelling | None:
+        from sdfcheck.robot.uri_spelling import misspelling
+
+        return None if self.uri_value is None else misspelling(self.uri_value)
+
+    @lazy
+    def other_case(self) -> OtherCase | None:
+        """What the URI would lead to if case did not matter, where it leads nowhere."""
+        if self.uri_value is None or not self.leads_nowhere or self.misspelling is not None:
+            return None
+        from sdfcheck.robot.uri_spelling import other_case
+
+        return None if self.location is None else other_case(self.uri_value, self.location)
+
+    @property
+    def is_missing(self) -> bool:
+        """Is nothing where the URI leads, and is that not the fault of its spelling?"""
+        return self.leads_nowhere and self.misspelling is None and self.other_case is None
+
+
+class Resource(FileUse):
+    """A mesh, texture, script or sound that a file names.
+
+    Its ``element`` is the one that names it: ``uri``, ``albedo_map`` …, in URDF ``mesh`` and ``texture``.
+    """
+
+    __slots__ = ("_value",)
+    kind = "resource"
+
+    def __init__(self, holder: Part, element: Element, value: Value) -> None:
+        super().__init__(holder, element)
+        self._value = value
+
+    @property
+    def uri_value(self) -> Value:
+        """The URI with its place."""
+        return self._value
+
+    @property
+    def what(self) -> str:
+        """What it is: ``mesh``, ``texture``, ``material script`` …"""
+        if self.is_urdf:
+            return self.element.name
+        holder, name = self.holder.element.tag if self.holder is not None else "", self.element.tag
+        if name in _MAPS or holder in _TEXTURED:
+            return "texture"
+        return _WHAT.get(holder, holder)
+
+    @lazy
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
+        if self._misspelling is not None or self.is_absolute or self.location is None:
+            return False
+        location = self.location
+        return location.path is None and location.is_local and not self._is_among_textures
+
+    @property
+    def _is_among_textures(self) -> bool:
+        """Gazebo also looks for the bare name of a picture in the folders that models keep theirs in."""
+        if self.what not in _PICTURES or "/" in self.uri:
+            return False
+        folder = self.document.path.parent
+        return any(os.path.exists(folder / place / self.uri) for place in _TEXTURE_FOLDERS)
+
+
+def resources_of(root: Root) -> tuple[Resource, ...]:
+    """The resources that a file names, of the same elements one after the other."""
+    index, found = root.elements, []
+    for value in _named_in_urdf(index) if root.is_urdf else _named_in_sdf(index):
+        text, element = value.text.strip(), value.element
+        if text and not text.startswith(_SHIPPED) and not any(mark in text for mark in _EXPRESSIONS):
+            parent = element.parent
+            assert parent is not None, "the root names no file"
+            found.append(Resource(root.part_of(parent), element, value))
+    return tuple(found)
+
+
+def _named_in_sdf(index: Index) -> Iterator[Value]:
+    for name, parents in _PLACES.items():
+        if name in index and any(parent in index for parent in parents):
+            yield from _named_by(index[name])
+
+
+def _named_in_urdf(index: Index) -> Iterator[Value]:
+    """Meshes and textures; and what is in ``<gazebo>``, which knows where its own pictures are."""
+    for kind in ("mesh", "texture"):
+        for element in index.get(kind, ()):
+            value = element.attribute("filename")
+            if value is not None and not _is_for_gazebo(element):
+                yield value
+    for name in _PLACES:
+        for value in _named_by(index.get(name, ())):
+            if "/" in value.text and _is_for_gazebo(value.element):
+                yield value
+
+
+def _named_by(elements: Iterable[Element]) -> Iterator[Value]:
+    for element in elements:
+        parent = element.parent
+        if parent is not None and parent.tag in _PLACES[element.tag]:
+            yield element.own_value
+
+
+def _is_for_gazebo(element: Element) -> bool:
+    return any(ancestor.tag == "gazebo" for ancestor in element.iterancestors())

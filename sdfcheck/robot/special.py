@@ -1,0 +1,41 @@
+"""Objects of the robot that are not told by the names of elements alone."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.sdf.survey import survey
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.root import Root
+    from sdfcheck.source.element import Element
+
+_LISTENERS = frozenset({"sensor", "audio_source"})
+
+
+def _customs(root: Root) -> list[Element]:
+    if root.is_urdf:
+        from sdfcheck.formats.urdf.survey import survey as urdf_survey
+
+        return urdf_survey(root.document).customs
+    return [custom for custom, _, _ in survey(root.document).customs]
+
+
+def _contacts(root: Root) -> Iterator[Part]:
+    """What sensors and sounds listen to; surfaces have contacts of their own, and are many."""
+    given = root.elements.get("contact", ())
+    return (root.part_of(each) for each in given if each.parent is not None and each.parent.tag in _LISTENERS)
+
+
+SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
+    "Custom": lambda root: root.made_of(found, "Custom") if (found := _customs(root)) else (),
+    "Contact": lambda root: _contacts(root),
+    "Include": lambda root: root.includes,
+    "FrameReference": lambda root: root.frame_references,
+    "ModelConfig": lambda _: (),
+    "Resource": lambda root: root.resources,
+    "Root": lambda root: (root,),
+}
+"""Class → its parts, where the names of elements alone do not tell them."""

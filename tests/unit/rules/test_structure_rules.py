@@ -1,0 +1,84 @@
+"""Versions, shapes and sensors: what the rules about structure report, and what they leave to others."""
+
+from __future__ import annotations
+
+import pytest
+
+import sdfcheck
+
+BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
+
+
+def messages(text: str, code: str) -> list[str]:
+    return [
+        diagnostic.message for diagnostic in sdfcheck.lint(text, isolated=True, select=[code]).diagnostics
+    ]
+
+
+def in_link(text: str) -> str:
+    return f'<sdf version="1.12"><model name="m"><link name="l">{text}</link></model></sdf>'
+
+
+@pytest.mark.parametrize(
+    ("attributes", "found"),
+    [
+        ("", ["`sdf` has no `version`"]),
+        (' version=""', ["`version` of `sdf` is empty"]),
+        (' version="  "', ["`version` of `sdf` is empty"]),
+        (' versoin="1.12"', []),
+        (' version="1.13"', []),
+    ],
+)
+def test_missing_version(attributes: str, found: list[str]) -> None:
+    assert messages(f'<sdf{attributes}><model name="m"><link name="l"/></model></sdf>', "SCH001") == found
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ('<visual name="v"><geometry/></visual>', ["`geometry` has no shape"]),
+        ('<visual name="v"><geometry><!-- none --></geometry></visual>', ["`geometry` has no shape"]),
+        ('<visual name="v"><geometry><!-- one --><sphere/></geometry></visual>', []),
+        ('<collision name="c"/>', ["collision `c` has no `geometry`"]),
+        (f'<collision name="c">{BOX.replace("geometry", "geometri")}</collision>', []),
+        (
+            '<sensor name="s" type="contact"><contact><collision>c</collision></contact></sensor>',
+            [],
+        ),
+        ('<sensor name="s" type="sonar"><sonar><geometry>cone</geometry><max>1</max></sonar></sensor>', []),
+    ],
+)
+def test_missing_shapes(text: str, found: list[str]) -> None:
+    assert messages(in_link(text), "SCH016") == found
+
+
+def test_states_go_by_the_names_of_parts() -> None:
+    state = (
+        '<state world_name="w"><model name="m"><link name="l"><collision name="c"/></link></model></state>'
+    )
+    assert messages(f'<sdf version="1.11"><world name="w">{state}</world></sdf>', "SCH016") == []
+
+
+@pytest.mark.parametrize(
+    ("kind", "content", "found"),
+    [
+        ("imu", "<camera/>", ["does not read `camera`, but `imu`"]),
+        ("camera", "", ["has no `camera`, so it runs on defaults"]),
+        ("gpu_lidar", "<update_rate>5</update_rate>", ["has no `lidar`, so it runs on defaults"]),
+        ("navsat", "<navsat/><imu/>", ["does not read `imu`, but `navsat`"]),
+        ("camera", "<camrea/>", []),
+        ("imu", "", []),
+        ("multicamera", '<camera name="a"/><camera name="b"/>', []),
+        ("custom", "<camera/>", []),
+        ("odd", "<imu/>", []),
+    ],
+)
+def test_sensors_and_their_settings(kind: str, content: str, found: list[str]) -> None:
+    text = in_link(f'<sensor name="s" type="{kind}">{content}</sensor>')
+    assert [message.partition(f"type `{kind}` ")[2] for message in messages(text, "SCH018")] == found
+
+
+@pytest.mark.parametrize("kind", ["imu", "custom", "odd"])
+def test_sensors_of_urdf_are_left_to_the_reader_of_their_blocks(kind: str) -> None:
+    block = f'<gazebo reference="l"><sensor name="s" type="{kind}"><camera/></sensor></gazebo>'
+    assert messages(f'<robot name="r"><link name="l"/>{block}</robot>', "SCH018") == []
