@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.survey import survey
@@ -31,11 +32,11 @@ def _contacts(root: Root) -> Iterator[Part]:
 
 SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
     "Custom": lambda root: root.made_of(found, "Custom") if (found := _customs(root)) else (),
-    "Contact": lambda root: _contacts(root),
-    "Include": lambda root: root.includes,
-    "FrameReference": lambda root: root.frame_references,
+    "Contact": _contacts,
+    "Include": attrgetter("includes"),
+    "FrameReference": attrgetter("frame_references"),
     "ModelConfig": lambda _: (),
-    "Resource": lambda root: root.resources,
+    "Resource": attrgetter("resources"),
     "Root": lambda root: (root,),
 }
 """Class → its parts, where the names of elements alone do not tell them."""
