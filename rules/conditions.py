@@ -9,6 +9,7 @@ from pathlib import PurePosixPath as pathlib_PurePosixPath
 from sdfcheck import Include as sdfcheck_Include
 from sdfcheck import Root as sdfcheck_Root
 import math as math_
+import os as os_
 import re as re_
 
 def FRM001_applies(reference):
@@ -553,6 +554,128 @@ def nam_malformed_scoped_name___is_odd(reference):
 def NAM005_applies(root):
     return nam_malformed_scoped_name___may_be_odd(root.document.source.text) and any(map(nam_malformed_scoped_name___is_odd, root.names.references))
 
+def NS009_applies(custom):
+    return bool(custom.displaced)
+
+def NS010_applies(custom):
+    return bool(custom.replaced)
+
+def RES001_applies(root):
+    return any((resource.is_missing for resource in root.resources))
+
+def RES002_applies(root):
+    return any((include.is_missing or include.needs_config for include in root.includes))
+
+def res_include_cycle__real_path(step):
+    return os_.path.realpath(step.element.document.path)
+
+def RES003_applies(include):
+    ring = include.ring
+    return bool(ring) and res_include_cycle__real_path(ring[0]) == min(map(res_include_cycle__real_path, ring))
+
+def RES004_applies(named):
+    return named.misspelling is not None
+
+def RES005_applies(named):
+    return named.other_case is not None
+
+def RES006_applies(named):
+    return named.is_absolute and named.misspelling is None and (named.obstacle is None)
+
+def RES007_applies(subject):
+    return subject.is_misconfigured
+
+def res_missing_plugin_attribute__lacks_file(plugin):
+    return not plugin.filename and (not plugin.misspells('filename'))
+
+res_missing_plugin_attribute__NAMELESS_SINCE = '1.10'
+
+def res_missing_plugin_attribute__lacks_name(plugin):
+    if plugin.name_value is not None or plugin.root.is_urdf:
+        return False
+    return plugin.root.is_older_than(res_missing_plugin_attribute__NAMELESS_SINCE) and (not plugin.misspells('name'))
+
+def RES008_applies(plugin):
+    return res_missing_plugin_attribute__lacks_file(plugin) or res_missing_plugin_attribute__lacks_name(plugin)
+
+res_invalid_merge_include__NOT_INTO_WORLDS = ('link', 'gripper')
+
+def RES009_applies(include):
+    if not include.is_merged or include.brought is None:
+        return False
+    into = include.element.parent.name if include.element.parent is not None else ''
+    if include.found.kind != 'model' or into not in {'model', 'world'}:
+        return True
+    return into == 'world' and any((kind in res_invalid_merge_include__NOT_INTO_WORLDS for kind, _ in include.merged_parts))
+
+def RES011_applies(part):
+    return bool(part.unresolved)
+
+res_unusable_include__SETTINGS = ('name', 'static', 'placement_frame')
+
+def res_unusable_include__empty_settings(include):
+    return (setting for name in res_unusable_include__SETTINGS for setting in include.children(name) if not setting.content)
+
+def RES012_applies(include):
+    return include.is_read_in_vain or any((True for _ in res_unusable_include__empty_settings(include)))
+
+res_unportable_mesh_uri__RELATIVE = ''
+
+res_unportable_mesh_uri__MODEL = 'model'
+
+def res_unportable_mesh_uri__scheme(resource):
+    uri = resource.uri
+    if not resource.is_urdf or uri.startswith('/') or '$' in uri or ('\\' in uri):
+        return None
+    head, delimiter, _ = uri.partition('://')
+    found = head.lower() if delimiter else res_unportable_mesh_uri__RELATIVE
+    return found if found in (res_unportable_mesh_uri__RELATIVE, res_unportable_mesh_uri__MODEL) and ':/' not in head else None
+
+def RES013_applies(root):
+    return root.is_urdf and any((res_unportable_mesh_uri__scheme(resource) is not None for resource in root.resources))
+
+def SCH001_applies(root):
+    if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):
+        return False
+    return not (root.version or '').strip()
+
+def sch_missing_shape__is_of_link(element):
+    if element.parent is None or element.parent.name != 'link':
+        return False
+    return not any((ancestor.tag == 'state' for ancestor in element.iterancestors()))
+
+def sch_missing_shape__without_shape(root):
+    if root.is_urdf:
+        return
+    geometries = root.elements.get('geometry', ())
+    shaped = {geometry.parent for geometry in geometries}
+    for kind in ('visual', 'collision'):
+        for element in root.elements.get(kind, ()):
+            if element not in shaped and sch_missing_shape__is_of_link(element) and (not root.part_of(element).misspells('geometry')):
+                yield element
+    for geometry in geometries:
+        is_empty = len(geometry) == 0 or next(geometry.children(), None) is None
+        if is_empty and geometry.parent is not None and (geometry.parent.name != 'sonar'):
+            yield geometry
+
+def SCH016_applies(root):
+    return any((True for _ in sch_missing_shape__without_shape(root)))
+
+def sch_mismatched_sensor__wrong_settings(sensor):
+    names = sensor.settings_names
+    return next((given for given in sensor.given_settings if given.name not in names), None)
+
+sch_mismatched_sensor__NEED_SETTINGS = ('camera', 'contact', 'lidar', 'logical_camera')
+
+def sch_mismatched_sensor__lacks_settings(sensor):
+    return sensor.settings_names[0] in sch_mismatched_sensor__NEED_SETTINGS and (not sensor.given_settings)
+
+def SCH018_applies(sensor):
+    expected = sensor.settings_names
+    if not expected or sensor.root.is_urdf or any((sensor.misspells(name) for name in expected)):
+        return False
+    return sch_mismatched_sensor__wrong_settings(sensor) is not None or sch_mismatched_sensor__lacks_settings(sensor)
+
 def URD003_applies(robot):
     return any((len(group) > 1 for group in robot.tree.loose_groups))
 
@@ -708,6 +831,23 @@ CONDITIONS = {
     'NAM003': NAM003_applies,
     'NAM004': NAM004_applies,
     'NAM005': NAM005_applies,
+    'NS009': NS009_applies,
+    'NS010': NS010_applies,
+    'RES001': RES001_applies,
+    'RES002': RES002_applies,
+    'RES003': RES003_applies,
+    'RES004': RES004_applies,
+    'RES005': RES005_applies,
+    'RES006': RES006_applies,
+    'RES007': RES007_applies,
+    'RES008': RES008_applies,
+    'RES009': RES009_applies,
+    'RES011': RES011_applies,
+    'RES012': RES012_applies,
+    'RES013': RES013_applies,
+    'SCH001': SCH001_applies,
+    'SCH016': SCH016_applies,
+    'SCH018': SCH018_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,
     'URD005': URD005_applies,
