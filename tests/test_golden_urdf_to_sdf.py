@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.convert.inputs import Reader
+from sdfcheck.cli.descriptions import Around
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
@@ -37,7 +38,7 @@ def test_there_are_cases() -> None:
 @pytest.mark.parametrize("case", sorted(CASES.iterdir()), ids=lambda case: case.name)
 def test_conversion(case: Path, request: pytest.FixtureRequest) -> None:
     (source,) = case.glob("input.*")
-    with Reader(Configuration(isolated=True), (), lint=False) as reader:
+    with Reader(Around(Configuration(isolated=True)), lint=False) as reader:
         document = reader.read(source, {Kind.URDF: "URDF"}).document
     assert document is not None
     done = urdf_to_sdf(document, options_of(case))

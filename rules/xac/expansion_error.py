@@ -6,9 +6,19 @@ from sdfcheck_rules.xac.unreached import unless_reached
 
 _HELP: Mapping[str, str] = {
     "argument": "give it a value: `sdfcheck expand FILE {detail}:=…`, or under `xacro` in the configuration",
-    "variable": "few variables are passed on; `sdfcheck expand --env {detail}` adds this one",
+    "variable": "set it, and pass it on with `--env {detail}` or `env` in the configuration",
+    "withheld": "pass it on with `--env {detail}` or `env` in the configuration",
     "pattern": "xacro includes nothing here, and warns",
     "refused": "an expansion may compute, and read files below the project and the package paths",
+}
+_MESSAGES: Mapping[str, str] = {
+    "argument": "argument `{detail}` has no value, so the file is not expanded",
+    "variable": "environment variable `{detail}` is not set for the expansion",
+    "withheld": "environment variable `{detail}` is set, but not passed on to the expansion",
+    "pattern": "no file matches `{detail}`, so nothing is included",
+    "syntax": "the included file is not well-formed: {detail}",
+    "recursion": "macro `{detail}` calls itself without end",
+    "file": "an included file cannot be read: {detail}",
 }
 
 
@@ -75,18 +85,6 @@ class ExpansionError(Rule):
 
 def _message(problem: problems.ExpansionFailure) -> str:
     detail, kind = problem.detail, problem.kind.value
-    if kind == "argument":
-        return f"argument `{detail}` has no value, so the file is not expanded"
-    if kind == "variable":
-        return f"environment variable `{detail}` is not set for the expansion"
-    if kind == "pattern":
-        return f"no file matches `{detail}`, so nothing is included"
-    if kind == "syntax":
-        return f"the included file is not well-formed: {detail}"
-    if kind == "recursion":
-        return f"macro `{detail}` calls itself without end"
     if kind == "expression" and problem.expression:
         return f"`{problem.expression}` cannot be evaluated: {detail}"
-    if kind == "file":
-        return f"an included file cannot be read: {detail}"
-    return f"expansion fails: {detail}"
+    return _MESSAGES.get(kind, "expansion fails: {detail}").replace("{detail}", detail)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import colored, configured, formatted, require_file
+from sdfcheck.cli.descriptions import Around, around, check_arguments, described, load
+from sdfcheck.cli.options import colored, formatted, require_file
 from sdfcheck.cli.terminal import emit, emit_lines, wants_color
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
@@ -18,7 +18,6 @@ from sdfcheck.source.wrong_usage import WrongUsage
 if TYPE_CHECKING:
     from sdfcheck.convert.difference import Change
     from sdfcheck.convert.file_difference import FileDifference
-    from sdfcheck.lint.config.configuration import Configuration
 
 _SIGNS = {"added": "+", "removed": "-", "renamed": ">", "changed": "~"}
 _COLORS = {"added": "green", "removed": "red", "renamed": "cyan", "changed": "yellow"}
@@ -32,7 +31,6 @@ class Request(NamedTuple):
     form: str
     exit_code: bool
     tolerance: float
-    configuration: Configuration
     color: str
 
 
@@ -49,7 +47,7 @@ class Request(NamedTuple):
     default=1e-9,
     help="Smaller differences do not count (m, rad; relative for others).  [default: 1e-9]",
 )
-@configured
+@described
 @colored("When to colour the text.")
 def diff(**given: Any) -> int:
     """Show what changed in the robot from A to B, not in the text.
@@ -58,8 +56,9 @@ def diff(**given: Any) -> int:
     models, links, joints and frames: poses, masses and inertias, shapes, axes, limits,
     dynamics, mimicking. Exit code 0: the same robot; 1: another one; 2: could not compare.
     """
+    surroundings = around(given)
     request = Request(**given)
-    found = _compare(request)
+    found = _compare(request, surroundings)
     if request.form == "json":
         emit(_json(found))
     else:
@@ -68,15 +67,15 @@ def diff(**given: Any) -> int:
     return 1 if found.changes and request.exit_code else 0
 
 
-def _compare(request: Request) -> FileDifference:
+def _compare(request: Request, around: Around) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.motion.poses import PoseError
 
-    documents = []
     for file in (request.a, request.b):
         require_file(file)
-        documents.append(load(file, request.configuration.settings_for(file)))
+    check_arguments(around.arguments, (request.a, request.b), around.settings_for(request.a))
+    documents = [load(file, around, check=False) for file in (request.a, request.b)]
     try:
         return compare_files(*documents, tolerance=request.tolerance)
     except DescriptionError as error:

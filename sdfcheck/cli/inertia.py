@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import configured, formatted, require_file
+from sdfcheck.cli.descriptions import around, described, load
+from sdfcheck.cli.options import formatted, require_file
 from sdfcheck.cli.terminal import emit, emit_lines, say
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.mass_report import LinkMass, MassReport, ModelMass
     from sdfcheck.source.document import Document
@@ -50,8 +49,8 @@ class _Block(NamedTuple):
 @click.argument("file", type=click.Path(path_type=Path))
 @formatted("A table to read, or JSON.  [default: table]", "table", "json")
 @click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
-@configured
-def inertia(file: Path, form: str, name: str | None, configuration: Configuration) -> int:
+@described
+def inertia(file: Path, form: str, name: str | None, **given: Any) -> int:
     """Show mass, centre of mass and inertia of links and models, and of the whole file.
 
     Automatic inertias are computed; meshes need the extra `mesh`. Centres of mass are in
@@ -59,7 +58,7 @@ def inertia(file: Path, form: str, name: str | None, configuration: Configuratio
     mass, in axes parallel to those of the model.
     """
     require_file(file)
-    report = measure(load(file, configuration.settings_for(file)))
+    report = measure(load(file, around(given)))
     if name is not None:
         report = _only(report, name)
     if form == "json":

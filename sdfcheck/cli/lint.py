@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.options import PATH, colored, configured, folders, listing, path
+from sdfcheck.cli.descriptions import ARGUMENT, arguments_in, check_arguments, search_of, surroundings
+from sdfcheck.cli.options import PATH, colored, configured, listing, path
 from sdfcheck.cli.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
-from sdfcheck.cli.terminal import Progress, emit, emit_lines, lines_of, pair, say, wants_color
-from sdfcheck.files.library import SearchPaths
+from sdfcheck.cli.terminal import Progress, emit, emit_lines, lines_of, say, wants_color
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.parallel import run_in_parallel
@@ -58,6 +58,7 @@ class Request:
     packages: tuple[str, ...]
     package_paths: tuple[Path, ...]
     model_paths: tuple[Path, ...]
+    variables: tuple[str, ...]
     force_exclude: bool
     skip_unrelated: bool
     configuration: Configuration
@@ -109,9 +110,7 @@ class Request:
     help="What the named files are, whatever they look like.",
 )
 @click.option("--no-expand", is_flag=True, help="Check xacro files only as they are written.")
-@click.option("--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is.")
-@folders("--package-path", "package_paths", "A folder below which to look for ROS packages.")
-@folders("--model-path", "model_paths", "A folder in which to look for models.")
+@surroundings
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
 @click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
 @configured
@@ -239,9 +238,8 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         from sdfcheck.lint.select import check_targets
 
         check_targets(request.target)
-    arguments = tuple(pair(str(path), ":=", "name:=value") for path in request.paths if ":=" in str(path))
-    paths = tuple(path for path in request.paths if ":=" not in str(path)) or (Path(),)
-    named = tuple(pair(text, "=", "--package name=path") for text in request.packages)
+    arguments = arguments_in(str(path) for path in request.paths if ARGUMENT in str(path))
+    paths = tuple(path for path in request.paths if ARGUMENT not in str(path)) or (Path(),)
     stdin = None
     if _STDIN in paths:
         stdin = sys.stdin.buffer.read()
@@ -258,11 +256,14 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         stdin_path=request.stdin_filename or Path("<stdin>"),
         expand=not request.no_expand,
         arguments=arguments,
-        search=SearchPaths(
-            request.model_paths, request.package_paths, tuple((name, Path(path)) for name, path in named)
-        ),
+        search=search_of(request.packages, request.package_paths, request.model_paths),
+        variables=request.variables,
     )
-    return options, tuple(path for path in paths if path != _STDIN)
+    paths = tuple(path for path in paths if path != _STDIN)
+    if arguments and stdin is None:
+        files = [file.path for file in find(paths, options).files]
+        check_arguments(arguments, files, options.settings_for(Path()))
+    return options, paths
 
 
 def _show_files(request: Request, paths: Sequence[Path], options: Options) -> int:

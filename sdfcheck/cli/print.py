@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from sdfcheck.cli.graph import load
-from sdfcheck.cli.options import configured, require_file
+from sdfcheck.cli.descriptions import around, described, load
+from sdfcheck.cli.options import require_file
 from sdfcheck.cli.terminal import emit, say
 from sdfcheck.source.record import NamedTuple
-
-if TYPE_CHECKING:
-    from sdfcheck.lint.config.configuration import Configuration
 
 
 class Request(NamedTuple):
@@ -25,7 +22,6 @@ class Request(NamedTuple):
     precision: int | None
     expand_includes: bool
     expand_auto_inertials: bool
-    configuration: Configuration
 
 
 @click.command(name="print")
@@ -54,7 +50,7 @@ class Request(NamedTuple):
     is_flag=True,
     help="Compute automatic inertias (of meshes with the extra `mesh`).",
 )
-@configured
+@described
 def print_command(**given: Any) -> int:
     """Write a description in canonical form to stdout.
 
@@ -65,15 +61,15 @@ def print_command(**given: Any) -> int:
     from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
     from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
 
+    surroundings = around(given)
     request = Request(**given)
     require_file(request.file)
-    settings = request.configuration.settings_for(request.file)
     style = CanonicalStyle(
         NumberStyle(request.degrees, request.snap, request.precision),
         request.expand_includes,
         request.expand_auto_inertials,
     )
-    result = canonical(load(request.file, settings), style)
+    result = canonical(load(request.file, surroundings), style)
     emit(result.text)
     for note in result.notes:
         say(f"warning: {note}")

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import click
 
-from sdfcheck.cli.options import configured, formatted, require_file
+from sdfcheck.cli.descriptions import Around, around, check_arguments, described
+from sdfcheck.cli.options import formatted, require_file
 from sdfcheck.cli.terminal import emit, emit_lines, say
 from sdfcheck.consumers.reaction import Consumer, Verdict
-from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.source.sniff import sniff
@@ -29,8 +30,8 @@ VERSION = 1
     help="Ask about this reader only (may be repeated), and exit with 1 if it rejects the file.",
 )
 @formatted("How to show the verdicts.", "text", "json")
-@configured
-def targets_command(file: Path, target: tuple[str, ...], form: str, configuration: Configuration) -> int:
+@described
+def targets_command(file: Path, target: tuple[str, ...], form: str, **given: Any) -> int:
     """Say which readers accept an SDFormat, URDF or xacro file, and why others do not.
 
     \b
@@ -41,7 +42,7 @@ def targets_command(file: Path, target: tuple[str, ...], form: str, configuratio
     """
     require_file(file)
     readers = tuple(Consumer(name) for name in target) or tuple(Consumer)
-    rows = verdicts(file, readers, configuration)
+    rows = verdicts(file, readers, around(given))
     if form == "json":
         import json
 
@@ -56,7 +57,7 @@ def targets_command(file: Path, target: tuple[str, ...], form: str, configuratio
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 
-def verdicts(file: Path, readers: Sequence[Consumer], configuration: Configuration) -> tuple[Row, ...]:
+def verdicts(file: Path, readers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:
     """Lint a file with everything that the rules know about some readers.
 
     Raises:
@@ -69,7 +70,15 @@ def verdicts(file: Path, readers: Sequence[Consumer], configuration: Configurati
             failures.append(notice.text)
 
     asked = tuple(reader.value for reader in readers)
-    done = run([file], Options(configuration, target=asked), notify=notify)
+    check_arguments(around.arguments, [file], around.settings_for(file))
+    options = Options(
+        around.configuration,
+        target=asked,
+        arguments=around.arguments,
+        search=around.search,
+        variables=around.variables,
+    )
+    done = run([file], options, notify=notify)
     if failures:
         raise WrongUsage("; ".join(failures))
     if done.suppressed:

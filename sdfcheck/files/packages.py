@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 FOLDER_LIMIT = 20_000
@@ -54,10 +55,21 @@ class Packages:
 
     ``given`` maps names to folders; ``paths`` are folders below which to look for
     ``package.xml``; ``root`` is the project; ``environment`` may hold
-    ROS_PACKAGE_PATH and AMENT_PREFIX_PATH.
+    ROS_PACKAGE_PATH and AMENT_PREFIX_PATH. The folder ``install`` of the workspace counts
+    also where nothing is sourced.
     """
 
-    __slots__ = ("_below", "_folders", "_found", "_installed", "environment", "given", "paths", "root")
+    __slots__ = (
+        "_below",
+        "_folders",
+        "_found",
+        "_installed",
+        "_own_prefixes",
+        "environment",
+        "given",
+        "paths",
+        "root",
+    )
 
     def __init__(
         self,
@@ -67,13 +79,14 @@ class Packages:
         environment: Mapping[str, str] | None = None,
     ) -> None:
         self.root = root
-        self.given = dict(given or {})
-        self.paths = tuple(paths)
+        self.given = {name: Path(os.path.abspath(folder)) for name, folder in (given or {}).items()}
+        self.paths = tuple(Path(os.path.abspath(folder)) for folder in paths)
         self.environment = dict(os.environ if environment is None else environment)
         self._below: dict[Path, dict[str, Path]] = {}
         self._folders: dict[Path, tuple[Path, ...]] = {}
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
+        self._own_prefixes: list[Path] | None = None
 
     def find(self, name: str) -> Path | None:
         """The folder of a package, None if nothing of that name is there."""
@@ -85,7 +98,7 @@ class Packages:
     def searched(self) -> tuple[Path, ...]:
         """Where packages are looked for, in that order."""
         places = [*self.paths, self.root, *self._of_environment("ROS_PACKAGE_PATH")]
-        places += [prefix / "share" for prefix in self._of_environment("AMENT_PREFIX_PATH")]
+        places += [prefix / "share" for prefix in self._prefixes()]
         return tuple(dict.fromkeys(places))
 
     def survey(self) -> None:
@@ -143,7 +156,7 @@ class Packages:
         for folder in (*self.paths, self.root, *self._of_environment("ROS_PACKAGE_PATH")):
             if name in (below := self._package_files(folder)):
                 yield below[name]
-        for prefix in self._of_environment("AMENT_PREFIX_PATH"):
+        for prefix in self._prefixes():
             if (share := prefix / "share" / name).is_dir():
                 yield share
         for folder in (*self.paths, self.root):
@@ -169,7 +182,29 @@ class Packages:
         return self._folders[root]
 
     def _of_environment(self, variable: str) -> list[Path]:
-        return [Path(entry) for entry in self.environment.get(variable, "").split(os.pathsep) if entry]
+        entries = self.environment.get(variable, "").split(os.pathsep)
+        return [Path(os.path.abspath(entry)) for entry in entries if entry]
+
+    def installed(self) -> tuple[Path, ...]:
+        """The folders that the workspace installs packages in; what links in them lead to is not among it."""
+        sourced = self._of_environment("AMENT_PREFIX_PATH")
+        return tuple(prefix for prefix in self._prefixes() if prefix not in sourced)
+
+    def _prefixes(self) -> list[Path]:
+        """The folders that packages are installed in: those of the environment, then those of the workspace."""
+        if self._own_prefixes is None:
+            workspace = self.root.parent if self.root.name == "src" else self.root
+            own = workspace / "install"
+            below: list[Path] = []
+            with suppress(OSError):
+                below = [own / name for name in sorted(os.listdir(own))]
+            real = os.path.join(os.path.realpath(workspace), "")
+            self._own_prefixes = [
+                folder
+                for folder in (own, *below)
+                if (folder / "share").is_dir() and os.path.realpath(folder).startswith(real)
+            ]
+        return [*self._of_environment("AMENT_PREFIX_PATH"), *self._own_prefixes]
 
     def _layout(self, folder: Path, lists: Path) -> list[tuple[str, str]]:
         if folder not in self._installed:

@@ -40,7 +40,7 @@ class Shelves:
         self._expand = expand
         self._arguments = arguments
         self._libraries: dict[SearchPaths, Library] = {}
-        self._expanders: dict[SearchPaths, Expander] = {}
+        self._expanders: dict[tuple[SearchPaths, tuple[str, ...]], Expander] = {}
 
     def __enter__(self) -> Shelves:
         return self
@@ -61,18 +61,18 @@ class Shelves:
             return Xacro(None, ())
         from sdfcheck.xacro.expansion import Expander, Surroundings
 
-        search = _search(settings)
-        if search not in self._expanders:
-            around = Surroundings(dict(search.packages), search.packages_in)
-            self._expanders[search] = Expander(around)
-            self._expanders[search].start()
+        key = settings.search, settings.env
+        if key not in self._expanders:
+            around = Surroundings(dict(settings.packages), settings.package_paths, settings.env)
+            self._expanders[key] = Expander(around)
+            self._expanders[key].start()
         from sdfcheck.lint.engine import Xacro
 
         sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
-        return Xacro(self._expanders[search], tuple(dict(given) for given in sets))
+        return Xacro(self._expanders[key], tuple(dict(given) for given in sets))
 
     def library(self, settings: Settings) -> Library:
-        search = _search(settings)
+        search = settings.search
         if search not in self._libraries:
             self._libraries[search] = Library(search, settings.size_limit)
         return self._libraries[search]
@@ -89,10 +89,6 @@ class Shelves:
                 if key not in own and (document.kind in _INCLUDABLE or document.root is None):
                     own.add(key)
                     yield document
-
-
-def _search(settings: Settings) -> SearchPaths:
-    return SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
 
 
 def lint_file(

@@ -59,7 +59,7 @@ class Options(NamedTuple):
     ``kind`` is what named files are taken for, whatever they look like. ``stdin`` is a
     text to lint under the name ``stdin_path``. xacro files are expanded with ``arguments``
     (in place of those of the configuration) unless ``expand`` is False. ``search`` are
-    further places of models and packages.
+    further places of models and packages, ``variables`` environment variables that xacro may read.
     """
 
     configuration: Configuration
@@ -73,17 +73,11 @@ class Options(NamedTuple):
     expand: bool = True
     arguments: tuple[tuple[str, str], ...] = ()
     search: SearchPaths = SearchPaths()
+    variables: tuple[str, ...] = ()
 
     def settings_for(self, path: Path) -> Settings:
-        """The settings of a file, with what the caller adds: search paths and xacro arguments."""
-        settings = self.configuration.settings_for(path)
-        if self.search == SearchPaths() and not self.arguments:
-            return settings
-        return settings._replace(
-            model_paths=(*self.search.models, *settings.model_paths),
-            package_paths=(*self.search.packages_in, *settings.package_paths),
-            packages=(*settings.packages, *self.search.packages),
-        )
+        """The settings of a file, with what the caller adds."""
+        return self.configuration.settings_for(path).extended(self.search, self.variables)
 
 
 class InternalError(Exception):

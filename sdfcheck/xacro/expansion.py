@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, TypeGuard
 
 from sdfcheck.files.packages import Packages, project_root
 from sdfcheck.files.regular import read_regular
@@ -16,7 +16,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 from sdfcheck.xacro.explanation import explain
 from sdfcheck.xacro.origins import Call, ExpandedDocument, Provenance, Sources, shown
-from sdfcheck.xacro.problems import Problem
+from sdfcheck.xacro.problems import ExpansionFailure, Failure, Problem
 from sdfcheck.xacro.process.worker import Limits, Worker
 
 PASSED_ON = (
@@ -114,9 +114,16 @@ class Expander:
         }
         answer = self._worker.ask(request, self.surroundings.limits)
         try:
-            return _expansion(answer or _UNANSWERED, document, packages)
+            done = _expansion(answer or _UNANSWERED, document, packages)
         except (KeyError, IndexError, TypeError, ValueError):
-            return _expansion(_UNANSWERED, document, packages)
+            done = _expansion(_UNANSWERED, document, packages)
+        lacking = {problem.detail for problem in done.problems if _is_missing_argument(problem)}
+        if not lacking:
+            return done
+        from sdfcheck.xacro.static.arguments import missing_arguments
+
+        others = missing_arguments(document, {*lacking, *(arguments or {})})
+        return done._replace(problems=(*done.problems, *others))
 
 
 _UNANSWERED: Mapping[str, Any] = {
@@ -139,6 +146,10 @@ def expand(
     document = what if isinstance(what, Document) else read(read_regular(what), what, Kind.XACRO)
     with Expander(surroundings) as expander:
         return expander.expand(document, arguments)
+
+
+def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
+    return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
 
 
 def _expansion(answer: Mapping[str, Any], document: Document, packages: Packages) -> Expansion:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -50,9 +51,10 @@ def explain(report: Report, provenance: Provenance, document: Document, packages
     if take is not None:
         return take(case, packages)
     detail = str(report.get("name") or report.get("message") or "")
-    return ExpansionFailure(
-        case.span(), _FAILURES[kind], detail, str(report.get("expression", "")), case.origins
-    )
+    failure = _FAILURES[kind]
+    if failure is Failure.VARIABLE and detail in os.environ:
+        failure = Failure.WITHHELD
+    return ExpansionFailure(case.span(), failure, detail, str(report.get("expression", "")), case.origins)
 
 
 class _Case:

@@ -20,6 +20,7 @@ class Failure(Enum):
     EXPRESSION = "expression"
     ARGUMENT = "argument"
     VARIABLE = "variable"
+    WITHHELD = "withheld"
     FILE = "file"
     SYNTAX = "syntax"
     PATTERN = "pattern"

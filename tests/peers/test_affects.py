@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.cli.descriptions import Around
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -86,7 +87,7 @@ def test_examples(reader: Consumer, tmp_path: Path) -> None:
     told = {}
     codes = examples(tmp_path)
     for file in codes:
-        (row,) = verdicts(file, (reader,), Configuration(isolated=True))
+        (row,) = verdicts(file, (reader,), Around(Configuration(isolated=True)))
         if row.verdict is not Verdict.UNREAD:
             told[file] = row.verdict is not Verdict.REJECT
     taken = READERS[reader](list(told))

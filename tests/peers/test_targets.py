@@ -7,6 +7,7 @@ from collections import Counter
 
 import pytest
 
+from sdfcheck.cli.descriptions import Around
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -28,7 +29,7 @@ def test_real_files() -> None:
     counts: Counter[tuple[Consumer, bool, bool]] = Counter()
     corpus = SHARED / "corpus"
     for known in json.loads((corpus / "verdicts.json").read_text("utf-8")):
-        rows = verdicts(corpus / known["file"], tuple(READERS), Configuration(isolated=True))
+        rows = verdicts(corpus / known["file"], tuple(READERS), Around(Configuration(isolated=True)))
         for row in rows:
             opinion = known.get(READERS[row.reader])
             # Remote includes are fetched by nobody.

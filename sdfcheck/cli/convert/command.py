@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from sdfcheck.cli.descriptions import ARGUMENT, Around, around, check_arguments, surroundings
 from sdfcheck.cli.group import LazyCommand, LazyGroup
 from sdfcheck.cli.options import F, colored, configured
 from sdfcheck.cli.output import FORMATS, Output, outputs, refuse_inputs
@@ -24,7 +25,6 @@ from sdfcheck.source.wrong_usage import WrongUsage
 if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input
     from sdfcheck.convert.result import Conversion
-    from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
     from sdfcheck.source.text import Span
@@ -59,18 +59,13 @@ class Request(NamedTuple):
     strict: bool
     lint: bool
     output_format: tuple[str, ...]
-    configuration: Configuration
     color: str
     quiet: bool
+    around: Around
 
     @property
     def files(self) -> tuple[Path, ...]:
-        return tuple(Path(text) for text in self.inputs if ":=" not in text)
-
-    @property
-    def arguments(self) -> tuple[str, ...]:
-        """What is given to xacro: ``name:=value``."""
-        return tuple(text for text in self.inputs if ":=" in text)
+        return tuple(Path(text) for text in self.inputs if ARGUMENT not in text)
 
 
 _PATH = click.Path(path_type=Path)
@@ -96,6 +91,7 @@ _OPTIONS = (
         metavar="FORMAT[=FILE]",
         help=f"How to report losses: {', '.join(FORMATS)}.  [default: full]",
     ),
+    surroundings,
     configured,
     colored(),
     click.option("-q", "--quiet", is_flag=True, help="Report losses, and say nothing else."),
@@ -111,6 +107,8 @@ def common_options(command: F) -> F:
 
 def common(given: dict[str, Any]) -> Request:
     """Takes the common options out of what click has read; the rest is the command's own."""
+    given["arguments"] = [text for text in given["inputs"] if ARGUMENT in text]
+    given["around"] = around(given)
     return Request(**{name: given.pop(name) for name in Request._fields})
 
 
@@ -153,7 +151,7 @@ def convert_files(
     _refuse_to_overwrite(request.files, targets, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
     outcomes = []
     unusable = 0
-    with Reader(request.configuration, request.arguments, lint=request.lint) as reader:
+    with Reader(request.around, lint=request.lint) as reader:
         for file, target in zip(request.files, targets, strict=True):
             try:
                 outcome = _convert(reader.read(file, kinds), convert, request)
@@ -179,6 +177,7 @@ def _targets(request: Request, suffix: str) -> list[Path | None]:
     files = request.files
     if not files:
         raise WrongUsage("no file is named")
+    check_arguments(request.around.arguments, files, request.around.settings_for(files[0]))
     if request.output is not None and request.output_dir is not None:
         raise WrongUsage("--output and --output-dir exclude each other")
     if request.output_dir is None:

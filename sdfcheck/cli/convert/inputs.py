@@ -7,10 +7,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-from sdfcheck.cli.terminal import pair
+from sdfcheck.cli.descriptions import Around, chosen_arguments, expander_for
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_regular
-from sdfcheck.lint.config.configuration import Configuration, Settings
+from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
 from sdfcheck.lint.obstacles import obstacles
@@ -40,16 +40,9 @@ class Input(NamedTuple):
 class Reader:
     """Reads the inputs of one run. Use it as a context manager: it may start a process to expand xacro."""
 
-    def __init__(
-        self,
-        configuration: Configuration,
-        arguments: Sequence[str],
-        *,
-        lint: bool = True,
-    ) -> None:
+    def __init__(self, around: Around, *, lint: bool = True) -> None:
         self._book = RuleBook(SILENT, None)
-        self._configuration = configuration
-        self._arguments = dict(pair(text, ":=", "name:=value") for text in arguments)
+        self._around = around
         self._lint = lint
         self._libraries: dict[SearchPaths, Library] = {}
         self._expander: Expander | None = None
@@ -69,8 +62,8 @@ class Reader:
         Raises:
             WrongUsage: it does not exist, cannot be read, is of another kind or brings too many models.
         """
-        settings = self._configuration.settings_for(file)
-        search = SearchPaths(settings.model_paths, settings.package_paths, settings.packages)
+        settings = self._around.settings_for(file)
+        search = settings.search
         # Shared, so that what lies around the files is looked up once.
         library = self._libraries.setdefault(search, Library(search, settings.size_limit))
         try:
@@ -96,13 +89,9 @@ class Reader:
         return self._judged(document, settings) if self._lint else Input(file, document)
 
     def _expand(self, document: Document, settings: Settings) -> tuple[Document | None, Sequence[object]]:
-        from sdfcheck.xacro.expansion import Expander, Surroundings
-
         if self._expander is None:
-            self._expander = Expander(Surroundings(dict(settings.packages), settings.package_paths))
-        sets = settings.arguments_for(document.path)
-        chosen = {**(dict(sets[0]) if sets else {}), **self._arguments}
-        done = self._expander.expand(document, chosen)
+            self._expander = expander_for(settings)
+        done = self._expander.expand(document, chosen_arguments(document.path, settings, self._around))
         if done.document is not None:
             done.document.library = document.library
         return done.document, done.problems

@@ -11,6 +11,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sdfcheck.files.library import SearchPaths
 from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, read_regular
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.select import Choice
@@ -46,6 +47,7 @@ class Settings(NamedTuple):
     model_paths: tuple[Path, ...] = ()
     package_paths: tuple[Path, ...] = ()
     packages: tuple[tuple[str, Path], ...] = ()
+    env: tuple[str, ...] = ()
     xacro: tuple[tuple[Pattern, tuple[ArgumentSet, ...]], ...] = ()
     max_file_size: float = SIZE_LIMIT / MEGABYTE
     files: tuple[ConfigFile, ...] = ()
@@ -54,6 +56,22 @@ class Settings(NamedTuple):
     def size_limit(self) -> int:
         """The size up to which files are read, in bytes."""
         return int(self.max_file_size * MEGABYTE)
+
+    @property
+    def search(self) -> SearchPaths:
+        """Where models and packages are looked for."""
+        return SearchPaths(self.model_paths, self.package_paths, self.packages)
+
+    def extended(self, search: SearchPaths, variables: tuple[str, ...] = ()) -> Settings:
+        """The settings with further places, which come first, and environment variables for xacro."""
+        if not variables and search == SearchPaths():
+            return self
+        return self._replace(
+            model_paths=(*search.models, *self.model_paths),
+            package_paths=(*search.packages_in, *self.package_paths),
+            packages=(*self.packages, *search.packages),
+            env=(*self.env, *variables),
+        )
 
     @property
     def choice(self) -> Choice:

@@ -57,6 +57,7 @@ FIELDS = (
     Field("model-paths", Shape.PATHS, "[]", "Folders in which `model://` is looked up."),
     Field("package-paths", Shape.PATHS, "[]", "Folders below which `package.xml` files are looked for."),
     Field("packages", Shape.PLACES, "{}", "Package name → its folder."),
+    Field("env", Shape.STRINGS, "[]", "Environment variables that xacro may read."),
     Field("max-file-size", Shape.MEGABYTES, "256", "The size, in MB, from which on files are not read."),
     Field("xacro", Shape.ARGUMENTS, "{}", "File pattern → table of arguments, or a list of such tables."),
 )

@@ -60,6 +60,8 @@ def _reach(path: Path, settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]
         yield "plugins", "runs code"
     if any("=" in form for form in settings["output_format"]):
         yield "output-format", "writes a file"
+    if settings["env"]:
+        yield "env", "reads environment variables"
     root = os.path.realpath(project_root(path))
     for key, places in (
         ("packages", [place for _, place in settings["packages"]]),

@@ -140,7 +140,9 @@ def expand(request: Request, packages: Packages, memory: Any) -> Answer:
     os.environ.update(request["environment"])
     _prepare(tracer, packages)
     sys.setrecursionlimit(RECURSION_LIMIT)
-    readable = sandbox.Readable(request["root"], [str(folder) for folder in packages.trusted()])
+    readable = sandbox.Readable(
+        request["root"], [*map(str, packages.trusted())], [*map(str, packages.installed())]
+    )
     sandbox.limit(request["limits"])
     sandbox.guard(readable)
     answer: Answer = {}

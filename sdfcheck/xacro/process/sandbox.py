@@ -137,13 +137,13 @@ def limit(limits: Mapping[str, int]) -> None:
 class Readable:
     """The files that may be read: below the project's root, or below a folder that was pointed out.
 
-    A link inside the project does not lead out of it.
+    A link inside the project, or in what its workspace has ``installed``, does not lead out of them.
     """
 
     __slots__ = ("links", "roots")
 
-    def __init__(self, root: str, trusted: Sequence[str]) -> None:
-        self.roots = tuple(os.path.realpath(folder) for folder in (root, *trusted))
+    def __init__(self, root: str, trusted: Sequence[str], installed: Sequence[str] = ()) -> None:
+        self.roots = tuple(os.path.realpath(folder) for folder in (root, *installed, *trusted))
         self.links = tuple(os.path.abspath(folder) for folder in trusted)
 
     def __call__(self, path: str) -> bool:

@@ -86,7 +86,11 @@ def _leads(mention: _Mention, own: str, packages: Packages, library: Library) ->
     text, folder = mention.text, mention.by.parent
     first = next(matches(text), None)
     found = FIND.match(first["command"] or "") if first is not None and first.start() == 0 else None
-    if first is not None and found is not None and (package := packages.find(found[1])) is not None:
+    if first is not None and found is not None:
+        package = packages.find(found[1])
+        if package is None:
+            # A package of the project has a folder, if it is known by that alone.
+            return found[1] in Path(own).parts and fnmatch(Path(own).as_posix(), f"*{text[first.end() :]}")
         text, folder = text[first.end() :].lstrip("/"), package
     if is_literal(text) and not _GLOB.search(text):
         return library.disk.real(packages.locate(folder / text)) == own

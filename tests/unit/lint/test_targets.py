@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.cli.descriptions import Around
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import READS, REFUSES, Affects, Consumer, Reaction, by_dialect, lines, warns
 from sdfcheck.lint.config.configuration import Configuration
@@ -18,7 +19,7 @@ INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" 
 def told(text: str, name: str, folder: Path, *readers: Consumer) -> dict[str, str]:
     file = folder / name
     file.write_text(text, encoding="utf-8")
-    rows = verdicts(file, readers or tuple(Consumer), Configuration(isolated=True))
+    rows = verdicts(file, readers or tuple(Consumer), Around(Configuration(isolated=True)))
     return {row.reader.value: row.verdict.value for row in rows}
 
 

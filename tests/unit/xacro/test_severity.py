@@ -129,6 +129,13 @@ def test_an_include_of_its_own_name_does_not_make_a_robot_a_library(folder: Path
     assert found(folder, content, "my_arm/arm.xacro") == [("XAC003", "error"), ("XAC004", "error")]
 
 
+def test_a_file_of_another_package_is_another_file(folder: Path) -> None:
+    whole = ROBOT.format('<link name="torso"/><xacro:include filename="$(find nowhere_near)/part.xacro"/>')
+    (folder / "whole.xacro").write_text(whole)
+    joint = '<joint name="j" type="fixed"><parent link="torso"/><child link="b"/></joint>'
+    assert ("JNT001", "error") in found(folder, f'<link name="b"/>{joint}', "part.xacro")
+
+
 def test_a_part_is_judged_where_it_is_included(folder: Path) -> None:
     joint = '<joint name="j" type="{}"><parent link="torso"/><child link="b"/></joint>'
     content = f'<link name="b"/>{joint}'
