@@ -9,6 +9,7 @@ from sdfcheck.lint.engine import Dispatch, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle
 from sdfcheck.robot.macros import parts_in_macros
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.prepare import prepare
 from sdfcheck.xacro.static.macro_survey import Bodies
@@ -25,10 +26,20 @@ def lint_xacro(
     prepared = prepare(document, expander, argument_sets)
     document.problems = [*document.problems, *prepared.problems]  # type: ignore[list-item]
     found = lint_document(document, dispatch)
-    if document.root is not None and document.root.name == "robot":
-        bodies = Bodies(document, unexpanded(document, prepared.documents))
-        found += explain(bodies.problems, document, dispatch)
-        found += look_at(list(parts_in_macros(document, bodies.elements)), document, dispatch)
+    shown = (*prepared.documents, *prepared.partial)
+    found += _lint_pieces(document, unexpanded(document, shown), dispatch)
     for expanded in prepared.documents:
         found += settle(lint_document(expanded, dispatch), expanded)
+    for expanded in prepared.partial:
+        if expanded.root is not None:
+            found += settle(_lint_pieces(expanded, [expanded.root], dispatch), expanded)
     return fold(found)
+
+
+def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispatch) -> list[Diagnostic]:
+    """What is wrong with some elements of a robot, whatever the rest of it may be."""
+    if document.root is None or document.root.name != "robot":
+        return []
+    bodies = Bodies(document, pieces)
+    found = list(explain(bodies.problems, document, dispatch))
+    return found + list(look_at(list(parts_in_macros(document, bodies.elements)), document, dispatch))

@@ -101,6 +101,27 @@ class Expander:
 
     def expand(self, document: Document, arguments: Mapping[str, str] | None = None) -> Expansion:
         """Expand a xacro document; ``arguments`` are what ``$(arg …)`` gives."""
+        done = self._expand(document, arguments, is_partial=False)
+        lacking = {problem.detail for problem in done.problems if _is_missing_argument(problem)}
+        if not lacking:
+            return done
+        from sdfcheck.xacro.static.arguments import missing_arguments
+
+        others = missing_arguments(document, {*lacking, *(arguments or {})})
+        return done._replace(problems=(*done.problems, *others))
+
+    def expand_partly(
+        self, document: Document, arguments: Mapping[str, str] | None = None
+    ) -> ExpandedDocument | None:
+        """Expand a document without the packages that are not found; None if the rest needs them.
+
+        Includes from them, and calls of macros that nothing else defines, stay in it as they are.
+        """
+        return self._expand(document, arguments, is_partial=True).document
+
+    def _expand(
+        self, document: Document, arguments: Mapping[str, str] | None, *, is_partial: bool
+    ) -> Expansion:
         packages = self.packages_for(document.path)
         request = {
             "path": str(document.path),
@@ -111,19 +132,13 @@ class Expander:
             "paths": [os.path.abspath(folder) for folder in packages.paths],
             "environment": packages.environment,
             "cwd": os.getcwd(),
+            "partial": is_partial,
         }
         answer = self._worker.ask(request, self.surroundings.limits)
         try:
-            done = _expansion(answer or _UNANSWERED, document, packages)
+            return _expansion(answer or _UNANSWERED, document, packages)
         except (KeyError, IndexError, TypeError, ValueError):
-            done = _expansion(_UNANSWERED, document, packages)
-        lacking = {problem.detail for problem in done.problems if _is_missing_argument(problem)}
-        if not lacking:
-            return done
-        from sdfcheck.xacro.static.arguments import missing_arguments
-
-        others = missing_arguments(document, {*lacking, *(arguments or {})})
-        return done._replace(problems=(*done.problems, *others))
+            return _expansion(_UNANSWERED, document, packages)
 
 
 _UNANSWERED: Mapping[str, Any] = {

@@ -22,6 +22,7 @@ from sdfcheck.xacro.problems import (
     UndefinedMacro,
     UndefinedProperty,
     UnevaluatedExpression,
+    UnknownPackage,
     WrongXacroAttribute,
     dormant,
 )
@@ -34,10 +35,14 @@ _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 
 
 class Prepared(NamedTuple):
-    """``problems`` are those of the xacro file itself, ``documents`` its expansions."""
+    """``problems`` are those of the xacro file itself, ``documents`` its expansions.
+
+    ``partial`` are expansions without the packages that are not found.
+    """
 
     problems: tuple[Problem, ...]
     documents: tuple[ExpandedDocument, ...]
+    partial: tuple[ExpandedDocument, ...] = ()
 
 
 def prepare(
@@ -54,14 +59,20 @@ def prepare(
     found: list[Problem] = list(analysis.problems(document))
     if expander is None or any(isinstance(each, _MISLEADING) for each in found) or not is_robot(document):
         return Prepared(tuple(_merged(found)), ())
-    expansions = [expander.expand(document, arguments) for arguments in list(argument_sets) or [{}]]
+    sets = list(argument_sets) or [{}]
+    expansions = [expander.expand(document, arguments) for arguments in sets]
     if all(expansion.document is not None for expansion in expansions):
         found = [dormant(problem) for problem in found]
     elif not any(map(_stops, found)):
         failures = [problem for expansion in expansions for problem in expansion.problems]
         found += [p for p in failures if not (_needs_includer(p) and is_included(document))]
     documents = tuple(_documents(expansions, document))
-    return Prepared(tuple(_merged(found)), documents)
+    partial = [
+        expander.expand_partly(document, arguments)
+        for arguments, expansion in zip(sets, expansions, strict=True)
+        if any(isinstance(problem, UnknownPackage) for problem in expansion.problems)
+    ]
+    return Prepared(tuple(_merged(found)), documents, tuple(filter(None, partial)))
 
 
 def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[ExpandedDocument]:

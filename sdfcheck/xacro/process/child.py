@@ -9,6 +9,7 @@ import gc
 import json
 import mmap
 import os
+import re
 import select
 import signal
 import sys
@@ -29,6 +30,8 @@ RECURSION_LIMIT = 1500
 """Above Python's own, since following xacro takes frames too."""
 
 CRUMBS = 65536
+
+_FOUND = re.compile(r"\$\(find\s+([^\s$)]+)\s*\)")
 
 Request = dict[str, Any]
 Answer = dict[str, Any]
@@ -138,7 +141,7 @@ def expand(request: Request, packages: Packages, memory: Any) -> Answer:
     os.chdir(request["cwd"])
     os.environ.clear()
     os.environ.update(request["environment"])
-    _prepare(tracer, packages)
+    _prepare(tracer, packages, is_partial=request["partial"])
     sys.setrecursionlimit(RECURSION_LIMIT)
     readable = sandbox.Readable(
         request["root"], [*map(str, packages.trusted())], [*map(str, packages.installed())]
@@ -163,15 +166,26 @@ def expand(request: Request, packages: Packages, memory: Any) -> Answer:
     return {**answer, "files": tracer.files, "steps": steps.rows, "others": sorted(set(others))}
 
 
-def _prepare(tracer: Tracer, packages: Packages) -> None:
-    """Put the evaluators, the search for packages and the notes in xacro's place for them."""
+def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
+    """Put the evaluators, the search for packages and the notes in xacro's place for them.
+
+    What is not found of packages is left as it is written if the expansion may be partial.
+    """
     absolute = xacro.abs_filename_spec
 
     def find(name: str) -> str:
         folder = packages.find(name)
+        if folder is None and is_partial:
+            return f"$(find {name})"
         if folder is None:
             raise failure.MissingPackage(name)
         return str(folder)
+
+    def is_left_out(filename: str) -> bool:
+        return any(packages.find(name) is None for name in _FOUND.findall(filename))
+
+    if is_partial:
+        tracer.is_left_out = is_left_out
 
     def variable(name: str) -> str:
         if name not in os.environ:

@@ -8,6 +8,7 @@ the places. xacro's own code is not changed: a few of its functions are replaced
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from typing import Any
 from xml.dom.expatbuilder import ExpatBuilderNS
 
@@ -76,6 +77,8 @@ class Tracer:
         self.definitions: dict[str, Written] = {}
         self.step: Step | None = None
         self.include: Step | None = None
+        self.is_left_out: Callable[[str], bool] | None = None
+        """Whether an include is left as it is; where there is such a thing, unknown macros are, too."""
         self.body: Any = None
         self.call: Any = None
         """The macro body that is being copied, and the call that it is copied for."""
@@ -118,9 +121,18 @@ class Tracer:
             self.crumbs.at(data.place)
         if node.tagName[:6] != "xacro:":
             return False
+        if self.is_left_out is not None and not self.knows(node.tagName[6:], macros, symbols):
+            return True
         if data is not None and node.tagName != "xacro:call":
             self.call = Step("macro", node.tagName[6:], data.place, data.step)
         return self.handle_macro_call(node, macros, symbols)
+
+    def knows(self, name: str, macros: Any, symbols: Any) -> bool:
+        """Whether a macro is defined, or made up when it is called."""
+        try:
+            return name == "call" or bool(self.resolve_macro(name, macros, symbols))
+        except KeyError:
+            return False
 
     def take_macro(self, fullname: str, macros: Any, symbols: Any) -> Any:
         found = self.resolve_macro(fullname, macros, symbols)
@@ -128,6 +140,8 @@ class Tracer:
         return found
 
     def take_include(self, element: Any, macros: Any, symbols: Any, function: Any) -> None:
+        if self.is_left_out is not None and self.is_left_out(element.getAttribute("filename")):
+            return
         outer, data = self.include, element.getUserData(KEY)
         self.crumbs.at(data.place)
         self.include = Step("include", element.getAttribute("filename"), data.place, data.step)

@@ -122,6 +122,8 @@ def _path(branch: Element) -> str | None:
 
 def _is_of_others(body: Element) -> bool:
     """Whether a macro is called only where other formats are written, as in ``<gazebo>``."""
+    if body.name != "xacro:macro":
+        return False
     name = body.attributes.get("name", "").removeprefix(_PREFIX)
     calls = [
         call.element
@@ -129,7 +131,7 @@ def _is_of_others(body: Element) -> bool:
         for call in read.calls
         if call.name.rpartition(".")[2] == name
     ]
-    return body.name == "xacro:macro" and bool(calls) and all(map(is_free, calls))
+    return bool(calls) and all(map(is_free, calls))
 
 
 def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:

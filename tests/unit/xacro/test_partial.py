@@ -1,0 +1,58 @@
+"""What is left of a robot without the packages that are not found is checked, and judged as a part."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+MISSING = '<xacro:include filename="$(find nowhere_near)/urdf/sensor.xacro"/>'
+LEG = (
+    '<xacro:macro name="leg" params="side *place"><link name="${side}_leg"><visual>'
+    '<xacro:insert_block name="place"/><geometry><sphere radius="${radius}"/></geometry></visual></link>'
+    '<joint name="${side}" type="fixed"><parent link="sensor_mount"/><child link="${side}_leg"/></joint>'
+    "</xacro:macro>"
+)
+CALL = '<xacro:leg side="left"><origin xyz="0 0 0"/></xacro:leg>'
+
+
+def found(folder: Path, content: str) -> list[tuple[str, str]]:
+    (folder / "package.xml").write_text("<package><name>p</name></package>")
+    file = folder / "robot.urdf.xacro"
+    file.write_text(f'<robot name="r" {XACRO}>{content}</robot>')
+    run = sdfcheck.lint(file, isolated=True)
+    return [(each.code, each.span.text) for each in run.diagnostics]
+
+
+def test_values_that_only_an_expansion_shows_are_checked(tmp_path: Path) -> None:
+    for radius, more in (("${1 - 0.5}", []), ("${1 - 1.5}", [("SCH014", "${radius}")])):
+        content = f'<xacro:property name="radius" value="{radius}"/>{LEG}<xacro:sensor/>{CALL}'
+        assert found(tmp_path, MISSING + content) == [("XAC007", "nowhere_near"), *more]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        '<link name="a"><xacro:sensor_inertia/></link><joint name="j" type="fixed"><xacro:ends/></joint>',
+        '<link name="a"/><joint name="j" type="fixed"><parent link="lidar"/><child link="a"/></joint>',
+        (
+            '<link name="a"><visual><geometry><mesh filename="file://$(find nowhere_near)/a.dae"/></geometry>'
+            "</visual></link>"
+        ),
+        '<link name="a"/><link name="b"/><gazebo reference="lidar"><x/></gazebo>',
+        '<link name="${sensor_name}"/>',
+        '<xacro:sensor.nested><link name="a"/></xacro:sensor.nested>',
+    ],
+)
+def test_what_the_package_may_bring_is_not_missing(tmp_path: Path, content: str) -> None:
+    assert found(tmp_path, MISSING + content) == [("XAC007", "nowhere_near")]
+
+
+def test_a_package_that_only_an_included_file_needs(tmp_path: Path) -> None:
+    (tmp_path / "part.xacro").write_text(f"<robot {XACRO}>{MISSING}</robot>")
+    content = '<xacro:include filename="part.xacro"/><link name="a"><visual><geometry>'
+    content += '<sphere radius="${0 - 1}"/></geometry></visual></link>'
+    assert ("SCH014", "${0 - 1}") in found(tmp_path, content)
