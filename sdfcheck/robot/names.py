@@ -11,7 +11,6 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.scope import NODES
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.element import Element, Value
@@ -92,6 +91,7 @@ class Names:
         """
         if self.root.is_urdf or not self.root.is_older_than("1.8"):
             return {}
+        from sdfcheck.formats.sdf.survey import survey
         from sdfcheck.robot.unfold import foreign_references
 
         return foreign_references(survey(self.root.document))
@@ -110,7 +110,7 @@ class Names:
         """The names in each element where anything may be wrong with one."""
         if self.root.is_urdf:
             return {self.root.element: list(_of_urdf(self.root))}
-        named = survey(self.root.document).named
+        named = self.root.named
         included = list(_included(self.root))
         doubtful = {*_doubtful(self.root), *(name.parent for name in included)}
         found = {
@@ -129,7 +129,7 @@ class Names:
 
 def _doubtful(root: Root) -> Iterator[Element]:
     """The cheap question whose children may have names that something is wrong with."""
-    named = survey(root.document).named
+    named = root.named
     lines = (name for children in named.values() for kind, name, _ in children if kind != "plugin")
     if _ODD_LINE.search("\n".join(lines)):
         yield from named
@@ -141,7 +141,7 @@ def _doubtful(root: Root) -> Iterator[Element]:
 
 def _included(root: Root) -> Iterator[Name]:
     """The names that includes bring into their scopes, as far as they are known."""
-    for include in survey(root.document).index.get("include", ()):
+    for include in root.elements.get("include", ()):
         from sdfcheck.robot.includes.included import included
 
         found = included(root.document, include)

@@ -188,6 +188,8 @@ class Root(Part):
     @lazy
     def frame_references(self) -> tuple[FrameReference, ...]:
         """The references to frames that the file writes, resolved or not."""
+        if self.is_urdf:
+            return ()
         from sdfcheck.robot.frame_reference import frame_references
 
         return tuple(frame_references(self))
@@ -195,9 +197,11 @@ class Root(Part):
     @lazy
     def rings(self) -> tuple[Ring, ...]:
         """The frames that are attached to, or placed relative to, each other in a ring."""
+        if not self.frame_references:
+            return ()
         from sdfcheck.robot.rings import rings
 
-        return rings(self) if self.frame_references else ()
+        return rings(self)
 
     @lazy
     def parent_joints(self) -> dict[Link, list[Joint]]:
@@ -256,6 +260,13 @@ class Root(Part):
 
             return with_extensions(index)
         return survey(self.document).index
+
+    @property
+    def named(self) -> Mapping[Element, list[tuple[str, str, Element]]]:
+        """Element of SDFormat → its children that have a name: kind, name and element."""
+        from sdfcheck.formats.sdf.survey import survey
+
+        return survey(self.document).named
 
     @property
     def mass_properties(self) -> MassProperties | None:

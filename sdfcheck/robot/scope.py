@@ -12,7 +12,6 @@ from collections.abc import Iterable, Iterator
 from itertools import islice
 from typing import TYPE_CHECKING, TypeVar, cast
 
-from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.values import lazy
@@ -219,6 +218,8 @@ class Scope(Node):
         for kind, name, child in _named_children(source):
             if kind in NODES and (name := name.strip()):
                 self._take(source, nodes, name, child)
+        from sdfcheck.formats.sdf.survey import survey
+
         if survey(source.document).index.get("include"):
             from sdfcheck.robot.includes.included import included
 
@@ -261,6 +262,8 @@ class Scope(Node):
 
 def _named_children(source: Scope) -> Iterable[Child]:
     """What has a name in a world or model, as the parameters of an include change it."""
+    from sdfcheck.formats.sdf.survey import survey
+
     surveyed = survey(source.document)
     children: Iterable[Child] = surveyed.named.get(source.element, ())
     if source.alterations is not None and source.via is not None:

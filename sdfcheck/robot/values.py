@@ -10,8 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
-from sdfcheck.formats.sdf.numbers import leading_float
-
 if TYPE_CHECKING:
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Span
@@ -81,6 +79,8 @@ class Number(_Placed, float):
             try:
                 number = cls(text)
             except ValueError:
+                from sdfcheck.formats.sdf.numbers import leading_float
+
                 found = leading_float(text)
                 number = cls("nan" if found is None else found.value)
         number.value, number.element = value, element

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import Vector, is_true
@@ -71,6 +70,8 @@ def reference_of(pose: Element | None) -> str:
 
 def reference_value(pose: Element | None) -> Value | None:
     """The reference of a pose with its place: until 1.6 it was called ``frame``."""
+    from sdfcheck.formats.sdf.survey import survey
+
     if pose is None or pose.tag != "pose":
         return None
     if survey(pose.document).version < _SEVEN and (old := pose.attribute("frame")) is not None:
