@@ -39,15 +39,15 @@ types: $(TOOLS) build/mypy/sdfcheck_rules
 	$(BIN)/mypy
 
 generate: $(TOOLS)
-	$(BIN)/python -m sdfcheck.lint.index
-	$(BIN)/python -m sdfcheck.lint.conditions
-	$(BIN)/python -m sdfcheck.lint.manual_pages
+	$(BIN)/python -m sdfcheck.lint.rulebook.index
+	$(BIN)/python -m sdfcheck.lint.rulebook.conditions
+	$(BIN)/python -m sdfcheck.lint.rulebook.manual_pages
 	$(BIN)/python -m sdfcheck.convert.loss_table
 
 generated: $(TOOLS)
-	$(BIN)/python -m sdfcheck.lint.index --check
-	$(BIN)/python -m sdfcheck.lint.conditions --check
-	$(BIN)/python -m sdfcheck.lint.manual_pages --check
+	$(BIN)/python -m sdfcheck.lint.rulebook.index --check
+	$(BIN)/python -m sdfcheck.lint.rulebook.conditions --check
+	$(BIN)/python -m sdfcheck.lint.rulebook.manual_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
 
 golden: $(TOOLS)

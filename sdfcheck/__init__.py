@@ -45,25 +45,26 @@ if TYPE_CHECKING:
     )
     from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
     from sdfcheck.lint.rule import Rule, Target, make_fix, replace
+    from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
-    from sdfcheck.lint.vendor_rule import VendorRule
     from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.release import __version__
+    from sdfcheck.robot.access.editing import EditError, edit
+    from sdfcheck.robot.access.load import Unreadable, load, parse
+    from sdfcheck.robot.access.lookup import NotFound
     from sdfcheck.robot.custom import Custom
-    from sdfcheck.robot.editing import EditError, edit
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.frame import Frame
-    from sdfcheck.robot.frame_reference import FrameReference
     from sdfcheck.robot.includes.included import Obstacle
     from sdfcheck.robot.includes.model_config import ConfigFault, ModelConfig
-    from sdfcheck.robot.load import Unreadable, load, parse
-    from sdfcheck.robot.lookup import NotFound
+    from sdfcheck.robot.includes.uri_spelling import UriFault
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.pose import Pose
     from sdfcheck.robot.motion.poses import PoseError
     from sdfcheck.robot.motion.tree import Tree
-    from sdfcheck.robot.names import Name
+    from sdfcheck.robot.naming.frame_reference import FrameReference
+    from sdfcheck.robot.naming.names import Name
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
@@ -84,7 +85,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
     from sdfcheck.robot.root import Root
     from sdfcheck.robot.scope import Scope
-    from sdfcheck.robot.uri_spelling import UriFault
     from sdfcheck.robot.values import Flag, Number, Text, Vector
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
@@ -109,23 +109,23 @@ _HOMES = {
     "sdfcheck.lint.rule": "Rule Target make_fix replace",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unreadable",
-    "sdfcheck.lint.vendor_rule": "VendorRule",
+    "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
-    "sdfcheck.robot.load": "Unreadable load parse",
+    "sdfcheck.robot.access.load": "Unreadable load parse",
     "sdfcheck.release": "__version__",
     "sdfcheck.robot.custom": "Custom",
-    "sdfcheck.robot.editing": "EditError edit",
+    "sdfcheck.robot.access.editing": "EditError edit",
     "sdfcheck.robot.errors": "DescriptionError",
     "sdfcheck.robot.frame": "Frame",
     "sdfcheck.robot.includes.included": "Obstacle",
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
-    "sdfcheck.robot.lookup": "NotFound",
+    "sdfcheck.robot.access.lookup": "NotFound",
     "sdfcheck.robot.model": "Model",
     "sdfcheck.robot.motion.mass": "MassProperties",
     "sdfcheck.robot.motion.pose": "Pose",
     "sdfcheck.robot.motion.poses": "PoseError",
     "sdfcheck.robot.motion.tree": "Tree",
-    "sdfcheck.robot.names": "Name",
+    "sdfcheck.robot.naming.names": "Name",
     "sdfcheck.robot.node": "Node",
     "sdfcheck.robot.part": "Part",
     "sdfcheck.robot.parts.actuation": "Ros2Control Transmission",
@@ -144,10 +144,10 @@ _HOMES = {
     "sdfcheck.robot.parts.sensor": "Contact Sensor",
     "sdfcheck.robot.parts.setting": "Setting",
     "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
-    "sdfcheck.robot.frame_reference": "FrameReference",
+    "sdfcheck.robot.naming.frame_reference": "FrameReference",
     "sdfcheck.robot.root": "Root",
     "sdfcheck.robot.scope": "Scope",
-    "sdfcheck.robot.uri_spelling": "UriFault",
+    "sdfcheck.robot.includes.uri_spelling": "UriFault",
     "sdfcheck.robot.values": "Flag Number Text Vector",
     "sdfcheck.robot.world": "World",
     "sdfcheck.source.document": "Document",

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.access.load import as_text, load, parse
 from sdfcheck.robot.root import Root
 from sdfcheck.source.wrong_usage import WrongUsage
 

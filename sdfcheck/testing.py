@@ -19,8 +19,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sdfcheck.lint.pack import Fault, PackError
-from sdfcheck.lint.trial import Bench, Trial
+from sdfcheck.lint.rulebook.pack import Fault, PackError
+from sdfcheck.lint.rulebook.trial import Bench, Trial
 
 __all__ = ["FaultyRule", "PackError", "Trial", "check_pack", "examples"]
 

@@ -10,7 +10,7 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.fix.fixer import Mended, applicable, mend_file
 from sdfcheck.lint.one_file import Selected
-from sdfcheck.lint.trial import Trial
+from sdfcheck.lint.rulebook.trial import Trial
 from sdfcheck.source.sniff import Kind, sniff
 from tests.test_rules import BENCH, TRIALS
 

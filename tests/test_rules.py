@@ -5,14 +5,14 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.lint import engine
-from sdfcheck.lint.conditions import is_current, render
 from sdfcheck.lint.example import Bad, fill, unmark
-from sdfcheck.lint.pack import BUILT_IN, CONDITIONS
-from sdfcheck.lint.packs import load_index
-from sdfcheck.lint.plugins.find import find_pack
 from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.conditions import is_current, render
+from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS
+from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.trial import Bench, Trial
 from sdfcheck.lint.subjects import subjects
-from sdfcheck.lint.trial import Bench, Trial
 from sdfcheck.source.document import Document
 
 # What reports something left out would report it in every snippet that shows something else.

@@ -74,7 +74,7 @@ def _explained(document: Document, problems: Sequence[object]) -> list[Diagnosti
     """What the rules say of the problems that stopped the expansion."""
     from sdfcheck.lint.diagnostic import Severity
     from sdfcheck.lint.engine import Dispatch, lint_document
-    from sdfcheck.lint.packs import load_index
+    from sdfcheck.lint.rulebook.packs import load_index
     from sdfcheck.lint.select import ActiveRules
 
     index = load_index()

@@ -10,7 +10,7 @@ import click
 from sdfcheck.cli.options import colored, configured
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
 from sdfcheck.cli.terminal import emit, emit_lines, lines_of, wants_color
-from sdfcheck.lint.manual import manual, record, render
+from sdfcheck.lint.rulebook.manual import manual, record, render
 
 if TYPE_CHECKING:
     from sdfcheck.lint.config.configuration import Configuration

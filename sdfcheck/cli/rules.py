@@ -10,9 +10,9 @@ from sdfcheck.cli.options import configured
 from sdfcheck.cli.terminal import emit, emit_lines, lines_of, say
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.lint.manual import facts_record, markdown
-from sdfcheck.lint.packs import RuleIndex
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.manual import facts_record, markdown
+from sdfcheck.lint.rulebook.packs import RuleIndex
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import SILENT, covered
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -67,8 +67,8 @@ def test(pack: str, selectors: tuple[str, ...]) -> int:
     Raises:
         WrongUsage: the pack cannot be loaded, or a selector covers none of its rules.
     """
-    from sdfcheck.lint.pack import PackError
-    from sdfcheck.lint.trial import Bench
+    from sdfcheck.lint.rulebook.pack import PackError
+    from sdfcheck.lint.rulebook.trial import Bench
 
     try:
         bench = Bench(Path(pack) if Path(pack).is_dir() else pack)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.problems import MissingAttribute
 from sdfcheck.formats.urdf.survey import survey
-from sdfcheck.robot.gazebo_blocks import extension_parts
+from sdfcheck.robot.parts.gazebo_blocks import extension_parts
 from sdfcheck.source.document import Document
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.convert.result import Conversion
 from sdfcheck.formats.sdf.version import NEWEST, Version
-from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.access.load import as_text, load, parse
 from sdfcheck.robot.root import Root
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.packs import RuleIndex
+from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.lint.subjects import subjects
@@ -129,7 +129,7 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     if tables := _tables(document, dispatch):
-        from sdfcheck.robot.vendor_references import problems
+        from sdfcheck.robot.naming.vendor_references import problems
 
         found += explain(problems(document, tables), document, dispatch)
     for (looks_at, selects), rules in dispatch.by_subject.items():
@@ -234,7 +234,7 @@ def _internal_error(facts: RuleFacts, error: BaseException, document: Document) 
         raise error
     failures = document.view(_failures)
     if facts.code not in failures:
-        from sdfcheck.lint.plugins.place import failure
+        from sdfcheck.lint.rulebook.plugins.place import failure
 
         message, advice = failure(facts, error)
         place = document.source.span(0, 0)

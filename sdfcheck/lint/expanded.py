@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle
-from sdfcheck.robot.macros import parts_in_macros
+from sdfcheck.robot.includes.macros import parts_in_macros
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.expansion import Expander

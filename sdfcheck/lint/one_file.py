@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.config.configuration import Configuration, Settings
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 

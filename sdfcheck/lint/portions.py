@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.discover import DiscoveredFile, Found
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.session import Level, Linter, Notice, Options, Part, Progress
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage

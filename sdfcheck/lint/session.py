@@ -16,7 +16,7 @@ from sdfcheck.files.regular import open_regular, read_on
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.fold import said_once
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, ActiveRules, Choice
 from sdfcheck.source.record import NamedTuple
@@ -25,7 +25,7 @@ from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
-    from sdfcheck.lint.pack import Fault
+    from sdfcheck.lint.rulebook.pack import Fault
 
 Progress = Callable[[int, int, Path], None]
 """Told before each file: how many are done, how many there are, and which comes now."""

@@ -10,11 +10,12 @@ from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.includes.included import Included
-    from sdfcheck.robot.link_names import LinkNames
-    from sdfcheck.robot.material_names import MaterialNames
     from sdfcheck.robot.motion.lumping import Lumping
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.tree import Tree
+    from sdfcheck.robot.naming.link_names import LinkNames
+    from sdfcheck.robot.naming.material_names import MaterialNames
+    from sdfcheck.robot.naming.unresolved import Unresolved
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
@@ -23,12 +24,11 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.material import Material
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.unresolved import Unresolved
     from sdfcheck.source.element import Element, Value
 
-_MOST_INCLUDED = 10_000
+MOST_MODELS = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
-_DEEPEST = 50
+DEEPEST = 50
 _BOOLEANS = frozenset({"", "true", "1", "false", "0"})
 
 
@@ -223,14 +223,14 @@ class Model(Scope):
     @lazy
     def link_names(self) -> LinkNames:
         """In URDF: the names by which joints call links, and those that the links have."""
-        from sdfcheck.robot.link_names import LinkNames
+        from sdfcheck.robot.naming.link_names import LinkNames
 
         return LinkNames(self)
 
     @lazy
     def material_names(self) -> MaterialNames:
         """In URDF: what the names of its materials reach."""
-        from sdfcheck.robot.material_names import MaterialNames
+        from sdfcheck.robot.naming.material_names import MaterialNames
 
         return MaterialNames(self)
 
@@ -252,7 +252,7 @@ class Model(Scope):
 
     def link(self, key: str | int) -> Link:
         """A link by name, also of an inner model (``arm::hand``), or by index; raises NotFound."""
-        from sdfcheck.robot.lookup import pick
+        from sdfcheck.robot.access.lookup import pick
 
         return pick(self, "link", self.links, key)
 
@@ -273,11 +273,11 @@ def included_model(source: Scope, found: Included) -> Model | None:
     chain, inside = source.chain, found.document
     root = source.root
     is_readable = (
-        found.model is not None and inside is not None and inside not in chain and len(chain) <= _DEEPEST
+        found.model is not None and inside is not None and inside not in chain and len(chain) <= DEEPEST
     )
     if is_readable:
         root.included += 1
-        is_readable = root.included <= _MOST_INCLUDED
+        is_readable = root.included <= MOST_MODELS
     if found.name is None and not is_readable:
         return None
     model = Model(source, found.model if is_readable else found.include, found.name or "")

@@ -205,7 +205,7 @@ class Part:
         ``name`` is that of an attribute or a child element, ``camera/image/width`` that of what
         is deeper. Raises NotFound where the format has no such value here.
         """
-        from sdfcheck.robot.defaults import setting
+        from sdfcheck.robot.access.defaults import setting
 
         return setting(self, name)
 

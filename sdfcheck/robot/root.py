@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
-from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.robot.kinds import ELEMENTS, class_named
 from sdfcheck.robot.node import Node, Outside
@@ -13,22 +12,21 @@ from sdfcheck.robot.part import Part, Registry
 from sdfcheck.robot.scope import WORLD_FRAME, Scope
 from sdfcheck.robot.special import SPECIAL
 from sdfcheck.robot.values import lazy
-from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.sdf.version import Version
-    from sdfcheck.robot.frame_reference import FrameReference
+    from sdfcheck.formats.sdf.survey import Survey
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
-    from sdfcheck.robot.names import Names
+    from sdfcheck.robot.naming.frame_reference import FrameReference
+    from sdfcheck.robot.naming.names import Names
+    from sdfcheck.robot.naming.rings import Ring
     from sdfcheck.robot.parts.include import Include
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
     from sdfcheck.robot.parts.resource import Resource
-    from sdfcheck.robot.rings import Ring
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element
@@ -86,7 +84,7 @@ class Root(Part):
     @property
     def read_as(self) -> Version:
         """The version of the format as which it is read: the newest where none or an unknown one is declared."""
-        return survey(self.document).version
+        return self._survey.version
 
     @lazy
     def includes(self) -> tuple[Include, ...]:
@@ -174,14 +172,12 @@ class Root(Part):
 
     def is_older_than(self, version: str) -> bool:
         """Does it declare a version of SDFormat before this one?"""
-        from sdfcheck.formats.sdf.survey import survey
-
-        return not self.is_urdf and survey(self.document).version < (Version.parse(version) or NEWEST)
+        return not self.is_urdf and self._survey.version < (Version.parse(version) or NEWEST)
 
     @lazy
     def names(self) -> Names:
         """The names that the file gives."""
-        from sdfcheck.robot.names import Names
+        from sdfcheck.robot.naming.names import Names
 
         return Names(self)
 
@@ -190,7 +186,7 @@ class Root(Part):
         """The references to frames that the file writes, resolved or not."""
         if self.is_urdf:
             return ()
-        from sdfcheck.robot.frame_reference import frame_references
+        from sdfcheck.robot.naming.frame_reference import frame_references
 
         return tuple(frame_references(self))
 
@@ -199,7 +195,7 @@ class Root(Part):
         """The frames that are attached to, or placed relative to, each other in a ring."""
         if not self.frame_references:
             return ()
-        from sdfcheck.robot.rings import rings
+        from sdfcheck.robot.naming.rings import rings
 
         return rings(self)
 
@@ -256,17 +252,22 @@ class Root(Part):
             index = urdf_survey(self.document).index
             if not index.get("gazebo"):
                 return index
-            from sdfcheck.robot.gazebo_blocks import with_extensions
+            from sdfcheck.robot.parts.gazebo_blocks import with_extensions
 
             return with_extensions(index)
-        return survey(self.document).index
+
+        return self._survey.index
+
+    @property
+    def _survey(self) -> Survey:
+        from sdfcheck.formats.sdf.survey import survey
+
+        return survey(self.document)
 
     @property
     def named(self) -> Mapping[Element, list[tuple[str, str, Element]]]:
         """Element of SDFormat → its children that have a name: kind, name and element."""
-        from sdfcheck.formats.sdf.survey import survey
-
-        return survey(self.document).named
+        return self._survey.named
 
     @property
     def mass_properties(self) -> MassProperties | None:
@@ -283,13 +284,13 @@ class Root(Part):
 
     def world(self, key: str | int) -> World:
         """A world by name or index; raises NotFound."""
-        from sdfcheck.robot.lookup import pick
+        from sdfcheck.robot.access.lookup import pick
 
         return pick(self, "world", self.worlds, key)
 
     def model(self, key: str | int) -> Model:
         """A model that is in no world, by name or index; raises NotFound."""
-        from sdfcheck.robot.lookup import pick
+        from sdfcheck.robot.access.lookup import pick
 
         return pick(self, "model", self.models, key)
 
@@ -297,8 +298,3 @@ class Root(Part):
 def root_of(document: Document) -> Root:
     """What a document of SDFormat or URDF says, read once."""
     return document.view(Root)
-
-
-def is_readable(document: Document) -> bool:
-    """Is there anything to be read as a robot?"""
-    return document.root is not None and document.kind in {Kind.SDF, Kind.URDF}

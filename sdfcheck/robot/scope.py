@@ -18,14 +18,14 @@ from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.frame import Frame, MergedFrame
-    from sdfcheck.robot.guess import Guess
     from sdfcheck.robot.includes.alterations import Alterations
     from sdfcheck.robot.includes.included import Included
     from sdfcheck.robot.model import Model
+    from sdfcheck.robot.naming.guess import Guess
+    from sdfcheck.robot.naming.unresolved import Unresolved
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
-    from sdfcheck.robot.unresolved import Unresolved
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element
 
@@ -137,21 +137,21 @@ class Scope(Node):
 
     def guess(self, reference: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
         """What a reference that names nothing here was meant to be: none of ``but``, and of ``kind``."""
-        from sdfcheck.robot.guess import guess
+        from sdfcheck.robot.naming.guess import guess
 
         return guess(self, reference, but, kind)
 
     @lazy
     def unresolved(self) -> Unresolved:
         """The names by which its joints refer to nothing, with the ends of joints that use them."""
-        from sdfcheck.robot.unresolved import unresolved_ends
+        from sdfcheck.robot.naming.unresolved import unresolved_ends
 
         return unresolved_ends(self)
 
     @lazy
     def lost_names(self) -> frozenset[str]:
         """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
-        from sdfcheck.robot.unresolved import lost_names
+        from sdfcheck.robot.naming.unresolved import lost_names
 
         return lost_names(self, self.unresolved)
 
@@ -192,13 +192,13 @@ class Scope(Node):
 
     def model(self, key: str | int) -> Model:
         """A model by name (``outer::inner`` reaches into models) or by index; raises NotFound."""
-        from sdfcheck.robot.lookup import pick
+        from sdfcheck.robot.access.lookup import pick
 
         return pick(self, "model", self.models, key)
 
     def joint(self, key: str | int) -> Joint:
         """A joint by name, also of an inner model (``arm::elbow``), or by index; raises NotFound."""
-        from sdfcheck.robot.lookup import pick
+        from sdfcheck.robot.access.lookup import pick
 
         return pick(self, "joint", self.joints, key)
 

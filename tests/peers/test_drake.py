@@ -13,7 +13,7 @@ from sdfcheck.formats.vendor.problems import TagProblem, TooNewTag
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.session import Options, run
-from sdfcheck.robot.vendor_references import problems
+from sdfcheck.robot.naming.vendor_references import problems
 from sdfcheck.source.document import read
 from tests.peers import drake
 from tests.peers.findings import SHARED

@@ -14,7 +14,7 @@ from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
 from sdfcheck.lint.obstacles import obstacles
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.select import SILENT
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff

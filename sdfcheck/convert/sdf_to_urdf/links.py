@@ -15,11 +15,12 @@ from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, stand_in
 from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.inertials import Inertial, read_inertial
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Link
 from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, transform
+from sdfcheck.robot.parts.inertial import Inertial
+from sdfcheck.robot.parts.link import Link as LinkPart
 from sdfcheck.source.element import Element
 
 _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -40,8 +41,8 @@ def add_link(context: Context, name: str) -> None:
 
 
 def _add_inertial(context: Context, node: Node, link: Link) -> None:
-    inertial = read_inertial(link.element)
-    if inertial is None:
+    inertial = _inertial(context, link)
+    if not inertial.is_given:
         if link.body is not None:
             message = (
                 f"{link.element.title} has no inertial: 1 kg and unit moments are written, as simulators take"
@@ -62,15 +63,21 @@ def _add_inertial(context: Context, node: Node, link: Link) -> None:
         _write_inertial(context, node, link, inertial)
 
 
+def _inertial(context: Context, link: Link) -> Inertial:
+    part = context.frames[link.name]
+    assert isinstance(part, LinkPart), "the mechanism has the names of the model"
+    return part.inertial
+
+
 def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial) -> None:
     """As its author wrote it, in the frame in which it was written."""
-    tensor = inertial.tensor()._asdict()
-    mass = 1.0 if inertial.mass is None else inertial.mass.number
+    tensor = inertial.tensor._asdict()
+    mass = float(inertial.mass)
     pose = link.pose @ written_pose(inertial.element.find("pose"))
     _write(context, node, inertial.element, context.layout.within(link.name, pose), mass, tensor)
-    missing = [
-        what for what, given in (("mass", inertial.mass), ("moments", inertial.is_complete)) if not given
-    ]
+    moments = (inertial.moments[name] for name in ("ixx", "iyy", "izz"))
+    given = {"mass": inertial.mass.is_given, "moments": all(moment.is_given for moment in moments)}
+    missing = [what for what, is_given in given.items() if not is_given]
     if missing:
         message = f"{link.element.title} is written with {' and '.join(missing)} of 1, which its inertial leaves out"
         context.ledger.note(LossKind.CHANGED_DEFAULT, inertial.element, message, Severity.INFO)

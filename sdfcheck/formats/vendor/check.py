@@ -1,6 +1,6 @@
 """A document's vendor tags against the vendor's table: names, places, values, and how tags get on.
 
-What refers to parts of the robot by name is noted for ``sdfcheck.robot.vendor_references``.
+What refers to parts of the robot by name is noted for ``sdfcheck.robot.naming.vendor_references``.
 """
 
 from __future__ import annotations

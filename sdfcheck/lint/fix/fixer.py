@@ -11,7 +11,7 @@ from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.fix.fix import Edit, Fix
 from sdfcheck.lint.one_file import Selected, Shelves, lint_file
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
 from sdfcheck.source.document import Document, read

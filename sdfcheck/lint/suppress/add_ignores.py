@@ -13,7 +13,7 @@ from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.fix.fix import Edit
 from sdfcheck.lint.fix.fixer import Mended, Refused, edited
 from sdfcheck.lint.one_file import Selected
-from sdfcheck.lint.rulebook import RuleBook
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.session import Options, find, selected
 from sdfcheck.lint.suppress.comments import comments, is_include, reach

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes.included import Included, included, includes_of
 from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
-from sdfcheck.robot.names import Name, Namesakes
+from sdfcheck.robot.naming.names import Name, Namesakes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 

@@ -17,8 +17,8 @@ from sdfcheck.robot.values import lazy
 if TYPE_CHECKING:
     from sdfcheck.files.uris import Location
     from sdfcheck.robot.includes.included import Obstacle
+    from sdfcheck.robot.includes.uri_spelling import Misspelling, OtherCase
     from sdfcheck.robot.root import Root
-    from sdfcheck.robot.uri_spelling import Misspelling, OtherCase
     from sdfcheck.source.element import Element, Value
 
 Index = Mapping[str, Sequence["Element"]]
@@ -87,7 +87,7 @@ class FileUse(Part):
     @property
     def is_absolute(self) -> bool:
         """Is it a path that holds on this computer alone?"""
-        from sdfcheck.robot.uri_spelling import is_absolute
+        from sdfcheck.robot.includes.uri_spelling import is_absolute
 
         return self.uri_value is not None and is_absolute(self.uri_value)
 
@@ -96,13 +96,13 @@ class FileUse(Part):
         """What is wrong with the URI as a text, whatever it leads to or where that explains why it leads nowhere."""
         if self.uri_value is None or self._misspelling is not None:
             return self._misspelling
-        from sdfcheck.robot.uri_spelling import misplaced_blanks
+        from sdfcheck.robot.includes.uri_spelling import misplaced_blanks
 
         return misplaced_blanks(self.uri_value) if self.leads_nowhere else None
 
     @lazy
     def _misspelling(self) -> Misspelling | None:
-        from sdfcheck.robot.uri_spelling import misspelling
+        from sdfcheck.robot.includes.uri_spelling import misspelling
 
         return None if self.uri_value is None else misspelling(self.uri_value)
 
@@ -111,7 +111,7 @@ class FileUse(Part):
         """What the URI would lead to if case did not matter, where it leads nowhere."""
         if self.uri_value is None or not self.leads_nowhere or self.misspelling is not None:
             return None
-        from sdfcheck.robot.uri_spelling import other_case
+        from sdfcheck.robot.includes.uri_spelling import other_case
 
         return None if self.location is None else other_case(self.uri_value, self.location)
 

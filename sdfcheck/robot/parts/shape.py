@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.robot import solids
 from sdfcheck.robot.part import Part
+from sdfcheck.robot.parts import solids
 from sdfcheck.robot.parts.inertial import position
 from sdfcheck.robot.parts.material import Material
 from sdfcheck.robot.values import Number, Vector, lazy
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.solids import Solid
+    from sdfcheck.robot.parts.solids import Solid
     from sdfcheck.source.element import Element, Value
 
 _DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {

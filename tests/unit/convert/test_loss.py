@@ -10,7 +10,7 @@ import pytest
 from sdfcheck.cli.main import main
 from sdfcheck.convert import loss_table
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.packs import load_index
 
 ROOT = Path(__file__).parents[3]
 

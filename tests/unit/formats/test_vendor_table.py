@@ -9,7 +9,7 @@ import pytest
 from sdfcheck.formats.vendor.files import BUILT_IN
 from sdfcheck.formats.vendor.problems import TagProblem
 from sdfcheck.formats.vendor.table import vendor
-from sdfcheck.robot.vendor_references import problems
+from sdfcheck.robot.naming.vendor_references import problems
 from sdfcheck.source.document import read
 from tables.drake import TABLE, read_facts, render
 from tests.vendor_documents import Case, cases

@@ -12,8 +12,8 @@ import pytest
 from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import FileResult
-from sdfcheck.lint.pack import PackError
-from sdfcheck.lint.packs import RuleIndex
+from sdfcheck.lint.rulebook.pack import PackError
+from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.lint.suppress.comments import Comment
@@ -74,7 +74,7 @@ def install(monkeypatch: pytest.MonkeyPatch) -> list[Seen]:
 
     monkeypatch.setattr("sdfcheck.lint.engine.lint_source", lint_source)
     monkeypatch.setattr("sdfcheck.lint.engine.Dispatch", Dispatch)
-    monkeypatch.setattr("sdfcheck.lint.packs.load_index", load_index)
+    monkeypatch.setattr("sdfcheck.lint.rulebook.packs.load_index", load_index)
     return seen
 
 

@@ -9,10 +9,10 @@ from types import ModuleType
 
 import pytest
 
-from sdfcheck.lint.conditions import main, render
-from sdfcheck.lint.pack import PackError
-from sdfcheck.lint.packs import load_index
-from sdfcheck.lint.plugins.find import find_pack
+from sdfcheck.lint.rulebook.conditions import main, render
+from sdfcheck.lint.rulebook.pack import PackError
+from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.lint.rulebook.plugins.find import find_pack
 
 LIMITS = """
 import math

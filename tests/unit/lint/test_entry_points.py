@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.lint.index import main as write_index
-from sdfcheck.lint.pack import PackError
-from sdfcheck.lint.packs import load_index
-from sdfcheck.lint.plugins.find import find_pack
+from sdfcheck.lint.rulebook.index import main as write_index
+from sdfcheck.lint.rulebook.pack import PackError
+from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.lint.rulebook.plugins.find import find_pack
 
 RULES = """
 from sdfcheck import IN_MODEL, Bad, Good, Rule, Severity

@@ -11,7 +11,7 @@ from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.expanded import lint_xacro
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind

@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint import manual_pages
-from sdfcheck.lint.manual_pages import OVERVIEW, README, RULE_PAGES, main, with_table
+from sdfcheck.lint.rulebook import manual_pages
+from sdfcheck.lint.rulebook.manual_pages import OVERVIEW, README, RULE_PAGES, main, with_table
 
 PROJECT = Path(__file__).parents[3]
 
@@ -24,7 +24,7 @@ def test_pages_are_written_and_then_up_to_date(docs: Path, capsys: pytest.Captur
     for path in pages:
         text = path.read_text(encoding="utf-8")
         if path.parent == RULE_PAGES:
-            assert "python -m sdfcheck.lint.manual_pages" in text
+            assert "python -m sdfcheck.lint.rulebook.manual_pages" in text
     overview = OVERVIEW.read_text(encoding="utf-8")
     for path in RULE_PAGES.glob("*-*.md"):
         assert f"({path.name})" in overview

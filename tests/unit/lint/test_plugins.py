@@ -11,7 +11,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.cli.main import main
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.packs import load_index
 
 HEAD = """
 from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems

@@ -10,7 +10,7 @@ from sdfcheck.cli.descriptions import Around
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import READS, REFUSES, Affects, Consumer, Reaction, by_dialect, lines, warns
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.session import Options, run
 
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'

@@ -8,8 +8,8 @@ import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, lint_source
-from sdfcheck.lint.pack import PackError
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.pack import PackError
+from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.select import ActiveRules, Choice, select
 from sdfcheck.testing import Trial, examples
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, lint_document
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.document import Document, read
 

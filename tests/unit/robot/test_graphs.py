@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.graph_text import dot, mermaid, tree
-from sdfcheck.robot.graphs import Graph, GraphKind, graph
+from sdfcheck.robot.graphs.graph import Graph, GraphKind, graph
+from sdfcheck.robot.graphs.text import dot, mermaid, tree
 from sdfcheck.source.document import read
 
 MODEL = """<model name="m"><link name="a"/><frame name="f" attached_to="a"><pose>0 0 1 0 0 -0</pose></frame>

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.robot.names import Names
+from sdfcheck.robot.naming.names import Names
 from sdfcheck.robot.root import root_of
 from tests.unit.only import only
 from tests.unit.robot.files import MODEL, WORLD, document

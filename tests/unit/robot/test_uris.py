@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.uris import locate
-from sdfcheck.robot.uri_spelling import UriFault, is_absolute, misspelling, other_case
+from sdfcheck.robot.includes.uri_spelling import UriFault, is_absolute, misspelling, other_case
 from sdfcheck.source.document import read
 from sdfcheck.source.element import Value
 from tests.unit.robot.files import MODEL, opened, write

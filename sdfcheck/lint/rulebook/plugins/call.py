@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix.fix import Edit, Fix
-from sdfcheck.lint.plugins.place import Misbehavior, place_of_check
-from sdfcheck.lint.plugins.prints import Aside
+from sdfcheck.lint.rulebook.plugins.place import Misbehavior, place_of_check
+from sdfcheck.lint.rulebook.plugins.prints import Aside
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:

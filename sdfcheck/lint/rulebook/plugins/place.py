@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
 
-from sdfcheck.lint.pack import is_built_in
+from sdfcheck.lint.rulebook.pack import is_built_in
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.wrong_usage import REPORT_IT
 

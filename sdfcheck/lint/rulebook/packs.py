@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor.files import prefix_of
-from sdfcheck.lint.pack import BUILT_IN, CONDITIONS, Fault, is_built_in, read_index, rule_classes
+from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS, Fault, is_built_in, read_index, rule_classes
 from sdfcheck.lint.run import RuleFacts
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def _rule(facts: RuleFacts) -> Rule:
         raise LookupError(f"{facts.module} has no rule {facts.code}: write the index of its pack again")
     rule = found()
     if not is_built_in(facts):
-        from sdfcheck.lint.plugins.call import guard
+        from sdfcheck.lint.rulebook.plugins.call import guard
 
         guard(rule)
     return rule
@@ -77,7 +77,7 @@ def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
     facts = read_index(BUILT_IN)
     if not plugins:
         return RuleIndex(facts, conditions=(f"{BUILT_IN}.{CONDITIONS}",))
-    from sdfcheck.lint.plugins.load import load_plugins
+    from sdfcheck.lint.rulebook.plugins.load import load_plugins
 
     loaded = load_plugins(plugins, facts)
     conditions = (f"{BUILT_IN}.{CONDITIONS}", *loaded.conditions)

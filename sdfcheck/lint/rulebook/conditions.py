@@ -1,6 +1,6 @@
 """Writes the conditions of a pack's rules into one module, so that a clean file loads it and no rule.
 
-``python -m sdfcheck.lint.conditions [PACK]``; with ``--check`` only compares. Each static
+``python -m sdfcheck.lint.rulebook.conditions [PACK]``; with ``--check`` only compares. Each static
 method ``applies`` is copied, with what it uses of the modules of its pack: constants and
 functions under the module's name, and imports. Whatever cannot be copied is refused.
 """
@@ -14,10 +14,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from sdfcheck.lint.pack import BUILT_IN, CONDITIONS, Pack, PackError, rule_classes
-from sdfcheck.lint.plugins.find import find_pack
-from sdfcheck.lint.plugins.load import import_pack
 from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS, Pack, PackError, rule_classes
+from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins.load import import_pack
 
 _HEAD = '''"""The conditions of the rules, so that a clean file loads one module; written by ``make generate``."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable
 
-from sdfcheck.robot.graphs import UNKNOWN, Edge, Graph, GraphKind, Node
+from sdfcheck.robot.graphs.graph import UNKNOWN, Edge, Graph, GraphKind, Node
 from sdfcheck.source.visible import visible
 
 Paint = Callable[[str, str], str]

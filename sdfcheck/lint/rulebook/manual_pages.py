@@ -1,4 +1,4 @@
-"""Writes what the documentation takes from the code: ``python -m sdfcheck.lint.manual_pages [--check]``.
+"""Writes what the documentation takes from the code: ``python -m sdfcheck.lint.rulebook.manual_pages [--check]``.
 
 That is a page for each rule, their overview, the table of families in the README, and
 the schema of configuration files. Run it in the project's folder.
@@ -14,8 +14,8 @@ from pathlib import Path
 
 from sdfcheck.lint.config import schema as config_schema
 from sdfcheck.lint.engine import INTERNAL_ERROR
-from sdfcheck.lint.manual import manual, markdown, render
-from sdfcheck.lint.packs import load_index
+from sdfcheck.lint.rulebook.manual import manual, markdown, render
+from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress.rules import FACTS
 
@@ -24,7 +24,7 @@ OVERVIEW = RULE_PAGES / "README.md"
 README = Path("README.md")
 SCHEMA = Path("docs", "sdfcheck.schema.json")
 
-_GENERATED = "<!-- Written by `python -m sdfcheck.lint.manual_pages`; do not edit. -->\n\n"
+_GENERATED = "<!-- Written by `python -m sdfcheck.lint.rulebook.manual_pages`; do not edit. -->\n\n"
 _TABLE_START, _TABLE_END = "<!-- rules -->\n", "<!-- /rules -->"
 _OWN_FAMILIES = {
     "INT": "the engine itself",

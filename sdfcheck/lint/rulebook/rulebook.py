@@ -12,8 +12,8 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.engine import Dispatch
-    from sdfcheck.lint.pack import Fault
-    from sdfcheck.lint.packs import RuleIndex
+    from sdfcheck.lint.rulebook.pack import Fault
+    from sdfcheck.lint.rulebook.packs import RuleIndex
 
 
 class RuleBook:
@@ -91,8 +91,8 @@ class RuleBook:
     def _loaded(self, settings: Settings) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
         if settings.plugins not in self._indexes:
             from sdfcheck.lint.engine import INTERNAL_ERROR
-            from sdfcheck.lint.pack import PackError
-            from sdfcheck.lint.packs import load_index
+            from sdfcheck.lint.rulebook.pack import PackError
+            from sdfcheck.lint.rulebook.packs import load_index
             from sdfcheck.lint.suppress.rules import FACTS
 
             try:

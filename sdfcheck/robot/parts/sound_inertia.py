@@ -10,7 +10,7 @@ import math
 from functools import lru_cache
 from typing import Any
 
-from sdfcheck.robot import solids
+from sdfcheck.robot.parts import solids
 from sdfcheck.source.element import Element
 
 _PLAUSIBLE = (0.01, 10.0)

@@ -1,10 +1,10 @@
 """A pack of rules: where it is, what is known of its rules, what may be wrong with it.
 
 A pack is an import package, a module or a folder of Python files. A package may have an
-index (``rule_index.py``, written by :mod:`sdfcheck.lint.index`) that says what can be known
+index (``rule_index.py``, written by :mod:`sdfcheck.lint.rulebook.index`) that says what can be known
 of its rules without importing them, and with it their conditions in one module
-(``conditions.py``, by :mod:`sdfcheck.lint.conditions`), as the built-in one has; a pack
-without an index is imported whole (:mod:`sdfcheck.lint.plugins`). A pack may also bring
+(``conditions.py``, by :mod:`sdfcheck.lint.rulebook.conditions`), as the built-in one has; a pack
+without an index is imported whole (:mod:`sdfcheck.lint.rulebook.plugins`). A pack may also bring
 tables of a vendor's own elements (``<prefix>.vendor.txt``), against which documents that
 use the prefix are checked.
 """

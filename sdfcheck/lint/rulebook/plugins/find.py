@@ -8,8 +8,8 @@ from importlib import util
 from pathlib import Path
 from zlib import crc32
 
-from sdfcheck.lint.pack import BUILT_IN, Pack, PackError
-from sdfcheck.lint.plugins.place import described
+from sdfcheck.lint.rulebook.pack import BUILT_IN, Pack, PackError
+from sdfcheck.lint.rulebook.plugins.place import described
 
 GROUP = "sdfcheck.rules"
 """The entry points by which installed packs are known."""

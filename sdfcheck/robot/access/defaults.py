@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.robot.lookup import NotFound
+from sdfcheck.robot.access.lookup import NotFound
 from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true
 
 if TYPE_CHECKING:

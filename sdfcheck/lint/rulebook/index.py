@@ -1,12 +1,12 @@
-"""Writes a pack's index: ``python -m sdfcheck.lint.index [PACK]``; with ``--check`` only compares."""
+"""Writes a pack's index: ``python -m sdfcheck.lint.rulebook.index [PACK]``; with ``--check`` only compares."""
 
 from __future__ import annotations
 
 import sys
 
-from sdfcheck.lint.pack import BUILT_IN, INDEX, Pack, PackError, describe, to_record
-from sdfcheck.lint.plugins.find import find_pack
-from sdfcheck.lint.plugins.load import load_rules
+from sdfcheck.lint.rulebook.pack import BUILT_IN, INDEX, Pack, PackError, describe, to_record
+from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins.load import load_rules
 
 _HEAD = '''"""What can be known of the rules without importing them; written by ``make generate``."""
 

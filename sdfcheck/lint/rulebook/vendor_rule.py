@@ -23,7 +23,7 @@ class VendorRule(Rule):
     def check(self, problem: Any) -> Iterator[Diagnostic]:
         """Put a problem with a tag of this vendor into words."""
         if problem.vendor.prefix == self.prefix and self.is_about(problem):
-            from sdfcheck.lint.vendor_words import report
+            from sdfcheck.lint.rulebook.vendor_words import report
 
             yield report(self, problem)
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor.files import SUFFIX, prefix_of
-from sdfcheck.lint.pack import (
+from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.pack import (
     BUILT_IN,
     CONDITIONS,
     INDEX,
@@ -23,11 +24,10 @@ from sdfcheck.lint.pack import (
     has_index,
     read_index,
 )
-from sdfcheck.lint.plugins.find import find_pack
-from sdfcheck.lint.plugins.place import at, described, place_of_class, place_of_error
-from sdfcheck.lint.plugins.prints import aside
-from sdfcheck.lint.plugins.soundness import flaws
-from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins.place import at, described, place_of_class, place_of_error
+from sdfcheck.lint.rulebook.plugins.prints import aside
+from sdfcheck.lint.rulebook.plugins.soundness import flaws
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.record import NamedTuple
 
@@ -122,7 +122,7 @@ def _indexed(pack: Pack) -> list[RuleFacts]:
         raise PackError(text, pack.name) from error
 
 
-_WRITE_IT = "write it with `python -m sdfcheck.lint.index {}`"
+_WRITE_IT = "write it with `python -m sdfcheck.lint.rulebook.index {}`"
 
 
 def load_rules(pack: Pack) -> Loaded:

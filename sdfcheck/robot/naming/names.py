@@ -92,7 +92,7 @@ class Names:
         if self.root.is_urdf or not self.root.is_older_than("1.8"):
             return {}
         from sdfcheck.formats.sdf.survey import survey
-        from sdfcheck.robot.unfold import foreign_references
+        from sdfcheck.robot.naming.unfold import foreign_references
 
         return foreign_references(survey(self.root.document))
 
@@ -101,7 +101,7 @@ class Names:
         """All places in SDFormat that refer to something by its name."""
         if self.root.is_urdf:
             return ()
-        from sdfcheck.robot.references import written
+        from sdfcheck.robot.naming.references import written
 
         return tuple(value for _, value in written(self.root))
 

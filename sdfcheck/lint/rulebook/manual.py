@@ -9,7 +9,7 @@ from typing import Any
 
 from sdfcheck.consumers.reaction import lines
 from sdfcheck.lint.example import MARK_END, MARK_START, Bad, Good
-from sdfcheck.lint.packs import RuleIndex
+from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.source.record import NamedTuple

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
 from sdfcheck.files.overwrite import overwrite
-from sdfcheck.robot.load import Unreadable, as_text, load, parse
+from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
 from sdfcheck.robot.model import Model
+from sdfcheck.robot.naming.references import references
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.references import references
 from sdfcheck.robot.scope import Scope
 from sdfcheck.source.splice import replaced, splice
 

@@ -11,11 +11,11 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro, lint_source
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.fix.fix import Fix
-from sdfcheck.lint.pack import BUILT_IN, CONDITIONS
-from sdfcheck.lint.packs import RuleIndex, load_index
-from sdfcheck.lint.plugins.load import load_plugins
-from sdfcheck.lint.plugins.place import places_of_examples
 from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS
+from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
+from sdfcheck.lint.rulebook.plugins.load import load_plugins
+from sdfcheck.lint.rulebook.plugins.place import places_of_examples
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span

@@ -1,1 +1,0 @@
-"""Packs of rules from elsewhere: found, loaded, judged, and run with care."""
