@@ -13,7 +13,6 @@ from sdfcheck.cli.options import colored, formatted, require_file
 from sdfcheck.cli.terminal import emit, emit_lines, lines_of, wants_color
 from sdfcheck.robot.graphs import text as graph_text
 from sdfcheck.robot.graphs.graph import GraphKind, graph
-from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
