@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
+
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.text import Source, Span
@@ -23,8 +25,8 @@ def comments(source: Source, scan: Scan) -> list[Comment]:
     for start, end in scan.comments:
         if MARK not in text[start:end]:
             continue
-        number = next((n for n, at in enumerate(scan.starts) if at >= end), None)
-        target = None if number is None else source.span(*reach(source, scan, number))
+        number = bisect_left(scan.starts, end)
+        target = source.span(*reach(source, scan, number)) if number < len(scan.starts) else None
         found.append(Comment(source.span(start, end), target))
     return found
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from itertools import chain
+from itertools import accumulate, chain
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
@@ -52,11 +53,12 @@ def suppress(
     """
     ranges = _Ranges([*own, *foreign])
     kept = [diagnostic for diagnostic in diagnostics if not ranges.silence(diagnostic)]
+    reaching = ranges.reaching(outward)
     unused = [
         told
         for number, directive in enumerate(own)
-        if not ranges.reaches(number, outward)
-        for told in _unused(directive, {word for at, word in ranges.used if at == number}, active)
+        if number not in reaching
+        for told in _unused(directive, ranges.used[number], active)
     ]
     return Filtered(tuple(kept), ranges.silenced, tuple(unused))
 
@@ -84,7 +86,8 @@ class _Ranges:
         self._wide: dict[_Key, list[_Range]] = {}
         self._whole: dict[_Key, _Range] = {}
         self._open: dict[_Key, _Range] = {}
-        self.used: set[tuple[int, int]] = set()
+        self.used: defaultdict[int, set[int]] = defaultdict(set)
+        """The words that silenced something, by directive."""
         self.silenced = 0
         for number, directive in enumerate(directives):
             for word, selector in enumerate(directive.selectors):
@@ -104,20 +107,26 @@ class _Ranges:
                 or self._whole.get((span.source.path, ANY_RULE))
             )
             if hit:
-                self.used.add((hit.directive, hit.word))
+                self.used[hit.directive].add(hit.word)
                 self.silenced += 1
                 return True
         return False
 
-    def reaches(self, directive: int, places: Sequence[Span]) -> bool:
-        """Does what a directive silences touch one of the places?"""
-        stretches = chain(*self._near.values(), *self._wide.values(), self._whole.values())
-        own = [each for each in stretches if each.directive == directive]
-        return any(
-            each.start < place.end and (each.end < 0 or place.start < each.end)
-            for each in own
-            for place in places
-        )
+    def reaching(self, places: Sequence[Span]) -> set[int]:
+        """The directives that silence something in one of the places, which are in the order of the text."""
+        if not places:
+            return set()
+        # A place inside of another one adds nothing.
+        reach = accumulate((place.end for place in places), max)
+        places = [place for place, end in zip(places, reach, strict=True) if place.end == end]
+        ends = [place.end for place in places]
+        reaching = set()
+        for each in chain(*self._near.values(), *self._wide.values(), self._whole.values()):
+            # The first place that ends after the stretch begins is the one that it touches, if any.
+            at = bisect_right(ends, each.start)
+            if at < len(places) and (each.end < 0 or places[at].start < each.end):
+                reaching.add(each.directive)
+        return reaching
 
     def _enter(self, directive: Directive, code: str, number: int, word: int) -> None:
         """Note what one directive, met in the order of the text, does to one code."""
@@ -137,7 +146,7 @@ class _Ranges:
             for other in ended:
                 if other in self._open:
                     self._wide.setdefault(other, []).append(self._open.pop(other)._replace(end=start))
-                    self.used.add((number, word))
+                    self.used[number].add(word)
 
 
 def _covering(ranges: Sequence[_Range], offset: int) -> _Range | None:
