@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.vendor import problems
 from sdfcheck.formats.vendor.definitions import PASSED_OVER, REFUSED, Effect, Tag, Vendor
+from sdfcheck.formats.vendor.siblings import FirstChildren, first_child
 from sdfcheck.formats.vendor.values import misreading, numbers, out_of_range
 from sdfcheck.source.element import Element, Value
 
@@ -30,7 +31,9 @@ def relations(vendor: Vendor, tag: Tag, element: Element, parent: Element) -> It
         yield from _needs(vendor, tag, element, parent, text)
     other = _one_of(keys.text("idle-with"), parent)
     if other is None:
-        other = next((f for name in keys.words("loses-to") if (f := parent.find(name)) is not None), None)
+        other = next(
+            (f for name in keys.words("loses-to") if (f := first_child(parent, name)) is not None), None
+        )
     if other is not None:
         yield problems.IdleTag(vendor, tag.name, PASSED_OVER, element, other)
     yield from _compared(vendor, tag, element, parent)
@@ -38,7 +41,7 @@ def relations(vendor: Vendor, tag: Tag, element: Element, parent: Element) -> It
 
 def _is_excluded(vendor: Vendor, tag: Tag, parent: Element) -> bool:
     """Is there a sibling that excludes this one? Then that is what there is to say."""
-    siblings = (vendor.tags.get(child.name) for child in parent.children())
+    siblings = (vendor.tags.get(name) for name in parent.document.view(FirstChildren).of(parent))
     return any(tag.name in other.keys.all("excludes") for other in siblings if other is not None)
 
 
@@ -47,7 +50,7 @@ def _compared(vendor: Vendor, tag: Tag, element: Element, parent: Element) -> It
     if limit := tag.keys.text("at-most"):
         yield from _at_most(vendor, tag, element, parent, limit)
     if name := tag.keys.text("differs"):
-        other = parent.find(name)
+        other = first_child(parent, name)
         mine = _value(vendor, tag, element)
         theirs = None if other is None else _value(vendor, vendor.tags[name], other)
         if mine is not None and theirs is not None and mine.text.strip() == theirs.text.strip() != "":
@@ -102,7 +105,7 @@ def _needs(vendor: Vendor, tag: Tag, element: Element, parent: Element, text: st
     assert match is not None
     needed, paths = match.groups()
     because = _shape(parent, paths) if paths else None
-    if (not paths or because is not None) and not parent.has(needed):
+    if (not paths or because is not None) and first_child(parent, needed) is None:
         yield problems.UnmetTag(vendor, tag.name, REFUSED, element, needed, because)
 
 
@@ -124,7 +127,7 @@ def _holder(element: Element) -> Element | None:
 def _at(element: Element, path: str) -> Element | None:
     found: Element | None = element
     for name in path.split("/"):
-        found = None if found is None else found.find(name)
+        found = None if found is None else first_child(found, name)
     return found
 
 
@@ -144,7 +147,7 @@ def _at_most(vendor: Vendor, tag: Tag, element: Element, parent: Element, limit:
     if limit.count(":") > 1:
         name, _, word = limit.rpartition(":")
         effect = Effect.of(word)
-    other = parent.find(name)
+    other = first_child(parent, name)
     low = _number(vendor, tag, element)
     high = None if other is None else _number(vendor, vendor.tags[name], other)
     if low is not None and high is not None and low[0] > high[0]:
@@ -167,10 +170,7 @@ def _unique(
     value = element.attribute(name)
     if value is None or not value.text:
         return
-    for other in parent.children(tag.name):
-        if other is element:
-            return
-        first = other.attribute(name)
-        if first is not None and first.text == value.text:
-            yield problems.RepeatedTagName(vendor, tag.name, effect, value, first)
-            return
+    other = parent.document.view(FirstChildren).with_value(parent, tag.name, name)[value.text]
+    first = other.attribute(name)
+    if other is not element and first is not None:
+        yield problems.RepeatedTagName(vendor, tag.name, effect, value, first)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 
 from sdfcheck.formats.suggest import suggest_in
@@ -25,7 +26,7 @@ class _Found(NamedTuple):
     """What has a name (None: nothing; ``?``: that cannot be said), and which names would do."""
 
     kind: str | None
-    candidates: list[str]
+    candidates: Iterable[str]
 
 
 def problems(document: Document, tables: Iterable[Path]) -> Iterator[object]:
@@ -47,6 +48,9 @@ class _References:
         self.check = check
         self.document = check.document
         self.is_sdf = check.document.kind is Kind.SDF
+        self._parts: dict[tuple[Element, tuple[str, ...]], dict[str, str]] = {}
+        self._right: dict[tuple[Element, tuple[str, ...], bool], list[str]] = {}
+        self._tags: dict[tuple[Element, str], dict[str, None]] = {}
 
     def run(self) -> Iterator[object]:
         for value, slot, tag in self.check.references:
@@ -76,59 +80,78 @@ class _References:
         for kind in own:
             if found.kind not in slot.references:
                 tags = self.among_tags(owner, kind, slot, name)
-                found = _Found(tags.kind or found.kind, [*found.candidates, *tags.candidates])
+                found = _Found(tags.kind or found.kind, chain(found.candidates, tags.candidates))
         return found
 
     def in_sdf(self, owner: Element, slot: Slot, name: str) -> _Found:
         scope = self.scope(owner)
         if scope is None or (name == MODEL_FRAME and "frame" in slot.references):
             return _Found(_UNKNOWABLE, [])
-        right = [
-            candidate
-            for candidate in scope.names()
-            if (slot.scoped or "::" not in candidate) and _kind(scope, candidate) in slot.references
-        ]
+        right = self.right_in(owner, scope, slot)
         if "::" in name and not slot.scoped:
             return _Found(None, right)
         if scope.resolve(name) is None and scope.may_hold(name):
             return _Found(_UNKNOWABLE, [])
         return _Found(_kind(scope, name), right)
 
+    def right_in(self, owner: Element, scope: Scope, slot: Slot) -> list[str]:
+        """The names in a model that would do, in its order."""
+        key = (owner, slot.references, slot.scoped)
+        if key not in self._right:
+            self._right[key] = [
+                candidate
+                for candidate in scope.names()
+                if (slot.scoped or "::" not in candidate) and _kind(scope, candidate) in slot.references
+            ]
+        return self._right[key]
+
     def scope(self, owner: Element) -> Scope | None:
         part = root_of(self.document).part_of(owner)
         return part if isinstance(part, Scope) else None
 
     def in_urdf(self, owner: Element, slot: Slot, name: str) -> _Found:
-        kinds: dict[str, str] = {}
-        for child in owner.children():
-            kind = child.name.removeprefix(self.check.mark)
-            own = child.attributes.get("name", "")
-            if kind in _URDF_KINDS and own and kinds.get(own) not in slot.references:
-                kinds[own] = kind
-        right = [own for own, kind in kinds.items() if kind in slot.references]
-        return _Found(None if name == "world" else kinds.get(name), right)
+        kinds = self.parts_of(owner, slot.references)
+        key = (owner, slot.references, False)
+        if key not in self._right:
+            self._right[key] = [own for own, kind in kinds.items() if kind in slot.references]
+        return _Found(None if name == "world" else kinds.get(name), self._right[key])
+
+    def parts_of(self, owner: Element, wanted: tuple[str, ...]) -> dict[str, str]:
+        """The kinds of a robot's parts by their names; of several of a name one that is wanted."""
+        key = (owner, wanted)
+        if key not in self._parts:
+            kinds = self._parts[key] = {}
+            for child in owner.children():
+                kind = child.name.removeprefix(self.check.mark)
+                own = child.attributes.get("name", "")
+                if kind in _URDF_KINDS and own and kinds.get(own) not in wanted:
+                    kinds[own] = kind
+        return self._parts[key]
 
     def among_tags(self, owner: Element, kind: str, slot: Slot, name: str) -> _Found:
         """Tags of a kind in the same model or, where scoped names are understood, in nested ones."""
         path, delimiter, last = name.rpartition("::")
         if not delimiter:
-            names = _named(owner, kind)
+            names = self.named(owner, kind)
             return _Found(kind if name in names else None, names)
         scope = self.scope(owner) if self.is_sdf and slot.scoped else None
         if scope is None:
-            return _Found(None, _named(owner, kind))
+            return _Found(None, self.named(owner, kind))
         model = scope.resolve(path)
         if not isinstance(model, Scope) or not model.is_complete:
             return _Found(_UNKNOWABLE if scope.may_hold(name) else None, [])
-        names = _named(model.element, kind)
-        return _Found(kind if last in names else None, [f"{path}::{own}" for own in names])
+        names = self.named(model.element, kind)
+        return _Found(kind if last in names else None, (f"{path}::{own}" for own in names))
+
+    def named(self, owner: Element, kind: str) -> dict[str, None]:
+        """The names of an element's children of one kind, in their order."""
+        key = (owner, kind)
+        if key not in self._tags:
+            names = (child.attributes.get("name", "") for child in owner.children(kind))
+            self._tags[key] = dict.fromkeys(filter(None, names))
+        return self._tags[key]
 
 
 def _kind(scope: Scope, name: str) -> str | None:
     frame = None if name == "world" else scope.resolve(name)
     return None if frame is None else frame.kind
-
-
-def _named(owner: Element, kind: str) -> list[str]:
-    """The names of an element's children of one kind."""
-    return [name for child in owner.children(kind) if (name := child.attributes.get("name", ""))]
