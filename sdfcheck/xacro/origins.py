@@ -111,6 +111,7 @@ class Provenance:
         self.calls = calls
         self.places = places
         self._chains: dict[int, tuple[Step, ...]] = {-1: ()}
+        self._written: dict[int, tuple[list[int], list[int]]] = {}
 
     def source(self, number: int) -> Source:
         return self.files[self.places[4 * number]]
@@ -125,6 +126,20 @@ class Provenance:
         wanted = {number for number, source in enumerate(self.files) if _key(source.path) == key}
         files = self.places[::4]
         return {self.offset(number) for number, file in enumerate(files) if file in wanted}
+
+    def last_before(self, source: Source, start: int) -> int:
+        """The number of the first element written at the last place up to ``start``; -1 if there is none."""
+        known = self._written.get(id(source))
+        if known is None:
+            first: dict[int, int] = {}
+            for number in range(len(self.places) // 4):
+                if self.source(number) is source:
+                    first.setdefault(self.offset(number), number)
+            offsets = sorted(first)
+            known = self._written[id(source)] = offsets, [first[offset] for offset in offsets]
+        offsets, numbers = known
+        at = bisect_right(offsets, start) - 1
+        return numbers[at] if at >= 0 else -1
 
     def chain(self, number: int) -> tuple[Step, ...]:
         """The calls and includes that led to element ``number``, the nearest first."""
@@ -195,6 +210,12 @@ class OriginSpans(Spans):
         return OriginSpan.of(part, getattr(span, "origins", ()))
 
 
+def _elements(document: Document) -> list[Element]:
+    """All elements, by their numbers."""
+    assert document.root is not None
+    return list(document.root.iter(etree.Element))  # type: ignore[arg-type]
+
+
 class ExpandedDocument(Document):
     """The expansion of a xacro file; its places are in the files that were expanded."""
 
@@ -228,12 +249,7 @@ class ExpandedDocument(Document):
         """How a place came to be; for a plain place, how the first element written there did."""
         if isinstance(span, OriginSpan):
             return span.origins
-        best, number = -1, -1
-        for element in range(len(self.provenance.places) // 4):
-            if self.provenance.source(element) is span.source:
-                offset = self.provenance.offset(element)
-                if best < offset <= span.start:
-                    best, number = offset, element
+        number = self.provenance.last_before(span.source, span.start)
         return self.provenance.chain(number) if number >= 0 else ()
 
     def written(self, span: Span) -> Span:
@@ -241,11 +257,11 @@ class ExpandedDocument(Document):
         if span.source is not self.source or self.root is None:
             return span
         number = max(bisect_right(self.scan.starts, span.start) - 1, 0)
-        element = next(e for n, e in enumerate(self.root.iter(etree.Element)) if n == number)
+        element = self.view(_elements)[number]
         tag = parse_start_tag(self.source, self.scan.starts[number])[0]
         for attribute in tag.attributes:
             if attribute.value_start <= span.start and span.end <= attribute.value_end:
-                return self.spans.attribute_value(element, attribute.name)  # type: ignore[arg-type]
+                return self.spans.attribute_value(element, attribute.name)
             if attribute.name_start <= span.start and span.end <= attribute.name_end:
-                return self.spans.attribute_name(element, attribute.name)  # type: ignore[arg-type]
-        return self.spans.name(element)  # type: ignore[arg-type]
+                return self.spans.attribute_name(element, attribute.name)
+        return self.spans.name(element)
