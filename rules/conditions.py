@@ -639,6 +639,19 @@ def SCH001_applies(root):
         return False
     return not (root.version or '').strip()
 
+sch_unknown_version__URDF_VERSIONS = ('1.0', '1.1', '1.2')
+
+sch_unknown_version__SDF_VERSIONS = ('1.2', '1.3', '1.4', '1.5', '1.6', '1.7', '1.8', '1.9', '1.10', '1.11', '1.12')
+
+def sch_unknown_version__known_versions(root):
+    return sch_unknown_version__URDF_VERSIONS if root.is_urdf else sch_unknown_version__SDF_VERSIONS
+
+def SCH002_applies(root):
+    version = root.version
+    if version is None or version in sch_unknown_version__known_versions(root):
+        return False
+    return root.is_urdf or bool(version.strip())
+
 def sch_missing_shape__is_of_link(element):
     if element.parent is None or element.parent.name != 'link':
         return False
@@ -846,6 +859,7 @@ CONDITIONS = {
     'RES012': RES012_applies,
     'RES013': RES013_applies,
     'SCH001': SCH001_applies,
+    'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,
     'SCH018': SCH018_applies,
     'URD003': URD003_applies,

@@ -36,6 +36,7 @@ class DegreesAsRadians(Rule):
     name = "degrees-as-radians"
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("takes it for radians"))
+    looks_at = (Element,)
     selects = ("sdf:pose", "urdf:origin")
     scaffold = IN_LINK
 

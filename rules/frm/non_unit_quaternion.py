@@ -38,6 +38,7 @@ class NonUnitQuaternion(Rule):
         Consumer.GAZEBO: warns("takes it as it is"),
         Consumer.DRAKE: warns("normalizes it, and refuses zero"),
     }
+    looks_at = (Element,)
     selects = ("sdf:pose",)
     scaffold = IN_LINK
 

@@ -1,6 +1,12 @@
+import re
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, replace
+
+SDF_VERSIONS = ("1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")
+URDF_VERSIONS = ("1.0", "1.1", "1.2")
+_MISSPELLED = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
+"""A version of SDFormat, perhaps with blanks around it, a leading zero, a third number or a comma."""
 
 
 class UnknownVersion(Rule):
@@ -15,7 +21,8 @@ class UnknownVersion(Rule):
     name = "unknown-version"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}, Consumer.URDFDOM: REFUSES}
-    explains = (problems.UnknownVersion,)
+    looks_at = (Root,)
+    selects = ("sdf:sdf", "urdf:robot")
     scaffold = '<sdf version="{}"><model name="m"><link name="base"/></model></sdf>'
 
     bad = (
@@ -25,12 +32,35 @@ class UnknownVersion(Rule):
     )
     good = (Good("1.2", why="the oldest that readers convert"), Good("1.10", why="ten, not one"))
 
-    def check(self, problem: problems.UnknownVersion) -> Iterator[Diagnostic]:
-        value, meant = problem.value, problem.meant
+    @staticmethod
+    def applies(root: Root) -> bool:
+        version = root.version
+        if version is None or version in known_versions(root):
+            return False
+        # An SDFormat file with an empty version has none.
+        return root.is_urdf or bool(version.strip())
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        value, known = root.element.attribute("version"), known_versions(root)
+        if value is None:
+            return
         message = f"version `{value.text}` is not known"
-        known = f"known are {problem.oldest} to {problem.newest}"
-        if meant is None:
-            yield self.diagnostic(value, message, help=known)
+        listed = f"known are {known[0]} to {known[-1]}"
+        meant = meant_version(value.text, is_urdf=root.is_urdf)
+        if meant not in known:
+            yield self.diagnostic(value, message, help=listed)
             return
         fix = replace(value, meant, f"declare version {meant}", unsafe=True)
-        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix, help=known)
+        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix, help=listed)
+
+
+def known_versions(root: Root) -> tuple[str, ...]:
+    return URDF_VERSIONS if root.is_urdf else SDF_VERSIONS
+
+
+def meant_version(text: str, *, is_urdf: bool) -> str:
+    """What a misspelled version seems to say; it need not exist."""
+    if is_urdf:
+        return text.strip() if "." in text else f"{text}.0"
+    found = _MISSPELLED.match(text)
+    return f"1.{found[1]}" if found else ""

@@ -12,13 +12,12 @@ from collections import Counter
 from sdfcheck.formats.repetition import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.likely_parents import likely_parents
-from sdfcheck.formats.sdf.meant_version import meant_version
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.topology import standard_inside
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
 from sdfcheck.formats.sdf.values import read_at
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -87,10 +86,6 @@ class Findings:
         for name in root.attributes:
             if name != "version" and ":" not in name and not name.startswith("xmlns"):
                 self.unknown_attribute(root, definition, name)
-        version = root.attribute("version")
-        if version is not None and version.text.strip() and Version.parse(version.text) is None:
-            meant = meant_version(version.text)
-            self.found.append(problems.UnknownVersion(version, meant, OLDEST, NEWEST))
 
     # Elements
 

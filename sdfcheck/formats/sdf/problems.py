@@ -15,18 +15,6 @@ if TYPE_CHECKING:
     from sdfcheck.formats.urdf.table import UrdfAttribute
 
 
-class UnknownVersion(Record):
-    """A version that no reader knows; ``meant`` is the one that it was probably meant to be.
-
-    ``oldest`` and ``newest`` are the ends of those that are known.
-    """
-
-    value: Value
-    meant: str | None
-    oldest: Version
-    newest: Version
-
-
 class UnknownAttribute(Record):
     """An attribute that no version knows there.
 

@@ -15,29 +15,6 @@ def test_a_sound_document() -> None:
     assert in_link("<pose>0 0 1 0 0 0</pose><inertial><mass>1</mass></inertial>") == []
 
 
-# The version
-
-
-@pytest.mark.parametrize(
-    ("text", "meant"),
-    [
-        ("1.6.0", "1.6"),
-        ("1.06", "1.6"),
-        (" 1.12", "1.12"),
-        ("1,9", "1.9"),
-        ("v1.10", "1.10"),
-        ("1.13", None),
-        ("1.1", None),
-        ("2.0", None),
-        ("newest", None),
-    ],
-)
-def test_unknown_version(text: str, meant: str | None) -> None:
-    problem = only(found(f'<sdf version="{text}"/>'), problems.UnknownVersion)
-    assert problem.meant == meant
-    assert (str(problem.oldest), str(problem.newest)) == ("1.2", "1.12")
-
-
 # Elements
 
 

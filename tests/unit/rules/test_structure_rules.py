@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 import sdfcheck
+from sdfcheck.formats.sdf.version import NEWEST, OLDEST
+from sdfcheck.formats.urdf.table import VERSIONS
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 
@@ -31,6 +33,39 @@ def in_link(text: str) -> str:
 )
 def test_missing_version(attributes: str, found: list[str]) -> None:
     assert messages(f'<sdf{attributes}><model name="m"><link name="l"/></model></sdf>', "SCH001") == found
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("1.6.0", "1.6"),
+        ("1.06", "1.6"),
+        (" 1.12", "1.12"),
+        ("1,9", "1.9"),
+        ("v1.10", "1.10"),
+        ("1.13", None),
+        ("1.1", None),
+        ("2.0", None),
+        ("newest", None),
+    ],
+)
+def test_unknown_version_of_sdformat(text: str, meant: str | None) -> None:
+    guess = f"; did you mean `{meant}`?" if meant else ""
+    assert messages(f'<sdf version="{text}"/>', "SCH002") == [f"version `{text}` is not known{guess}"]
+
+
+@pytest.mark.parametrize(("text", "meant"), [("1", "1.0"), (" 1.1", "1.1"), ("2", None), ("", None)])
+def test_unknown_version_of_urdf(text: str, meant: str | None) -> None:
+    guess = f"; did you mean `{meant}`?" if meant else ""
+    robot = f'<robot name="r" version="{text}"><link name="a"/></robot>'
+    assert messages(robot, "SCH002") == [f"version `{text}` is not known{guess}"]
+
+
+def test_the_versions_of_the_tables_are_known() -> None:
+    for minor in range(OLDEST.minor, NEWEST.minor + 1):
+        assert messages(f'<sdf version="1.{minor}"/>', "SCH002") == []
+    for version in VERSIONS:
+        assert messages(f'<robot name="r" version="{version}"><link name="a"/></robot>', "SCH002") == []
 
 
 @pytest.mark.parametrize(
