@@ -28,7 +28,7 @@ GONE = {
 TAG_KEYS: dict[str, tuple[str, ...]] = {
     "ball_constraint_body_B": ("differs=:ball_constraint_body_A",),
     "capsule": (f"loses-to={_SHAPES}", "deprecated=capsule", "deprecated-in=sdf"),
-    "collision_filter_group": ("any=:member,:member_group",),
+    "collision_filter_group": ("any=:member,:member_group", "skipped=@ignore"),
     "compliant_hydroelastic": (
         "needs=:hydroelastic_modulus",
         f"needs=:mesh_resolution_hint{_PRIMITIVES}",

@@ -47,4 +47,5 @@ class MissingDrakeChild(VendorRule):
             "</drake:curves></drake:joint>",
             why="only a planar joint needs damping",
         ),
+        Good('<drake:collision_filter_group name="g" ignore="true"/>', why="Drake skips it"),
     )

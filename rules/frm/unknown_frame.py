@@ -64,6 +64,13 @@ class UnknownFrame(Rule):
         ),
     )
     good = (
+        Good(
+            '<sdf version="1.7"><world name="w"><model name="m"><link name="l"/></model><state world_name="w">'
+            '<model name="m"><frame name="f" attached_to="g"><pose relative_to="h"/></frame></model>'
+            "</state></world></sdf>",
+            scaffold="",
+            why="frames in a state are not read",
+        ),
         Good('<frame name="tool" attached_to="base"/><link name="arm"><pose relative_to="tool"/></link>'),
         Good('<frame name="tool" attached_to="__model__"/>', why="the model's own frame"),
         Good('<frame name="tool" attached_to=""/>', why="empty is the default"),

@@ -1,14 +1,27 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Name, Root, Rule, Severity, Value
+from sdfcheck import (
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Name,
+    Root,
+    Rule,
+    Severity,
+    Value,
+    accepts,
+)
 
 
 class DelimiterInName(Rule):
-    """A name contains `::`, which parts the names of scopes in references.
+    """A name contains `::`, which separates the names of scopes in references.
 
-    From version 1.8 on libsdformat refuses it. In worlds up to 1.7 it takes `A::x` for
-    `x` in a nested model `A`, and the program crashes when something in `A` refers to
-    what lies outside.
+    From version 1.8 on libsdformat refuses it; in older files it is worth knowing only. In
+    worlds up to 1.7 libsdformat takes `A::x` for `x` in a nested model `A`, and the program
+    crashes when something in `A` refers to what lies outside.
     """
 
     code = "NAM004"
@@ -23,7 +36,7 @@ class DelimiterInName(Rule):
         Bad(
             '<sdf version="1.7"><model name="m"><link name="«arm::tip»"/></model></sdf>',
             scaffold="",
-            says="which parts the names of scopes",
+            says="does not allow from 1.8 on",
         ),
         Bad(
             '<sdf version="1.7"><world name="w"><model name="m"><link name="b"/>'
@@ -48,9 +61,7 @@ class DelimiterInName(Rule):
         for given in filter(_is_divided, root.names.special):
             name, obstacle = given.name, root.names.obstacles.get(given.value.element)
             if obstacle is None:
-                severity = Severity.WARNING if root.is_older_than("1.8") else None
-                message = f"the name `{name}` contains `::`, which parts the names of scopes"
-                yield self.diagnostic(given.value, message, severity=severity)
+                yield self.unseparated(given, is_old=root.is_older_than("1.8"))
                 continue
             is_reference = isinstance(obstacle, Value)
             why = (
@@ -60,6 +71,14 @@ class DelimiterInName(Rule):
             )
             message = f"`{name}` cannot be taken apart, because {why}: libsdformat crashes"
             yield self.diagnostic(given.value, message, labels={obstacle: "this is in the way"})
+
+    def unseparated(self, given: Name, *, is_old: bool) -> Diagnostic:
+        if not is_old:
+            message = f"the name `{given.name}` contains `::`, which separates the names of scopes"
+            return self.diagnostic(given.value, message)
+        message = f"the name `{given.name}` contains `::`, which SDFormat does not allow from 1.8 on"
+        affects = dict.fromkeys(Consumer, accepts("takes it in this version"))
+        return self.diagnostic(given.value, message, severity=Severity.INFO, affects=affects)
 
 
 def _is_divided(name: Name) -> bool:

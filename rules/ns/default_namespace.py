@@ -31,6 +31,9 @@ class DefaultNamespace(Rule):
     )
     good = (
         Good(
+            '<robot name="r" xmlns="http://www.ros.org"><link name="a"/></robot>', why="nobody minds in URDF"
+        ),
+        Good(
             '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w" p:kind="2d"/></sdf>',
             why="it has a prefix",
         ),

@@ -84,6 +84,12 @@ class InvalidModelConfig(Rule):
     )
     good = (
         Good(
+            '<sdf version="@VERSION@">@NAME@.sdf</sdf>',
+            file=CONFIG,
+            files={},
+            why="a template that a build fills in",
+        ),
+        Good(
             '<sdf version="1.5">arm.sdf</sdf><sdf version="1.12">arm.sdf</sdf>',
             file=CONFIG,
             files={"arm.sdf": ARM},

@@ -44,6 +44,12 @@ class MissingAttribute(Rule):
         ),
     )
     good = (
+        Good(
+            '<visual><geometry><sphere radius="1"/></geometry>'
+            '<material name="m"><color rgba="1 0 0 1"/><texture/></material></visual>',
+            why="the color is taken",
+            scaffold='<robot name="r"><link name="l">{}</link></robot>',
+        ),
         Good('<sensor name="s" type="imu"/>'),
         Good('<plugin name="p"/>', why="missing-plugin-attribute owns this one"),
         Good(

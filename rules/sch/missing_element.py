@@ -12,8 +12,8 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    lacking,
     problems,
-    unreadable,
     warns,
 )
 
@@ -73,7 +73,7 @@ class MissingElement(Rule):
     def check(self, problem: problems.MissingElement) -> Iterator[Diagnostic]:
         message = f"{problem.element.title} has no `{problem.child}`"
         if problem.refused:
-            yield self.diagnostic(problem.element, message, affects=unreadable(problem.element))
+            yield self.diagnostic(problem.element, message, affects=lacking(problem.element, problem.child))
             return
         if problem.default is not None:
             message += f", so {problem.default} is taken"

@@ -61,6 +61,12 @@ class RepeatedElement(Rule):
     )
     good = (
         Good(
+            '<sensor name="s" type="contact"><contact><collision>a</collision><collision>b</collision>'
+            "</contact></sensor>",
+            why="a contact sensor listens to several",
+            scaffold=IN_LINK,
+        ),
+        Good(
             "<gravity>false</gravity><p:gravity xmlns:p='https://example.org/p'>true</p:gravity>",
             why="the second is another element",
         ),

@@ -16,15 +16,16 @@ from sdfcheck import (
 
 
 class ContentBeforeDeclaration(Rule):
-    """Something stands before the XML declaration.
+    """Something is before the XML declaration.
 
-    `<?xml …?>` must be the very first thing in the file. The simulators do not mind a
-    comment or an empty line before it; every strict XML parser refuses the file.
+    `<?xml …?>` must be the very first thing in the file. A comment before it makes
+    libsdformat, Drake and MuJoCo refuse the file. They take an empty line, which is a
+    warning because strict XML parsers refuse that, too.
     """
 
     code = "XML004"
     name = "content-before-declaration"
-    severity = Severity.WARNING
+    severity = Severity.ERROR
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.LateDeclaration,)
 
@@ -61,5 +62,8 @@ class ContentBeforeDeclaration(Rule):
         else:
             fix = make_fix("remove what stands before it", (Edit(before, ""),))
         message = "the XML declaration must be the first thing in the file"
-        affects = {} if before.text.strip() else dict.fromkeys(Consumer, accepts("takes the blank"))
-        yield self.diagnostic(declaration, message, fix=fix, affects=affects)
+        if before.text.strip():
+            yield self.diagnostic(declaration, message, fix=fix)
+            return
+        affects = dict.fromkeys(Consumer, accepts("takes the blank"))
+        yield self.diagnostic(declaration, message, severity=Severity.WARNING, fix=fix, affects=affects)

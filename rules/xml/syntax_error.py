@@ -49,6 +49,7 @@ MESSAGES = {
     Kind.MERGE_CONFLICT: "an unresolved merge conflict",
     Kind.TEXT_OUTSIDE_ROOT: "text before the root element",
     Kind.MALFORMED_INSTRUCTION: "`{text}` is not as XML wants it",
+    Kind.ODD_VERSION: "`{text}` is not a version of XML",
     Kind.SECOND_DECLARATION: "an XML declaration stands only once, at the start of the file",
     Kind.NO_ELEMENT: "there is no element",
     Kind.TOO_LONG: "the text of `{name}` is longer than parsers read (10 million characters)",
@@ -81,14 +82,21 @@ WRITTEN = {
     Kind.MISSING_SPACE: (" {text}", "insert a space"),
     Kind.ANGLE_IN_VALUE: ("&lt;", "write `&lt;`"),
     Kind.SECTION_END_IN_TEXT: ("]]&gt;", "write `]]&gt;`"),
+    Kind.ODD_VERSION: ("1.0", "write `1.0`"),
 }
 """What to write in place of the span where that is plain, and how to say so."""
-HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT}
+HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT, Kind.ODD_VERSION}
 """What simulators read all the same, so that the file means the same after the fix."""
 
 
 TAKEN = frozenset(
-    (Kind.ANGLE_IN_VALUE, Kind.NESTED_COMMENT, Kind.SECTION_END_IN_TEXT, Kind.ILLEGAL_CHARACTER)
+    (
+        Kind.ANGLE_IN_VALUE,
+        Kind.NESTED_COMMENT,
+        Kind.SECTION_END_IN_TEXT,
+        Kind.ILLEGAL_CHARACTER,
+        Kind.ODD_VERSION,
+    )
 )
 READ = accepts("reads it all the same")
 """What tinyxml2, which the readers use, makes of these."""
@@ -101,7 +109,8 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
     MuJoCo and urdfdom read with tinyxml2, which stops at the first such place and often
     names another one. A `<` in a value and a `]]>` in a text are the exceptions: these
     readers take them, and all strict XML parsers (Python's, ROS tools built on it)
-    refuse the file. The rest of the file is checked as far as it can be made out.
+    refuse the file. An odd number for the version of XML is a warning for the same
+    reason. The rest of the file is checked as far as it can be made out.
     """
 
     code = "XML001"
@@ -165,6 +174,11 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             says="a comment begins inside a comment",
         ),
         Bad('<sdf version="1.12">\n«<<<<<<<» HEAD\n=======\n>>>>>>> topic\n</sdf>', says="merge conflict"),
+        Bad(
+            '<?xml version="«0.0»"?>\n<sdf version="1.12"><world name="w"/></sdf>',
+            fixed='<?xml version="1.0"?>\n<sdf version="1.12"><world name="w"/></sdf>',
+            says="`0.0` is not a version of XML",
+        ),
     )
     good = (
         Good(
@@ -199,7 +213,9 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         if other is not None and not labels and kind in LABELS:
             is_closed = kind is Kind.EXTRA_END_TAG and other.text == name
             labels = {other: "closed here already" if is_closed else LABELS[kind].format(name=name)}
-        yield self.diagnostic(span, message, labels=labels, fix=fix_for(problem), affects=affects)
+        severity = Severity.WARNING if kind is Kind.ODD_VERSION else None
+        fix = fix_for(problem)
+        yield self.diagnostic(span, message, severity=severity, labels=labels, fix=fix, affects=affects)
 
 
 def missing_end(span: Span, text: str, name: str) -> str:

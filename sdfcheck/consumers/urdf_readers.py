@@ -30,6 +30,8 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
     urdfdom = _urdfdom(place)
     found = {Consumer.URDFDOM: urdfdom, Consumer.GAZEBO: urdfdom, Consumer.DRAKE: REFUSES}
     found[Consumer.MUJOCO] = _UNREAD if is_unread_by_mujoco(at) else REFUSES
+    if isinstance(at, Value) and (element.name, at.attribute, at.text) == ("joint", "type", "spherical"):
+        found[Consumer.MUJOCO] = accepts("makes a ball joint of it")
     if place & _ASIDE:
         found[Consumer.DRAKE] = _UNREAD
     elif isinstance(at, Value) and _NUMBER.fullmatch(at.text.strip()):
@@ -37,15 +39,22 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
     return found
 
 
-def lacking(element: Element, attribute: str) -> Mapping[Consumer, Reaction]:
-    """Reactions to an attribute that is not there or empty."""
+def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
+    """Reactions to an attribute or child that is not there or empty."""
     if element.document.kind is Kind.SDF:
         return {}
-    if (element.name, attribute) == ("axis", "xyz"):
+    if (element.name, name) == ("axis", "xyz"):
         return {Consumer.URDFDOM: warns("takes no axis"), Consumer.DRAKE: warns("takes a default")}
     found = dict(unreadable(element))
     if element.name == "material" and "visual" in _place(element):
         found[Consumer.DRAKE] = accepts("needs no name there")
+    if (element.name, name) == ("robot", "link"):
+        found[Consumer.DRAKE] = accepts("takes a robot without links")
+    if element.name == "texture" and "visual" in _place(element):
+        found = {
+            **dict.fromkeys(Consumer, accepts("goes by the name of the material")),
+            Consumer.DRAKE: REFUSES,
+        }
     if element.name in {"robot", "material"}:
         found[Consumer.MUJOCO] = _UNREAD
     return found

@@ -169,7 +169,8 @@ class _Analysis:
         span = self.source.span(attribute.name_start, attribute.name_end)
         namespace = self.source.text[attribute.value_start : attribute.value_end]
         if prefix is None:
-            self.found.append(DefaultNamespace(span, self.whole(attribute), namespace))
+            if self.document.kind is Kind.SDF:  # others take no notice
+                self.found.append(DefaultNamespace(span, self.whole(attribute), namespace))
             return
         if not prefix or ":" in prefix:
             self.found.append(MalformedQualifiedName(span, attribute.name))

@@ -45,6 +45,7 @@ class SyntaxKind(Enum):
     MERGE_CONFLICT = "merge conflict"
     TEXT_OUTSIDE_ROOT = "text outside root"
     MALFORMED_INSTRUCTION = "malformed instruction"
+    ODD_VERSION = "odd version"
     SECOND_DECLARATION = "second declaration"
     NO_ELEMENT = "no element"
     TOO_LONG = "too long"

@@ -48,7 +48,7 @@ _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/ge
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
 # The table allows one, and the readers take all.
-REPEATABLE = frozenset(("geometry/polyline",))
+REPEATABLE = frozenset(("geometry/polyline", "contact/collision"))
 
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
@@ -99,8 +99,8 @@ class Findings:
             return None
         definition = history.later(place, name)
         if definition is not None:
-            since = history.since(place, name)
-            self.note_too_new(child, parent, definition.place, since)
+            if f"{place.name}/{name}" not in history.READ_IN_ALL_VERSIONS:
+                self.note_too_new(child, parent, definition.place, history.since(place, name))
             return definition
         old = history.last_version(place, name)
         if old is not None:

@@ -14,6 +14,8 @@ from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
 from sdfcheck.source.record import NamedTuple
 
 _NOTES = Path(__file__).parents[1] / "data" / "sdf-notes.txt"
+READ_IN_ALL_VERSIONS = frozenset(("include/name", "include/pose", "include/static"))
+"""Newer in the tables than in libsdformat, which reads them in files of every version."""
 _ALL = frozenset(range(OLDEST.minor, NEWEST.minor + 1))
 
 

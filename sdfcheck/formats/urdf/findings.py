@@ -140,6 +140,8 @@ class UrdfFindings:
         name = element.name
         if name == "axis" and not _moves(parent):
             return
+        if name == "texture" and parent is not None and parent.has("color"):
+            return  # the color is taken
         self.stray.add(element)  # its text is where the value was put
         if name not in _ASKED_BY_RULES:
             self.found += [problems.MissingAttribute(element, each, empty=False) for each in missing]

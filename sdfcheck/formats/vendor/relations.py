@@ -11,6 +11,7 @@ from sdfcheck.formats.vendor.siblings import FirstChildren, first_child
 from sdfcheck.formats.vendor.values import misreading, numbers, out_of_range
 from sdfcheck.source.element import Element, Value
 
+_TRUE = frozenset(("true", "1"))
 _CONDITION = re.compile(r"([^(),]+)(?:\(([^)]*)\))?")
 
 
@@ -60,8 +61,16 @@ def _compared(vendor: Vendor, tag: Tag, element: Element, parent: Element) -> It
             yield from _unique(vendor, tag, element, parent, name, slot.unique)
 
 
+def _is_skipped(tag: Tag, element: Element) -> bool:
+    """Does an attribute of its own tell the reader not to look into it?"""
+    switch = tag.keys.text("skipped").removeprefix("@")
+    return element.attributes.get(switch, "").strip().lower() in _TRUE
+
+
 def missing_children(vendor: Vendor, tag: Tag, element: Element) -> Iterator[problems.MissingTag]:
     """Children that must be there: by their own places, or one out of several."""
+    if _is_skipped(tag, element):
+        return
     given = {child.name for child in element.children()}
     effects = dict(text.rsplit(":", 1) for text in tag.keys.all("missing"))
     groups: list[tuple[str, ...]] = [

@@ -24,6 +24,7 @@ CONFIG = "model.config"
 OLD_CONFIG = "manifest.xml"
 
 _NUMBERS = re.compile(r"\s*(\d+)\.(\d+)\s*")
+_PLACEHOLDER = re.compile(r"@\w+@")
 _MADE_FROM = TEMPLATE_SUFFIXES | {".xacro"}
 
 
@@ -149,6 +150,8 @@ def model_file(config: Document) -> Path | None:
 def _of_entry(document: Document, entry: Element, *, is_chosen: bool) -> list[Misconfiguration]:
     found = []
     version = entry.attribute("version")
+    if _PLACEHOLDER.search(entry.content) or (version is not None and _PLACEHOLDER.search(version.text)):
+        return []  # a template, which a build fills in
     if version is None or not version.text.strip():
         found.append(Misconfiguration(entry, ConfigFault.NO_VERSION))
     elif (numbers := _version(entry)) is None:

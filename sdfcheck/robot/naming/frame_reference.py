@@ -86,10 +86,15 @@ def frame_references(root: Root) -> Iterator[FrameReference]:
             is_read = name == "relative_to" or (name == "frame" and surveyed.version < _SEVEN)
             if is_read and text.strip():
                 reference = FrameReference(root, "relative_to", Value(pose, name, text))
-                if reference.owner_element.tag != "inertial":
+                if reference.owner_element.tag != "inertial" and not _is_in_state(pose):
                     yield reference
     for kind, role in (("xyz", "expressed_in"), ("frame", "attached_to")):
         for element in surveyed.index.get(kind, ()):
             value = element.attribute(role)
-            if value is not None and value.text.strip():
+            if value is not None and value.text.strip() and not _is_in_state(element):
                 yield FrameReference(root, role, value)
+
+
+def _is_in_state(element: Element) -> bool:
+    """Is it in a ``<state>``, whose frames libsdformat does not read?"""
+    return any(around.tag == "state" for around in element.iterancestors())

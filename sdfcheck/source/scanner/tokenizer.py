@@ -11,6 +11,7 @@ import re
 from sdfcheck.source.problems import DocumentType, Problem, SyntaxDefect, SyntaxKind
 from sdfcheck.source.scanner.broken_tag import parse_broken_tag
 from sdfcheck.source.scanner.hyphens import hyphens
+from sdfcheck.source.scanner.instructions import instruction_fault
 from sdfcheck.source.scanner.misspelt_ends import comment_end, find_inner_comment, line_end, section_end
 from sdfcheck.source.scanner.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names
 from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens
@@ -36,11 +37,6 @@ _CUTS = frozenset(
     )
 )
 _SWALLOWED_MARKUP = re.compile(r">\s{0,80}<")
-_INSTRUCTION = re.compile(
-    rf"<\?xml{BLANK}+version{BLANK}*={BLANK}*([\"'])1\.[0-9]+\1"
-    rf"(?:{BLANK}+encoding{BLANK}*={BLANK}*([\"'])[A-Za-z][\w.\-]*\2)?(?:{BLANK}+standalone{BLANK}*={BLANK}*([\"'])(?:yes|no)\3)?{BLANK}*\?>"
-    rf"|<\?(?![xX][mM][lL]){NAME}(?:{BLANK}[\s\S]*)?\?>|<\?xml-{NAME}(?:{BLANK}[\s\S]*)?\?>"
-)
 _ANGLES = re.compile(r"<+")
 
 
@@ -269,8 +265,8 @@ class _Tokenizer:
             following = text.find("<", at + 1)
             end = line_end(text, at, following if following >= 0 else None)
             end = text.find(">", at, end) + 1 or end
-        elif not _INSTRUCTION.fullmatch(text, at, end):
-            self.defect(SyntaxKind.MALFORMED_INSTRUCTION, at, end)
+        elif fault := instruction_fault(text, at, end):
+            self.defect(*fault)
         is_declaration = text.startswith("<?xml", at) and text[at + 5 : at + 6].isspace()
         self.pieces.append(Token(TokenKind.DECLARATION if is_declaration else TokenKind.OTHER, at, end))
         return end

@@ -33,6 +33,14 @@ def test_misplaced_elements_know_where_they_belong(text: str, places: tuple[str,
     assert misplaced[0].ignored
 
 
+def test_what_includes_say_is_read_in_older_versions_too() -> None:
+    include = (
+        "<include><uri>model://sun</uri><name>s</name><pose>0 0 1 0 0 0</pose><static>true</static></include>"
+    )
+    world = f'<sdf version="1.4"><world name="w">{include}</world></sdf>'
+    assert [each for each in found(world) if isinstance(each, problems.TooNewElement)] == []
+
+
 def test_includes_are_followed_wherever_they_stand() -> None:
     problem = only(found('<sdf version="1.9"><include/></sdf>'), problems.MisplacedElement)
     assert not problem.ignored

@@ -15,6 +15,11 @@ from sdfcheck.lint.session import Options, run
 
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 
+SPHERICAL = '<joint name="j" type="spherical"><parent link="a"/><child link="b"/></joint>'
+TEXTURED = (
+    '<visual><geometry><sphere radius="1"/></geometry><material name="m"><texture/></material></visual>'
+)
+
 
 def told(text: str, name: str, folder: Path, *readers: Consumer) -> dict[str, str]:
     file = folder / name
@@ -127,3 +132,22 @@ def test_a_target_leaves_out_what_it_takes(reader: str, codes: set[str], tmp_pat
     file.write_text(TWO_NAMES, encoding="utf-8")
     done = run([file], Options(Configuration(isolated=True), target=(reader,)))
     assert {d.code for d in done.diagnostics if d.code.startswith("NAM")} == codes
+
+
+@pytest.mark.parametrize(
+    ("inside", "refusing"),
+    [
+        ("", {"gazebo", "urdfdom"}),
+        (
+            f'<link name="a">{INERTIAL}</link><link name="b">{INERTIAL}</link>' + SPHERICAL,
+            {"drake", "gazebo", "urdfdom"},
+        ),
+        (
+            f'<link name="a">{INERTIAL}{TEXTURED}</link>',
+            {"drake"},
+        ),
+    ],
+)
+def test_what_some_readers_of_urdf_take(inside: str, refusing: set[str], tmp_path: Path) -> None:
+    verdict = told(f'<robot name="r">{inside}</robot>', "r.urdf", tmp_path)
+    assert {reader for reader, word in verdict.items() if word == "reject"} == refusing

@@ -183,7 +183,7 @@ def test_the_root_frame_places_nothing(tmp_path: Path) -> None:
 # Delimiters
 
 
-@pytest.mark.parametrize(("version", "severity"), [("1.7", "warning"), ("1.8", "error")])
+@pytest.mark.parametrize(("version", "severity"), [("1.7", "info"), ("1.8", "error")])
 def test_delimiters_in_names(version: str, severity: str) -> None:
     (diagnostic,) = found('<model name="m"><link name="a::b"/></model>', version)
     assert (diagnostic.name, diagnostic.severity.value) == ("delimiter-in-name", severity)

@@ -152,6 +152,7 @@ SLIPS = [
     (edited('<?xml version="1.0"?>', '«<?»xml version="1.0">'), SyntaxKind.UNCLOSED_SECTION, NAMES),
     (edited('<?xml version="1.0"?>', '«<xml version="1.0"?>»'), SyntaxKind.MALFORMED_INSTRUCTION, NAMES),
     (edited('<?xml version="1.0"?>', "«<?xml version=1.0?>»"), SyntaxKind.MALFORMED_INSTRUCTION, NAMES),
+    (edited('<?xml version="1.0"?>', '<?xml version="«0.0»" ?>'), SyntaxKind.ODD_VERSION, NAMES),
     (edited("<pose>", '«<?xml version="1.0"?>»<pose>'), SyntaxKind.SECOND_DECLARATION, NAMES),
     (edited("<sdf ", '«<?xml version="1.0"?>»<sdf '), SyntaxKind.SECOND_DECLARATION, NAMES),
     (edited("<sdf ", "«<!DOCTYPE» sdf [\n<sdf "), SyntaxKind.UNCLOSED_SECTION, NAMES),
