@@ -3,10 +3,12 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_LINK,
     IN_MODEL,
+    IN_WORLD,
     REFUSES,
     Bad,
     Consumer,
     Diagnostic,
+    Element,
     Good,
     Rule,
     Severity,
@@ -42,6 +44,17 @@ class MissingAttribute(Rule):
             scaffold="",
             says="required up to version 1.11",
         ),
+        Bad(
+            '<include><uri>arm.sdf</uri><experimental:params><visual element_id="hand::v">'
+            '<«plugin» action="add"/></visual></experimental:params></include>',
+            scaffold=IN_WORLD.replace(
+                "<sdf ", '<sdf xmlns:experimental="http://sdformat.org/schemas/experimental" '
+            ),
+            files={
+                "arm.sdf": '<sdf version="1.12"><model name="arm"><link name="hand"><visual name="v"/></link></model></sdf>'
+            },
+            says="`plugin` has no `filename`",
+        ),
     )
     good = (
         Good(
@@ -60,8 +73,8 @@ class MissingAttribute(Rule):
 
     def check(self, problem: problems.MissingAttribute) -> Iterator[Diagnostic]:
         element, name = problem.element, problem.attribute
-        if element.name == "plugin":
-            return
+        if element.name == "plugin" and not is_parameter(element):
+            return  # missing-plugin-attribute looks at those that are there
         message = (
             f"`{name}` of {element.title} is empty" if problem.empty else f"{element.title} has no `{name}`"
         )
@@ -73,3 +86,11 @@ class MissingAttribute(Rule):
         message += f", required up to version {problem.until}"
         affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))
         yield self.diagnostic(target, message, severity=Severity.WARNING, affects=affects)
+
+
+def is_parameter(element: Element) -> bool:
+    """Is it something that the parameters of an include add?"""
+    at: Element | None = element
+    while at is not None and at.name != "experimental:params":
+        at = at.parent
+    return at is not None

@@ -66,10 +66,9 @@ class MergedFrame(Frame):
 
     @lazy
     def attachment(self) -> Node | None:
-        named = self.model.canonical_link_name
-        if named:
-            return self.scope.resolve(named)
-        return next((link for link in self.scope.links if link.merged is self), None)
+        """The canonical link of the model, which may itself have come by a merge."""
+        node = self.apart.attachment
+        return None if node is None else self.scope.resolve(node.name)
 
     @property
     def pose_element(self) -> Element | None:

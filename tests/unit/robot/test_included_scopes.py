@@ -44,6 +44,19 @@ def test_what_could_not_be_read_may_hold_anything(tmp_path: Path) -> None:
     assert merged.may_hold("y")
 
 
+def test_a_merged_model_moves_with_a_link_that_it_merges_itself(tmp_path: Path) -> None:
+    inner = '<link name="tip"/>'
+    (tmp_path / "inner.sdf").write_text(f'<sdf version="1.12"><model name="inner">{inner}</model></sdf>')
+    outer = '<include merge="true"><uri>inner.sdf</uri></include>'
+    (tmp_path / "outer.sdf").write_text(f'<sdf version="1.12"><model name="outer">{outer}</model></sdf>')
+    text = MODEL.format('<link name="base"/><include merge="true"><uri>outer.sdf</uri></include>')
+    scope = root_of(document(tmp_path, text)).scopes[0]
+    for name in ("outer", "inner"):
+        carrier = scope.nodes[f"_merged__{name}__model__"].carrier
+        assert carrier is not None
+        assert carrier.name == "tip"
+
+
 def test_an_include_may_make_a_model_static(tmp_path: Path) -> None:
     text = WORLD.format("<include><uri>arm.sdf</uri><static>true</static></include>")
     (frame,) = root_of(document(tmp_path, text)).scopes[0].nodes.values()
