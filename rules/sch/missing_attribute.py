@@ -51,7 +51,8 @@ class MissingAttribute(Rule):
                 "<sdf ", '<sdf xmlns:experimental="http://sdformat.org/schemas/experimental" '
             ),
             files={
-                "arm.sdf": '<sdf version="1.12"><model name="arm"><link name="hand"><visual name="v"/></link></model></sdf>'
+                "arm.sdf": '<sdf version="1.12"><model name="arm"><link name="hand">'
+                '<visual name="v"/></link></model></sdf>'
             },
             says="`plugin` has no `filename`",
         ),
