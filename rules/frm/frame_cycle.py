@@ -34,6 +34,11 @@ class FrameCycle(Rule):
             says="placed relative to each other in a ring: `arm` → `elbow` → `arm`",
         ),
         Bad(
+            '<link name="arm"/><joint name="elbow" type="fixed"><pose relative_to="«elbow»">0 0 1 0 0 0</pose>'
+            "<parent>base</parent><child>arm</child></joint>",
+            says="`elbow` is placed relative to itself",
+        ),
+        Bad(
             '<model name="n"><pose relative_to="«n::l»"/><link name="l"/></model>',
             says="`n` is placed relative to itself",
         ),

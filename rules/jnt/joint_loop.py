@@ -3,7 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity
 
 SHOWN = 6
-"""So many joints of a loop are shown."""
+"""So many links of a loop are shown: the first ones and the last."""
 
 
 class JointLoop(Rule):
@@ -11,7 +11,8 @@ class JointLoop(Rule):
 
     None of these links is the root, so nothing holds them. A URDF robot is a tree, and
     urdfdom refuses the file. SDFormat allows loops; Drake refuses two links that are
-    each other's parents.
+    each other's parents. The joint that comes last in the file is the one that is
+    reported: the others made a chain before it closed them.
     """
 
     code = "JNT008"
@@ -28,16 +29,16 @@ class JointLoop(Rule):
 
     bad = (
         Bad(
-            '<link name="arm"/><joint name="j" type="fixed"><parent>base</parent><child>«arm»</child></joint>'
-            '<joint name="k" type="fixed"><parent>arm</parent><child>base</child></joint>',
-            says="joints lead from link `arm` back to it: `arm` → `base` → `arm`",
+            '<link name="arm"/><joint name="j" type="fixed"><parent>base</parent><child>arm</child></joint>'
+            '<joint name="k" type="fixed"><parent>arm</parent><child>«base»</child></joint>',
+            says="joints lead from link `base` back to it: `base` → `arm` → `base`",
         ),
         Bad(
             '<link name="a"/><link name="b"/>'
-            '<joint name="j" type="fixed"><parent link="a"/><child link="«b»"/></joint>'
-            '<joint name="k" type="fixed"><parent link="b"/><child link="a"/></joint>',
+            '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>'
+            '<joint name="k" type="fixed"><parent link="b"/><child link="«a»"/></joint>',
             scaffold=IN_ROBOT,
-            says="joints lead from link `b` back to it",
+            says="joints lead from link `a` back to it",
         ),
     )
     good = (
@@ -52,15 +53,19 @@ class JointLoop(Rule):
         return bool(root.loops)
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
+        order = {joint: number for number, joint in enumerate(root.each("Joint"))}
         for loop in root.loops:
-            names = [link.name for joint in loop if (link := joint.child_link) is not None]
-            first, *others = [joint.child_value or joint for joint in loop]
-            shown = [f"`{name}`" for name in names[:SHOWN]]
-            more = ["…"] if len(names) > SHOWN else []
-            ring = " → ".join((*shown, *more, f"`{names[0]}`"))
+            closing = loop.index(max(loop, key=lambda joint: order[joint]))
+            ring = (*loop[closing:], *loop[:closing])
+            names = [link.name for joint in ring if (link := joint.child_link) is not None]
+            shown = [f"`{name}`" for name in names]
+            if len(shown) > SHOWN:
+                shown[SHOWN - 1 : -1] = ["…"]
+            way = " → ".join((*shown, f"`{names[0]}`"))
+            first, *others = [joint.child_value or joint for joint in ring]
             yield self.diagnostic(
                 first,
-                f"joints lead from link `{names[0]}` back to it: {ring}",
+                f"joints lead from link `{names[0]}` back to it: {way}",
                 labels=dict.fromkeys(others[: SHOWN - 1], "and on from here"),
                 severity=Severity.ERROR if root.is_urdf else None,
             )

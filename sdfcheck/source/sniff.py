@@ -7,6 +7,7 @@ with anything, so a suffix alone decides nothing.
 from __future__ import annotations
 
 import codecs
+import re
 from collections.abc import Mapping
 from enum import Enum
 from pathlib import Path
@@ -121,7 +122,8 @@ _ROOTS = {
     "mujocoinclude": Kind.MJCF,
 }
 _ROBOT_TAGS = ("<sdf", "<robot", "<world", "<model")
-_SRDF_TAGS = ("<disable_collisions", "<group_state", "<virtual_joint", "<disable_default_collisions")
+_SRDF_TAGS = frozenset({"disable_collisions", "group_state", "virtual_joint", "disable_default_collisions"})
+_TAG = re.compile(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
 _TEMPLATE_TAGS = ("<%", "{% ", "{%-")
 _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
 
@@ -201,7 +203,7 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
         return Kind.BROKEN_XML if broken else Kind.NOT_XML
     suffixes = [suffix.lower() for suffix in path.suffixes[-2:]]
     suffix = suffixes[-1] if suffixes else ""
-    if name == "robot" and (".srdf" in suffixes or _holds(text, _SRDF_TAGS)):
+    if name == "robot" and (".srdf" in suffixes or _is_srdf(text)):
         return Kind.SRDF
     if name not in _ROOTS and suffix in _SUFFIXES and _is_misspelt(name, suffix, text, start):
         return Kind.MISSPELT_ROOT
@@ -215,6 +217,21 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
     # The root of SDFormat 1.0 to 1.2.
     old_root = name == "gazebo" and "version" in text[start : text.find(">", start)]
     return Kind.SDF if forgotten_root or old_root else Kind.OTHER_XML
+
+
+def _is_srdf(text: str) -> bool:
+    """Whether a robot holds what SRDF says, and no link or joint; what xacro generates counts as its own."""
+    if not _holds(text, tuple(f"<{name}" for name in _SRDF_TAGS)):
+        return False
+    names = set()
+    depth = 0
+    for end, name, is_empty in _TAG.findall(_without_comments(text)):
+        if name.startswith("xacro:"):
+            continue
+        if depth == 1 and not end:
+            names.add(name)
+        depth += -1 if end else not is_empty
+    return names.isdisjoint({"link", "joint"}) and not names.isdisjoint(_SRDF_TAGS)
 
 
 def _tag_name(text: str, start: int) -> str:

@@ -98,7 +98,7 @@ def _search(role: str, starts: list[Node], step: Callable[[Node], _Step]) -> lis
 
 
 def _ring(role: str, nodes: list[Node], path: Mapping[Node, Value | None]) -> Ring | None:
-    if all(isinstance(node, Joint) for node in nodes):
+    if role == "attached_to" and all(isinstance(node, Joint) for node in nodes):
         return None  # what joints lead to is their own matter
     if role == "relative_to" and all(_pose_reference(node) is None for node in nodes):
         return None  # the ring of attachments

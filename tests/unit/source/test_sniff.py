@@ -42,6 +42,26 @@ ETHANOL = b"ethanol\n  RDKit\n\n  9  8  0     0  0  0  0  0  0999 V2000\n> <PUBC
         ("a.srdf", b'<robot name="r"/>', Kind.SRDF),
         ("a.srdf.xacro", b'<robot name="r"/>', Kind.SRDF),
         ("a.xml", b'<robot name="r"><group_state name="s"/></robot>', Kind.SRDF),
+        (
+            "a.xml",
+            b'<robot name="r"><xacro:macro name="m"><disable_collisions link1="a"/></xacro:macro></robot>',
+            Kind.SRDF,
+        ),
+        (
+            "a.urdf",
+            b'<robot name="r"><gazebo><plugin><disable_collisions_on_attach/></plugin></gazebo></robot>',
+            Kind.URDF,
+        ),
+        (
+            "a.urdf",
+            b'<robot name="r"><link name="l"/><disable_collisions link1="l" link2="l"/></robot>',
+            Kind.URDF,
+        ),
+        (
+            "a.urdf",
+            b'<robot name="r"><gazebo><plugin><group_state/></plugin></gazebo></robot>',
+            Kind.URDF,
+        ),
         ("a.xml", b'<mujoco model="m"/>', Kind.MJCF),
         ("a.sdf", b'?xml version="1.0"?>\n<sdf version="1.9"/>', Kind.BROKEN_XML),
         ("a.sdf", b'<<sdf version="1.9"/>', Kind.BROKEN_XML),
