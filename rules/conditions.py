@@ -12,6 +12,11 @@ import math as math_
 import os as os_
 import re as re_
 
+drk_remote_mesh__SCHEMES = ('http://', 'https://', 'fuel://')
+
+def DRK022_applies(resource):
+    return resource.what == 'mesh' and (not resource.is_extension) and resource.uri.startswith(drk_remote_mesh__SCHEMES)
+
 def FRM001_applies(reference):
     return reference.is_unresolved
 
@@ -207,6 +212,15 @@ def gaz_frame_id_spelling__misnamed(root):
 
 def GAZ007_applies(root):
     return '_frame_id' in root.document.source.text and bool(gaz_frame_id_spelling__misnamed(root))
+
+gaz_unset_script_uri__UNSET = frozenset({'', '__default__'})
+
+def GAZ008_applies(material):
+    if material.is_urdf or material.is_extension:
+        return False
+    script = material.script
+    uri = None if script is None else script.find('uri')
+    return uri is not None and uri.content.strip() in gaz_unset_script_uri__UNSET
 
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
@@ -689,6 +703,20 @@ def SCH018_applies(sensor):
         return False
     return sch_mismatched_sensor__wrong_settings(sensor) is not None or sch_mismatched_sensor__lacks_settings(sensor)
 
+def sch_impossible_cone__angle_of(light, name):
+    spot = light.find('spot')
+    written = None if spot is None else spot.find(name)
+    return math_.nan if written is None else written.own_value.number
+
+def sch_impossible_cone__wrong_angle(light):
+    inner, outer = (sch_impossible_cone__angle_of(light, 'inner_angle'), sch_impossible_cone__angle_of(light, 'outer_angle'))
+    if outer > 2 * math_.pi:
+        return 'outer_angle'
+    return 'inner_angle' if inner > outer else ''
+
+def SCH021_applies(light):
+    return light.has('spot') and light.type == 'spot' and bool(sch_impossible_cone__wrong_angle(light))
+
 def URD003_applies(robot):
     return any((len(group) > 1 for group in robot.tree.loose_groups))
 
@@ -800,6 +828,7 @@ def URD020_applies(joint):
     return joint.type in ('floating', 'planar')
 
 CONDITIONS = {
+    'DRK022': DRK022_applies,
     'FRM001': FRM001_applies,
     'FRM002': FRM002_applies,
     'FRM003': FRM003_applies,
@@ -815,6 +844,7 @@ CONDITIONS = {
     'GAZ005': GAZ005_applies,
     'GAZ006': GAZ006_applies,
     'GAZ007': GAZ007_applies,
+    'GAZ008': GAZ008_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -862,6 +892,7 @@ CONDITIONS = {
     'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,
     'SCH018': SCH018_applies,
+    'SCH021': SCH021_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,
     'URD005': URD005_applies,

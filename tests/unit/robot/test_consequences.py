@@ -88,7 +88,7 @@ ENDS = '<parent link="base"/><child link="arm"/>'
         (f'<link name="base"/><joint name="j" type="fixed">{ENDS}</joint>', ("NAM001", "error", "base")),
         (
             f'<link name="arm"/><joint name="j" type="fixed">{ENDS}</joint>{BACK}',
-            ("JNT008", "error", "arm"),
+            ("JNT008", "error", "base"),
         ),
         (
             '<link name="arm"/><joint name="j" type="fixed"><parent>base</parent><child link="arm"/></joint>',

@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Resource, Rule, Severity
+from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT_LINK
+
+SCHEMES = ("http://", "https://", "fuel://")
+MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
+
+
+class RemoteMesh(Rule):
+    """A mesh is on a server, from which Drake fetches nothing.
+
+    Drake knows the schemes `file`, `model` and `package` alone and refuses the file for any other.
+    Gazebo fetches meshes from Fuel by itself; for Drake download them and name the copy.
+    """
+
+    code = "DRK022"
+    name = "remote-mesh"
+    severity = Severity.ERROR
+    default = False
+    affects = {Consumer.DRAKE: REFUSES}
+    looks_at = (Resource,)
+    scaffold = COLLISION
+
+    bad = (
+        Bad(
+            MESH.format("«https://example.org/arm.obj»"),
+            says="no mesh is fetched from `https://`: Drake refuses the file",
+        ),
+        Bad(
+            '<visual><geometry><mesh filename="«http://example.org/arm.obj»"/></geometry></visual>',
+            says="no mesh is fetched from `http://`",
+            scaffold=ROBOT_LINK,
+        ),
+    )
+    good = (
+        Good(MESH.format("package://arm/meshes/arm.obj"), why="found in the package map"),
+        Good(MESH.format("model://arm/meshes/arm.obj"), why="means the same"),
+    )
+
+    @staticmethod
+    def applies(resource: Resource) -> bool:
+        return resource.what == "mesh" and not resource.is_extension and resource.uri.startswith(SCHEMES)
+
+    def check(self, resource: Resource) -> Iterator[Diagnostic]:
+        scheme = resource.uri.partition("://")[0]
+        message = f"no mesh is fetched from `{scheme}://`: Drake refuses the file"
+        yield self.diagnostic(resource.uri_value, message, help="download it and name the copy")
