@@ -305,6 +305,14 @@ def INR008_applies(inertial):
     collisions = inertial.link.collisions
     return not collisions or any((inr_unusable_automatic_inertia___has_no_mass(inr_unusable_automatic_inertia___density(inertial, collision)) or collision.geometry.shape in inr_unusable_automatic_inertia___NO_SOLID for collision in collisions))
 
+def INR009_applies(inertial):
+    if inertial.inertia is None or not inr_moments__has_moments(inertial) or any(inertial.tensor):
+        return False
+    if not (inertial.mass.is_given and inertial.mass.number > 0):
+        return False
+    link = inertial.link
+    return not link.child_joints and (not link.parent_joints) and (link not in inertial.root.parent_joints)
+
 def jnt_unknown_joint_end___joint_name(end):
     joint = end.element.parent
     return '' if joint is None else joint.attributes.get('name', '').strip()
@@ -532,6 +540,18 @@ def MUJ003_applies(link):
     if not link.is_urdf or not link.parent_joints or (not link.parent_joints[0].moves):
         return False
     return not any(map(muj_massless_body___has_mass, muj_massless_body___fused(link)))
+
+muj_singular_inertia__LEAST = 1e-14
+
+def MUJ004_applies(inertial):
+    if not inertial.is_urdf or inertial.is_unremarkable or (not inertial.is_legible):
+        return False
+    joints = inertial.link.parent_joints
+    if inertial.inertia is None or (joints and joints[0].moves):
+        return False
+    low, middle, high = inertial.principal
+    is_body = low + middle >= high * (1 - muj_singular_inertia__LEAST) and low > -muj_singular_inertia__LEAST * high
+    return high > 0 and low < muj_singular_inertia__LEAST and is_body
 
 def NAM001_applies(root):
     return any((first.kind == later.kind for first, later in root.names.shared))
@@ -827,6 +847,13 @@ def URD018_applies(mimic):
 def URD020_applies(joint):
     return joint.type in ('floating', 'planar')
 
+xml_missing_root__OLD = 'gazebo'
+
+xml_missing_root__FORGOTTEN = frozenset({'model', 'world', xml_missing_root__OLD})
+
+def XML011_applies(root):
+    return not root.is_urdf and root.element.name in xml_missing_root__FORGOTTEN and (root.document.kind.value == 'sdf')
+
 CONDITIONS = {
     'DRK022': DRK022_applies,
     'FRM001': FRM001_applies,
@@ -853,6 +880,7 @@ CONDITIONS = {
     'INR006': INR006_applies,
     'INR007': INR007_applies,
     'INR008': INR008_applies,
+    'INR009': INR009_applies,
     'JNT001': JNT001_applies,
     'JNT002': JNT002_applies,
     'JNT003': JNT003_applies,
@@ -869,6 +897,7 @@ CONDITIONS = {
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,
+    'MUJ004': MUJ004_applies,
     'NAM001': NAM001_applies,
     'NAM002': NAM002_applies,
     'NAM003': NAM003_applies,
@@ -909,4 +938,5 @@ CONDITIONS = {
     'URD017': URD017_applies,
     'URD018': URD018_applies,
     'URD020': URD020_applies,
+    'XML011': XML011_applies,
 }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import sdfcheck
@@ -117,3 +119,12 @@ def test_sensors_and_their_settings(kind: str, content: str, found: list[str]) -
 def test_sensors_of_urdf_are_left_to_the_reader_of_their_blocks(kind: str) -> None:
     block = f'<gazebo reference="l"><sensor name="s" type="{kind}"><camera/></sensor></gazebo>'
     assert messages(f'<robot name="r"><link name="l"/>{block}</robot>', "SCH018") == []
+
+
+def test_a_model_without_root_is_told_by_the_name_of_its_file(tmp_path: Path) -> None:
+    path = tmp_path / "a.sdf"
+    path.write_text('<model name="m"><link name="a"/></model>')
+    (diagnostic,) = sdfcheck.lint(path, isolated=True).diagnostics
+    assert diagnostic.code == "XML011"
+    path = path.rename(tmp_path / "model.config")
+    assert "XML011" not in {found.code for found in sdfcheck.lint(path, isolated=True).diagnostics}

@@ -1,0 +1,52 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck_rules.inr.moments import has_moments
+
+ZERO = "<ixx>0</ixx><iyy>0</iyy><izz>0</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz>"
+INERTIA = '<{} ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/>'
+ROBOT = f'<robot name="r"><link name="a"><inertial><mass value="1"/>{INERTIA}</inertial></link>{{}}</robot>'
+CHILD = '<link name="b"/><joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'
+
+
+class ZeroInertia(Rule):
+    """A link that floats alone has mass, and moments of inertia that are all 0.
+
+    Nothing resists when it is turned. Drake loads it and cannot simulate it: the mass matrix is not
+    positive definite. A point mass on a joint may be meant: what it is tied to resists.
+    """
+
+    code = "INR009"
+    name = "zero-inertia"
+    severity = Severity.WARNING
+    looks_at = (Inertial,)
+    affects = {
+        Consumer.DRAKE: warns("cannot simulate it"),
+    }
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            f"<inertial><mass>1</mass><«inertia»>{ZERO}</inertia></inertial>",
+            says="link `base` has a mass of 1 kg and moments of 0",
+        ),
+        Bad(ROBOT.format("«inertia»", ""), scaffold="", says="moments of 0"),
+    )
+    good = (
+        Good("<inertial><mass>1</mass></inertial>", why="the moments are 1 where they are not written"),
+        Good(ROBOT.format("inertia", CHILD), scaffold="", why="a point mass on a joint"),
+    )
+
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        if inertial.inertia is None or not has_moments(inertial) or any(inertial.tensor):
+            return False
+        if not (inertial.mass.is_given and inertial.mass.number > 0):
+            return False
+        link = inertial.link
+        return not link.child_joints and not link.parent_joints and link not in inertial.root.parent_joints
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        link, mass = inertial.link, inertial.mass
+        message = f"{link.title} has a mass of {mass.text.strip()} kg and moments of 0"
+        yield self.diagnostic(inertial.moments_element, message, labels={link: "this link"})

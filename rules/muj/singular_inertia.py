@@ -1,0 +1,56 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity
+
+LEAST = 1e-14
+"""What each principal moment (kg·m²) must reach, unless all are 0."""
+MASS = '<link name="arm"><inertial><mass value="1"/>{}</inertial></link>'
+INERTIA = '<inertia ixx="{}" iyy="{}" izz="{}" ixy="0" ixz="0" iyz="0"/>'
+FIXED = '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>'
+PUT = MASS.format("{}") + FIXED
+
+
+class SingularInertia(Rule):
+    """A principal moment of a link that does not move is 0 and others are not.
+
+    MuJoCo refuses the robot, wherever the link is, the root included; it takes a principal moment
+    below 1e-14 kg·m² for 0. Moments that are all 0 make a point mass, which may be fixed to something.
+    """
+
+    code = "MUJ004"
+    name = "singular-inertia"
+    severity = Severity.ERROR
+    default = False
+    affects = {Consumer.MUJOCO: REFUSES}
+    looks_at = (Inertial,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            PUT.format(INERTIA.format("1", "1", "«0»")),
+            says="the smallest principal moment of link `arm` is 0",
+        ),
+    )
+    good = (
+        Good(PUT.format(INERTIA.format("0", "0", "0")), why="a point mass"),
+        Good(PUT.format(INERTIA.format("1", "1", "1e-14")), why="just enough"),
+    )
+
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        if not inertial.is_urdf or inertial.is_unremarkable or not inertial.is_legible:
+            return False
+        joints = inertial.link.parent_joints
+        if inertial.inertia is None or (joints and joints[0].moves):
+            return False
+        low, middle, high = inertial.principal
+        is_body = low + middle >= high * (1 - LEAST) and low > -LEAST * high
+        return high > 0 and low < LEAST and is_body
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        least = min("ixx", "iyy", "izz", key=lambda name: float(inertial.moments[name]))
+        low = max(inertial.principal[0], 0.0)
+        yield self.diagnostic(
+            inertial.moments[least],
+            f"the smallest principal moment of {inertial.link.title} is {low:.3g}: MuJoCo refuses the file",
+        )
