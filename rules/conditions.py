@@ -588,6 +588,12 @@ def nam_malformed_scoped_name___is_odd(reference):
 def NAM005_applies(root):
     return nam_malformed_scoped_name___may_be_odd(root.document.source.text) and any(map(nam_malformed_scoped_name___is_odd, root.names.references))
 
+def nam_blank_around_name___is_standard(name):
+    return ':' not in name.kind
+
+def NAM007_applies(root):
+    return any(map(nam_blank_around_name___is_standard, root.names.padded))
+
 def NS009_applies(custom):
     return bool(custom.displaced)
 
@@ -903,6 +909,7 @@ CONDITIONS = {
     'NAM003': NAM003_applies,
     'NAM004': NAM004_applies,
     'NAM005': NAM005_applies,
+    'NAM007': NAM007_applies,
     'NS009': NS009_applies,
     'NS010': NS010_applies,
     'RES001': RES001_applies,

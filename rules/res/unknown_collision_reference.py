@@ -55,6 +55,7 @@ class UnknownCollisionReference(Rule):
     )
     good = (
         Good(SHELL + SENSOR.format("shell")),
+        Good(SHELL + SENSOR.format(" shell "), why="blanks around a name are not part of it"),
         Good(SHELL + SENSOR.format("__default__"), why="the word for nothing in particular"),
         Good(SHELL + SENSOR.format("m::base::shell"), why="readers differ in how they spell scopes"),
         Good(

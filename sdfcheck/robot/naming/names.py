@@ -72,6 +72,14 @@ class Names:
         return tuple(name for name in given if _ODD_LINE.search(name.name))
 
     @lazy
+    def padded(self) -> tuple[Name, ...]:
+        """The names with blanks around them in SDFormat, which are not part of them."""
+        if self.root.is_urdf:
+            return ()
+        given = (name for names in self._siblings.values() for name in names)
+        return tuple(name for name in given if name.value.attribute and name.value.text != name.name)
+
+    @lazy
     def shared(self) -> tuple[Namesakes, ...]:
         """The siblings that share a name, each with the first of that name. Plugins may."""
         repeated = _repeated_in_urdf if self.root.is_urdf else _repeated

@@ -64,11 +64,13 @@ class Contact(Part):
         """The names that no collision of the link has. Scoped ones are spelled in ways that differ by simulator."""
         if self.link is None:
             return ()
-        names = tuple(collision.attributes.get("name", "") for collision in self.link.children("collision"))
+        names = tuple(
+            collision.attributes.get("name", "").strip() for collision in self.link.children("collision")
+        )
         return tuple(
             UnknownName(value, "collision", self.link.element, names)
             for value in self.collision_names
-            if value.text not in (DEFAULT, *names) and "::" not in value.text
+            if value.text.strip() not in (DEFAULT, *names) and "::" not in value.text
         )
 
 
