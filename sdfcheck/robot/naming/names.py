@@ -73,11 +73,12 @@ class Names:
 
     @lazy
     def padded(self) -> tuple[Name, ...]:
-        """The names with blanks around them in SDFormat, which are not part of them."""
+        """The names with blanks around them in SDFormat, which are not part of them; without repeated ones."""
         if self.root.is_urdf:
             return ()
         given = (name for names in self._siblings.values() for name in names)
-        return tuple(name for name in given if name.value.attribute and name.value.text != name.name)
+        padded = [name for name in given if name.value.attribute and name.value.text != name.name]
+        return tuple(name for name in padded if all(name is not later for _, later in self.shared))
 
     @lazy
     def shared(self) -> tuple[Namesakes, ...]:
