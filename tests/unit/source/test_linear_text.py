@@ -68,6 +68,11 @@ def test_time_grows_with_the_size(name: str) -> None:
     took(10)
     once, four_times = took(SIZE), took(4 * SIZE)
     # What is quadratic takes 16 times as long, and minutes; what cannot be measured is fast enough.
+    # On a busy machine a run may be slow by chance: then both are measured again.
+    for _ in range(3):
+        if four_times < 10 * max(once, 0.05):
+            break
+        once, four_times = took(SIZE), min(four_times, took(4 * SIZE))
     assert four_times < 10 * max(once, 0.05)
 
 

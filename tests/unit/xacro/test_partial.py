@@ -20,6 +20,7 @@ CALL = '<xacro:leg side="left"><origin xyz="0 0 0"/></xacro:leg>'
 
 
 def found(folder: Path, content: str) -> list[tuple[str, str]]:
+    (folder / ".git").mkdir(exist_ok=True)  # no other folder belongs to the project
     (folder / "package.xml").write_text("<package><name>p</name></package>")
     file = folder / "robot.urdf.xacro"
     file.write_text(f'<robot name="r" {XACRO}>{content}</robot>')
