@@ -25,7 +25,7 @@ class UnsetScriptUri(Rule):
     bad = (
         Bad(
             SCRIPT.format("<uri>«__default__»</uri>"),
-            says="`__default__` is no URI of a material script",
+            says="`__default__` is not the URI of a material script",
         ),
         Bad(SCRIPT.format("<«uri»></uri>"), says="the URI of the material script is empty"),
     )
@@ -52,6 +52,8 @@ class UnsetScriptUri(Rule):
             return
         text = uri.content.strip()
         message = (
-            f"`{text}` is no URI of a material script" if text else "the URI of the material script is empty"
+            f"`{text}` is not the URI of a material script"
+            if text
+            else "the URI of the material script is empty"
         )
-        yield self.diagnostic(uri.own_value if text else uri, f"{message}: readers refuse the file")
+        yield self.diagnostic(uri.own_value if text else uri, f"{message}: simulators refuse the file")

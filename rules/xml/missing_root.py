@@ -24,7 +24,7 @@ class MissingRoot(Rule):
         Bad(
             '<«world» name="w"/>',
             file="example.sdf",
-            says="`world` stands in no `sdf`",
+            says="`world` is not inside `sdf`",
         ),
         Bad(
             '<«gazebo» version="1.2"><model name="m"><link name="base"/></model></gazebo>',
@@ -41,8 +41,8 @@ class MissingRoot(Rule):
     def check(self, root: Root) -> Iterator[Diagnostic]:
         name = root.element.name
         if name == OLD:
-            message = "the root is called `sdf`, not `gazebo` any more: readers refuse the file"
+            message = "the root is called `sdf`, no longer `gazebo`: simulators refuse the file"
         else:
-            message = f"`{name}` stands in no `sdf`: readers refuse the file"
+            message = f"`{name}` is not inside `sdf`: simulators refuse the file"
         advice = "rename it to `sdf`" if name == OLD else "put `<sdf version=…>` around it"
         yield self.diagnostic(root.element, message, help=advice)
