@@ -29,7 +29,7 @@ class MissingRoot(Rule):
         Bad(
             '<«gazebo» version="1.2"><model name="m"><link name="base"/></model></gazebo>',
             file="example.sdf",
-            says="the root is called `sdf`, not `gazebo` any more",
+            says="the root is called `sdf`, no longer `gazebo`",
         ),
     )
     good = (Good('<sdf version="1.12"><model name="m"><link name="base"/></model></sdf>'),)
