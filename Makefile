@@ -1,6 +1,10 @@
 # make demo     install into .venv and lint the sample robots
 # make test     run the tests
 # make check    everything that must hold before a commit
+# make docs     build the documentation site into build/site; broken links are errors
+# make package  build the source distribution and the wheel into build/dist, and try both
+# make vscode   compile and package the extension for Visual Studio Code (needs node)
+# make viewer   build the page that shows robots from viewer/ (needs node)
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
 PYTHON ?= python3
@@ -11,8 +15,9 @@ BIN := $(VENV)/bin
 PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
+SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo test check layers format format-check lint types generate generated golden bench clean
+.PHONY: demo test check layers format format-check lint types generate generated golden docs package vscode viewer bench clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -41,17 +46,17 @@ types: $(TOOLS) build/mypy/sdfcheck_rules
 generate: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index
 	$(BIN)/python -m sdfcheck.lint.rulebook.conditions
-	$(BIN)/python -m sdfcheck.lint.rulebook.manual_pages
+	$(BIN)/python -m tables.rule_pages
 	$(BIN)/python -m sdfcheck.convert.loss_table
 
 generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index --check
 	$(BIN)/python -m sdfcheck.lint.rulebook.conditions --check
-	$(BIN)/python -m sdfcheck.lint.rulebook.manual_pages --check
+	$(BIN)/python -m tables.rule_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
 
 golden: $(TOOLS)
-	$(BIN)/python -m pytest -q -n0 tests/test_golden*.py --golden
+	$(BIN)/python -m pytest -q -n0 tests/test_golden*.py tests/test_docs.py --golden
 
 # Measures an ordinary installation: an editable one starts slower.
 bench: pyproject.toml setup.py
@@ -61,6 +66,29 @@ bench: pyproject.toml setup.py
 	$(BENCH_VENV)/bin/python $(PIP_INSTALL) --force-reinstall --no-deps .
 	$(BENCH_VENV)/bin/python -m benchmarks.run
 
+docs: $(SITE_TOOLS)
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
+
+vscode:
+	cp docs/sdfcheck.schema.json editors/vscode/
+	cd editors/vscode && npm install --no-audit --no-fund --silent && npm run --silent package
+
+package: $(RUNTIME)
+	$(BIN)/python $(PIP_INSTALL) 'build>=1.2'
+	rm -rf build/dist build/try build/lib build/bdist.*
+	$(BIN)/python -m build --outdir build/dist . >build/package.log 2>&1 || (cat build/package.log; exit 1)
+	for kind in whl tar.gz; do \
+	  $(PYTHON) -m venv --clear build/try && \
+	  build/try/bin/python $(PIP_INSTALL) build/dist/sdfcheck-*.$$kind && \
+	  build/try/bin/sdfcheck lint --isolated --quiet fixtures/robots/diff_drive && \
+	  build/try/bin/sdfcheck rule JNT007 >/dev/null || exit 1; \
+	done
+	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /tests/test_rules.py
+	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /docs/tutorial.md
+
+viewer:
+	cd viewer && npm ci --no-audit --no-fund && npm run check && npm run build
+
 $(RUNTIME): pyproject.toml setup.py
 	[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV)
 	$(BIN)/python $(PIP_INSTALL) --editable .
@@ -68,6 +96,10 @@ $(RUNTIME): pyproject.toml setup.py
 
 $(TOOLS): $(RUNTIME)
 	$(BIN)/python $(PIP_INSTALL) --editable '.[dev]'
+	touch $@
+
+$(SITE_TOOLS): $(RUNTIME)
+	$(BIN)/python $(PIP_INSTALL) --editable '.[docs]'
 	touch $@
 
 # mypy finds the rules under the name that they are imported by.

@@ -3,14 +3,69 @@
 # The types are checked where the conditions are written.
 # mypy: ignore-errors
 
+from itertools import pairwise as itertools_pairwise
+from math import hypot as math_hypot
 from math import inf as math_inf
 from math import pi as math_pi
 from pathlib import PurePosixPath as pathlib_PurePosixPath
-from sdfcheck import Include as sdfcheck_Include
-from sdfcheck import Root as sdfcheck_Root
 import math as math_
 import os as os_
 import re as re_
+import sdfcheck as sdfcheck_
+
+def DRK001_applies(tag):
+    return tag.prefix == 'drake' and tag.definition is None
+
+def DRK002_applies(tag):
+    if tag.prefix != 'drake' or tag.definition is None or tag.is_gone:
+        return False
+    return tag.place is None and (not tag.is_undecided)
+
+def DRK003_applies(given):
+    if given.prefix != 'drake':
+        return False
+    if isinstance(given, sdfcheck_.VendorTag):
+        return given.is_empty and (given.stray is not None or given.lacks_text)
+    is_type_of_joint = given.tag.name == 'drake:joint'
+    return given.misreading is not None or (given.is_unknown_choice and (not is_type_of_joint))
+
+def DRK004_applies(tag):
+    return tag.prefix == 'drake' and any((lack.misspelled is None for lack in tag.lacks))
+
+def DRK005_applies(tag):
+    if tag.prefix != 'drake':
+        return False
+    if tag.excluded is not None or tag.idle_beside is not None:
+        return True
+    return bool(tag.forbidden or tag.needs)
+
+def DRK006_applies(name):
+    return name.prefix == 'drake' and name.is_definition and ('::' in name.text)
+
+def DRK007_applies(name):
+    return name.prefix == 'drake' and name.unresolved is not None
+
+def DRK016_applies(given):
+    return given.prefix == 'drake' and given.first is not None
+
+def DRK017_applies(tag):
+    return tag.prefix == 'drake' and bool(tag.successor)
+
+def DRK018_applies(tag):
+    return tag.prefix == 'drake' and tag.alike[:1] == [tag] and tag.is_too_new
+
+def DRK019_applies(given):
+    if given.prefix != 'drake':
+        return False
+    if isinstance(given, sdfcheck_.VendorTag):
+        return given.excess is not None and 'mu_' not in given.name
+    return given.bound is not None
+
+def DRK020_applies(tag):
+    return tag.prefix == 'drake' and bool(tag.missing_values)
+
+def DRK021_applies(tag):
+    return tag.prefix == 'drake' and tag.tied is not None
 
 drk_remote_mesh__SCHEMES = ('http://', 'https://', 'fuel://')
 
@@ -31,14 +86,14 @@ def FRM003_applies(model):
     return model.lacks(name) if node is None else node.kind != 'link'
 
 def frm_unknown_placement_frame___model(placed):
-    return placed.content if isinstance(placed, sdfcheck_Include) else placed
+    return placed.content if isinstance(placed, sdfcheck_.Include) else placed
 
 def FRM004_applies(placed):
     value = placed.placement_frame_value
     if value is None or placed.is_urdf:
         return False
     model, name = (frm_unknown_placement_frame___model(placed), value.text.strip())
-    is_kept = name == '__root__' and isinstance(placed, sdfcheck_Include)
+    is_kept = name == '__root__' and isinstance(placed, sdfcheck_.Include)
     return model is not None and (not is_kept) and model.lacks(name)
 
 def FRM005_applies(model):
@@ -60,6 +115,9 @@ def frm_degrees_as_radians___value(element):
     return element.attribute('rpy') if element.tag == 'origin' else element.own_value
 
 def frm_degrees_as_radians___says_otherwise(pose):
+    holder = pose.parent
+    if holder is not None and 'degrees' in holder.keys():
+        return True
     if not pose.keys():
         return False
     given = pose.attributes
@@ -138,7 +196,7 @@ def gaz_ignition_name__is_of_ignition(plugin):
 gaz_ignition_name__GUI = 'ignition-gui'
 
 def GAZ001_applies(part):
-    if isinstance(part, sdfcheck_Root):
+    if isinstance(part, sdfcheck_.Root):
         return gaz_ignition_name__PREFIX in part.document.source.text and any(map(gaz_ignition_name__is_prefixed, gaz_ignition_name__all_elements(part)))
     return gaz_ignition_name__is_of_ignition(part) or part.has(gaz_ignition_name__GUI)
 
@@ -216,20 +274,57 @@ def GAZ007_applies(root):
 gaz_unset_script_uri__UNSET = frozenset({'', '__default__'})
 
 def GAZ008_applies(material):
-    if material.is_urdf or material.is_extension:
+    if material.is_urdf:
         return False
     script = material.script
     uri = None if script is None else script.find('uri')
     return uri is not None and uri.content.strip() in gaz_unset_script_uri__UNSET
 
+def GAZ009_applies(block):
+    return any(block.unread_settings)
+
+def gaz_unknown_palette_color__written(part):
+    if isinstance(part, sdfcheck_.GazeboBlock):
+        yield from part.settings('material')
+        return
+    script = part.script
+    name = None if script is None else script.find('name')
+    uri = None if script is None else script.find('uri')
+    if name is not None and (uri is None or uri.content.endswith('gazebo.material')):
+        yield name.own_value
+
+gaz_unknown_palette_color__PREFIX = 'Gazebo/'
+
+gaz_unknown_palette_color__COLORS = frozenset('\n    Black BlackTransparent Blue BlueGlow BlueLaser BlueTransparent BlueTransparentOverlay Bricks\n    CeilingTiled Chrome CloudySky CoM DarkGrey DarkMagentaTransparent DarkOrangeTransparent\n    DarkOrangeTransparentOverlay DarkYellow DepthMap FlatBlack Footway Gold Green GreenGlow\n    GreenTransparent GreenTransparentOverlay Grey GreyGradientSky GreyTransparent Indigo JointAnchor\n    LightBlueLaser LightOff LightOn Motorway Orange OrangeTransparent OrangeTransparentOverlay\n    PaintedWall Pedestrian Pioneer2Body PioneerBody Primary Purple PurpleGlow Red RedBright RedGlow\n    RedTransparent RedTransparentOverlay Residential Road Runway RustyBarrel RustySteel Secondary\n    SkyBlue Steps Tertiary Trunk Turquoise TurquoiseGlow TurquoiseGlowOutline White WhiteGlow\n    WindowFrame Wood WoodFloor WoodPallet Yellow YellowGlow YellowTransparent ZincYellow\n    '.split())
+
+def gaz_unknown_palette_color__strange(part):
+    for value in gaz_unknown_palette_color__written(part):
+        name = value.text.strip()
+        if name[:len(gaz_unknown_palette_color__PREFIX)].lower() == gaz_unknown_palette_color__PREFIX.lower() and '$' not in name:
+            color = name[len(gaz_unknown_palette_color__PREFIX):]
+            is_near = color not in gaz_unknown_palette_color__COLORS and part.nearest(color, gaz_unknown_palette_color__COLORS) is not None
+            if is_near or (color in gaz_unknown_palette_color__COLORS and (not name.startswith(gaz_unknown_palette_color__PREFIX))):
+                yield value
+
+def GAZ010_applies(part):
+    return any(gaz_unknown_palette_color__strange(part))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
+
+def inr_moments__has_moments_only(inertial):
+    if not inertial.is_legible or not any(inertial.tensor):
+        return False
+    lumping = inertial.link.model.lumping
+    return lumping.base(inertial.link) in lumping.with_mass
 
 def INR001_applies(inertial):
     if not inr_moments__is_remarkable(inertial):
         return False
     mass = inertial.mass
-    return mass.number < 0 or (mass.number == 0 and (not inertial.is_urdf)) or mass.text.lower() == 'nan'
+    if mass.number == 0:
+        return not inertial.is_urdf or inr_moments__has_moments_only(inertial)
+    return mass.number < 0 or mass.text.lower() == 'nan'
 
 def inr_moments__has_moments(inertial):
     if not inr_moments__is_remarkable(inertial) or not inertial.is_legible:
@@ -237,20 +332,14 @@ def inr_moments__has_moments(inertial):
     mass = inertial.mass
     return not mass.is_given or mass.number > 0 or '$' in mass.text
 
-inr_moments___ROUNDING = 2.3e-15
-
-def inr_moments__rounding(inertial):
-    return inr_moments___ROUNDING * max(map(abs, inertial.tensor))
-
 def inr_moments__is_indefinite(inertial):
-    return inertial.principal[0] < -inr_moments__rounding(inertial)
+    return inertial.tensor.is_indefinite
 
 def INR002_applies(inertial):
     return inr_moments__has_moments(inertial) and inr_moments__is_indefinite(inertial)
 
 def inr_moments__is_impossible(inertial):
-    low, middle, high = inertial.principal
-    return low + middle + inr_moments__rounding(inertial) < high
+    return inertial.tensor.is_impossible
 
 def INR003_applies(inertial):
     return inr_moments__has_moments(inertial) and inr_moments__is_impossible(inertial) and (not inr_moments__is_indefinite(inertial))
@@ -313,6 +402,40 @@ def INR009_applies(inertial):
     link = inertial.link
     return not link.child_joints and (not link.parent_joints) and (link not in inertial.root.parent_joints)
 
+inr_oversized_inertia__LEAST = 1e-06
+
+inr_oversized_inertia__MOST = 20.0
+
+def INR010_applies(inertial):
+    if not inertial.is_given or inertial.inertia is None or (not inr_oversized_inertia__LEAST < inertial.mass.number < math_inf):
+        return False
+    largest = max(inertial.tensor[:3])
+    if not inr_oversized_inertia__MOST * inr_oversized_inertia__MOST * inertial.mass < largest < math_inf:
+        return False
+    return not inertial.link.shapes and (not inertial.link.may_be_static)
+
+def inr_distant_center_of_mass__distance(inertial):
+    return math_hypot(*(inertial.center or (0.0, 0.0, 0.0)))
+
+inr_distant_center_of_mass__MOST = 10.0
+
+def INR011_applies(inertial):
+    if not inertial.is_given or not (inertial.has('pose') or inertial.has('origin')):
+        return False
+    return inr_distant_center_of_mass__distance(inertial) > inr_distant_center_of_mass__MOST and (not inertial.link.may_be_static)
+
+inr_negative_added_mass__DIAGONAL = ('xx', 'yy', 'zz', 'pp', 'qq', 'rr')
+
+def inr_negative_added_mass__negative(inertial):
+    added = inertial.find('fluid_added_mass')
+    for name in () if added is None else inr_negative_added_mass__DIAGONAL:
+        value = added.value(name) if added is not None else None
+        if value is not None and value.number < 0:
+            yield value
+
+def INR012_applies(inertial):
+    return inertial.has('fluid_added_mass') and any(inr_negative_added_mass__negative(inertial))
+
 def jnt_unknown_joint_end___joint_name(end):
     joint = end.element.parent
     return '' if joint is None else joint.attributes.get('name', '').strip()
@@ -323,7 +446,7 @@ def jnt_unknown_joint_end___unknown_ends(joint):
     parent, child = (joint.parent_value, joint.child_value)
     unknown = [parent] if parent is not None and joint.parent is None else []
     unknown += [child] if child is not None and joint.child is None else []
-    if not unknown or joint.is_extension:
+    if not unknown:
         return []
     scope = joint.scope
     found = []
@@ -345,14 +468,14 @@ def JNT001_applies(joint):
 
 def JNT002_applies(joint):
     child, parent = (joint.child_value, joint.parent_value)
-    if child is None or parent is None or joint.is_extension:
+    if child is None or parent is None:
         return False
     if child.text == parent.text:
         return joint.is_urdf or child.text != 'world'
     return joint.child_link is not None and joint.child_link is joint.parent_link
 
 def JNT003_applies(joint):
-    if joint.parent_value is None or joint.child_value is None or joint.is_extension:
+    if joint.parent_value is None or joint.child_value is None:
         return False
     if joint.is_urdf:
         is_link = joint.child_name == 'world' and joint.child is not None
@@ -364,7 +487,7 @@ def JNT003_applies(joint):
     return carrier is not None and carrier.kind == 'world'
 
 def JNT004_applies(joint):
-    return not (joint.is_urdf or joint.is_extension) and any((not axis.is_given and (not joint.misspells(name)) for axis, name in zip(joint.axes, ('axis', 'axis2'), strict=False)))
+    return not joint.is_urdf and any((not axis.is_given and (not joint.misspells(name)) for axis, name in zip(joint.axes, ('axis', 'axis2'), strict=False)))
 
 jnt_inverted_limits__BOUNDED = frozenset(('prismatic', 'revolute'))
 
@@ -374,7 +497,7 @@ def JNT005_applies(limit):
         return False
     if limit.is_urdf and (not (limit.joint.type in jnt_inverted_limits__BOUNDED and math_inf > lower.number and (upper.number > -math_inf))):
         return False
-    return limit.axis.limit is limit and (not limit.is_extension)
+    return limit.axis.limit is limit
 
 jnt_directions__NO_LENGTH = 1e-06
 
@@ -385,7 +508,7 @@ jnt_directions__WITH_AXIS = frozenset(('continuous', 'planar', 'prismatic', 'rev
 
 def jnt_directions__is_used(axis):
     joint = axis.joint
-    if axis.is_extension or (axis is not joint.axis and axis is not joint.axis2):
+    if axis is not joint.axis and axis is not joint.axis2:
         return False
     return not axis.is_urdf or joint.type in jnt_directions__WITH_AXIS
 
@@ -400,7 +523,7 @@ def JNT008_applies(root):
 
 def JNT009_applies(mimic):
     value, joint = (mimic.leader_value, mimic.joint)
-    if value is None or mimic.is_extension or mimic is not mimic.axis.mimic:
+    if value is None or mimic is not mimic.axis.mimic:
         return False
     if mimic.leader is not None:
         return mimic.is_without_axis
@@ -422,7 +545,7 @@ def jnt_negative_limit___negative(part):
     return [(name, number) for name, number in below if number.number < 0 and number.number not in exempt]
 
 def JNT010_applies(part):
-    if not jnt_negative_limit___negative(part) or part.is_extension:
+    if not jnt_negative_limit___negative(part):
         return False
     return part is part.axis.limit or part is part.axis.dynamics
 
@@ -445,7 +568,7 @@ def jnt_useless_limit___useless(limit):
     return [value for value in (lower, upper) if value.is_given and abs(value.number) < jnt_useless_limit__UNLIMITED]
 
 def JNT011_applies(limit):
-    return bool(jnt_useless_limit___useless(limit)) and limit.axis.limit is limit and (not limit.is_extension)
+    return bool(jnt_useless_limit___useless(limit)) and limit.axis.limit is limit
 
 def jnt_mimic_cycle___rings(root):
     found = []
@@ -469,6 +592,61 @@ jnt_non_unit_axis__ROUNDING = 0.001
 
 def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
+
+jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (30.0, 720.0)
+
+jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (30.0, 720.0)
+
+jnt_limits_in_degrees__TURNING = frozenset({'revolute', 'revolute2', 'universal'})
+
+def JNT014_applies(limit):
+    lower, upper = (limit.lower, limit.upper)
+    if not (lower.is_given and upper.is_given and (jnt_limits_in_degrees__LEAST <= max(-lower, upper) <= jnt_limits_in_degrees__MOST)):
+        return False
+    is_whole = lower.number % 1 == 0 == upper.number % 1
+    return is_whole and limit.joint.type in jnt_limits_in_degrees__TURNING and (-lower <= jnt_limits_in_degrees__MOST) and (limit.axis.limit is limit)
+
+jnt_missing_upper_limit__BOUNDED = frozenset({'revolute', 'prismatic'})
+
+def jnt_missing_upper_limit__is_missed(limit):
+    is_endless = limit.range[0] == -float('inf')
+    is_bounded = not limit.is_urdf or limit.joint.type in jnt_missing_upper_limit__BOUNDED
+    return is_bounded and (not is_endless) and limit.lacks('upper') and (limit.axis.limit is limit)
+
+def JNT015_applies(limit):
+    if not limit.lower.is_given or limit.upper.is_given or limit.has('upper'):
+        return False
+    return jnt_missing_upper_limit__is_missed(limit)
+
+def jnt_zero_limit__zeros(limit):
+    if limit.effort and limit.velocity:
+        return {}
+    limits = {'effort': limit.effort, 'velocity': limit.velocity}
+    return {name: number for name, number in limits.items() if number.is_given and number.number == 0}
+
+def JNT016_applies(limit):
+    if not jnt_zero_limit__zeros(limit) or not limit.joint.moves:
+        return False
+    is_locked = limit.lower == limit.upper and limit.range[0] == limit.range[1]
+    return not is_locked and limit.axis.limit is limit
+
+def JNT017_applies(controller):
+    lower, upper = (controller.attribute(name) for name in ('soft_lower_limit', 'soft_upper_limit'))
+    return lower is not None and upper is not None and (lower.number > upper.number)
+
+def JNT018_applies(joint):
+    name = joint.get('gearbox_reference_body') if joint.type == 'gearbox' else None
+    return name is not None and name.strip() != '' and joint.scope.lacks(name.strip())
+
+def jnt_zero_ratio__zeros(joint):
+    if joint.type == 'gearbox':
+        found = {'gearbox_ratio': joint.gearbox_ratio}
+    else:
+        found = {'screw_thread_pitch': joint.screw_thread_pitch, 'thread_pitch': joint.thread_pitch}
+    return {name: number for name, number in found.items() if number.is_given and number.number == 0}
+
+def JNT019_applies(joint):
+    return joint.type in {'gearbox', 'screw'} and bool(jnt_zero_ratio__zeros(joint))
 
 def muj_meshes__compiler(model):
     found = {}
@@ -514,18 +692,18 @@ def muj_undecoded_mesh___by_suffix(model):
 def MUJ002_applies(model):
     return bool(muj_undecoded_mesh___by_suffix(model))
 
-muj_massless_body__LEAST = 1e-15
+muj_mass__LEAST = 1e-15
 
-def muj_massless_body___has_mass(link):
+def muj_mass___has_mass(link):
     inertial = link.inertial
     if not inertial.is_given:
         return link.has('collision')
     if not inertial.has('mass') or not inertial.has('inertia'):
         return True
     numbers = [inertial.mass, *(inertial.moments[moment] for moment in ('ixx', 'iyy', 'izz'))]
-    return not any((number.is_given and number.number <= muj_massless_body__LEAST for number in numbers))
+    return not any((number.is_given and number.number <= muj_mass__LEAST for number in numbers))
 
-def muj_massless_body___fused(link):
+def muj_mass___fused(link):
     found = {link}
     waiting = [link]
     while waiting:
@@ -536,22 +714,22 @@ def muj_massless_body___fused(link):
                 waiting.append(child)
     return found
 
+def muj_mass__is_massless(link):
+    joints = link.parent_joints
+    return bool(joints) and joints[0].moves and (not any(map(muj_mass___has_mass, muj_mass___fused(link))))
+
 def MUJ003_applies(link):
-    if not link.is_urdf or not link.parent_joints or (not link.parent_joints[0].moves):
-        return False
-    return not any(map(muj_massless_body___has_mass, muj_massless_body___fused(link)))
+    return link.is_urdf and muj_mass__is_massless(link)
 
 muj_singular_inertia__LEAST = 1e-14
 
 def MUJ004_applies(inertial):
-    if not inertial.is_urdf or inertial.is_unremarkable or (not inertial.is_legible):
+    if not inertial.is_urdf or inertial.inertia is None or (not inertial.is_legible):
         return False
-    joints = inertial.link.parent_joints
-    if inertial.inertia is None or (joints and joints[0].moves):
+    low, _, high = inertial.principal
+    if low >= muj_singular_inertia__LEAST or high <= 0 or inertial.tensor.is_indefinite or inertial.tensor.is_impossible:
         return False
-    low, middle, high = inertial.principal
-    is_body = low + middle >= high * (1 - muj_singular_inertia__LEAST) and low > -muj_singular_inertia__LEAST * high
-    return high > 0 and low < muj_singular_inertia__LEAST and is_body
+    return not muj_mass__is_massless(inertial.link)
 
 def NAM001_applies(root):
     return any((first.kind == later.kind for first, later in root.names.shared))
@@ -572,7 +750,8 @@ def NAM003_applies(root):
     return is_referred_to or any((nam_reserved_name___is_reserved(name, root) for name in root.names.special))
 
 def nam_delimiter_in_name___is_divided(name):
-    return '::' in name.name and ':' not in name.kind and (name.kind != 'material')
+    is_free = ':' in name.kind or name.kind == 'material' or name.is_extension
+    return '::' in name.name and (not is_free)
 
 def NAM004_applies(root):
     return any(map(nam_delimiter_in_name___is_divided, root.names.special))
@@ -594,11 +773,238 @@ def nam_blank_around_name___is_standard(name):
 def NAM007_applies(root):
     return any(map(nam_blank_around_name___is_standard, root.names.padded))
 
+def NS003_applies(prefix):
+    return bool(prefix.undeclared) and (prefix.name != 'xacro' or prefix.document.kind.value != 'xacro')
+
+def NS004_applies(declaration):
+    return declaration.first is not None
+
+def NS005_applies(declaration):
+    return declaration.name == 'xmlns' and declaration.document.kind.value == 'sdf'
+
+def ns_prefix_declared_below_root___below(prefix):
+    return [each for each in prefix.declarations if each.is_used and (not each.is_on_root)]
+
+def NS006_applies(prefix):
+    return not prefix.undeclared and bool(ns_prefix_declared_below_root___below(prefix))
+
+def ns_soundness__is_malformed(name):
+    prefix, _, local = name.partition(':')
+    return not prefix or not local or ':' in local
+
+ns_soundness__XML_NAMESPACE = 'http://www.w3.org/XML/1998/namespace'
+
+ns_soundness__XMLNS_NAMESPACE = 'http://www.w3.org/2000/xmlns/'
+
+def ns_soundness__is_reserved(declaration):
+    if declaration.prefix == 'xml':
+        return declaration.namespace != ns_soundness__XML_NAMESPACE
+    return declaration.prefix == 'xmlns' or declaration.namespace in {ns_soundness__XML_NAMESPACE, ns_soundness__XMLNS_NAMESPACE}
+
+def ns_soundness__is_sound(declaration):
+    if ns_soundness__is_malformed(declaration.name) or declaration.first is not None:
+        return False
+    return bool(declaration.namespace.strip()) and (not ns_soundness__is_reserved(declaration))
+
+def ns_unused_prefix___unused(declaration):
+    return [each for each in declaration.beside if not each.is_used and ns_soundness__is_sound(each)]
+
+def NS007_applies(declaration):
+    if declaration.is_used or declaration.document.kind.value == 'xacro':
+        return False
+    return ns_unused_prefix___unused(declaration)[:1] == [declaration]
+
+def NS008_applies(named):
+    if isinstance(named, sdfcheck_.PrefixedName):
+        return ns_soundness__is_malformed(named.name) and (not named.is_in_plugin)
+    return ns_soundness__is_malformed(named.name) and named.name != 'xmlns'
+
 def NS009_applies(custom):
     return bool(custom.displaced)
 
 def NS010_applies(custom):
     return bool(custom.replaced)
+
+def NS011_applies(declaration):
+    outer = declaration.outer
+    is_rival = declaration.twin is not None if outer is None else outer.namespace != declaration.namespace
+    return is_rival and ns_soundness__is_sound(declaration)
+
+def NS012_applies(declaration):
+    if declaration.namespace.strip() or ns_soundness__is_malformed(declaration.name):
+        return False
+    return declaration.first is None and (not ns_soundness__is_reserved(declaration))
+
+def NS013_applies(named):
+    if ns_soundness__is_malformed(named.name):
+        return False
+    if isinstance(named, sdfcheck_.PrefixedName):
+        return named.prefix == 'xmlns'
+    return ns_soundness__is_reserved(named) and named.first is None
+
+def NS014_applies(named):
+    return named.first is not None
+
+def R2C001_applies(block):
+    return any((True for _ in block.lacking))
+
+r2c_unknown_control_type__TYPES = ('actuator', 'sensor', 'system')
+
+def R2C002_applies(block):
+    return block.type_value is not None and block.type.strip() not in r2c_unknown_control_type__TYPES and ('$' not in block.type)
+
+def R2C003_applies(block):
+    return block.first_of_name is not None
+
+def R2C004_applies(block):
+    return block.has('ros2_control')
+
+def R2C005_applies(block):
+    return any((holder is block.element for _, holder, _ in block.foreign))
+
+def R2C006_applies(block):
+    return any((holder is not block.element and ':' not in child.name for child, holder, _ in block.foreign))
+
+def R2C007_applies(block):
+    return any((True for _ in block.without_plugin))
+
+def R2C008_applies(block):
+    plugin = block.plugin_value
+    return plugin is not None and '::' in plugin.text and ('/' not in plugin.text) and ('$' not in plugin.text)
+
+r2c_unknown_control_plugin__KNOWN = ('fake_components/GenericSystem', 'gazebo_ros2_control/GazeboSystem', 'gz_ros2_control/GazeboSimSystem', 'ign_ros2_control/IgnitionSystem', 'joint_state_topic_hardware_interface/JointStateTopicSystem', 'mock_components/GenericSystem', 'mujoco_ros2_control/MujocoSystem', 'topic_based_ros2_control/TopicBasedSystem')
+
+r2c_unknown_control_plugin__OWNERS = {'fake_components': 'fake_components/GenericSystem', 'gz_ros2_control': 'gz_ros2_control/GazeboSimSystem', 'ign_ros2_control': 'ign_ros2_control/IgnitionSystem', 'mock_components': 'mock_components/GenericSystem'}
+
+def r2c_unknown_control_plugin__meant(plugin):
+    return sdfcheck_.suggest(plugin, r2c_unknown_control_plugin__KNOWN) or r2c_unknown_control_plugin__OWNERS.get(plugin.partition('/')[0])
+
+def R2C009_applies(block):
+    plugin = block.plugin_value
+    if plugin is None or plugin.text in r2c_unknown_control_plugin__KNOWN or '/' not in plugin.text:
+        return False
+    return r2c_unknown_control_plugin__meant(plugin.text) is not None
+
+r2c_obsolete_control_plugin__NOW = {'fake_components/GenericSystem': ('mock_components/GenericSystem', 'gone from jazzy on', sdfcheck_.Severity.WARNING), 'ign_ros2_control/IgnitionSystem': ('gz_ros2_control/GazeboSimSystem', 'an old name from iron on', sdfcheck_.Severity.INFO)}
+
+def R2C010_applies(block):
+    plugin = block.plugin_value
+    return plugin is not None and plugin.text in r2c_obsolete_control_plugin__NOW
+
+def R2C011_applies(component):
+    joint = component.joint
+    return joint is not None and joint.type in {'fixed', 'floating', 'planar'}
+
+def R2C012_applies(component):
+    return component.earlier is not None
+
+def R2C013_applies(interface):
+    return interface.twin is not None
+
+def R2C014_applies(component):
+    return component.what == 'joint' and any((True for _ in component.rivals))
+
+def R2C015_applies(component):
+    return bool(component.commands) and component.mimic is not None
+
+def R2C016_applies(component):
+    mimic = component.mimic
+    return mimic is not None and mimic.leader is not None and (mimic.leader_name not in component.block.joints)
+
+def R2C017_applies(component):
+    value, joint = (component.mimic_value, component.joint)
+    return value is not None and value.text.strip().lower() == 'true' and (joint is not None) and (joint.axis.mimic is None)
+
+def R2C018_applies(component):
+    return component.what == 'joint' and bool(component.mimic_parameters)
+
+def R2C019_applies(block):
+    return any((True for _ in block.unsound))
+
+def R2C020_applies(interface):
+    return bool(interface.malformed)
+
+def R2C021_applies(interface):
+    return interface.minimum.number > interface.maximum.number
+
+def R2C022_applies(interface):
+    joint = interface.component.joint
+    if joint is None or interface.is_command or interface.name != 'position' or (joint.axis_count != 1):
+        return False
+    low, high = joint.axis.limit.range
+    return interface.initial.number < low or interface.initial.number > high
+
+def R2C023_applies(interface):
+    component = interface.component
+    return interface.is_command and 'sensor' in {component.what, component.block.type}
+
+r2c_misspelled_interface__OF_JOINTS = frozenset(('acceleration', 'current', 'derivative', 'effort', 'feedforward', 'force', 'integral', 'jerk', 'position', 'position_pid', 'proportional', 'temperature', 'torque', 'velocity', 'velocity_pid'))
+
+r2c_misspelled_interface__OF_SENSORS = frozenset((f'{what}.{axis}' for what, axes in (('orientation', 'xyzw'), ('angular_velocity', 'xyz'), ('linear_acceleration', 'xyz'), ('force', 'xyz'), ('torque', 'xyz'), ('magnetic_field', 'xyz')) for axis in axes))
+
+r2c_misspelled_interface__SHORT = {'acc': 'acceleration', 'eff': 'effort', 'pos': 'position', 'vel': 'velocity'}
+
+def r2c_misspelled_interface__meant(interface):
+    name, what = (interface.name, interface.component.what)
+    known = r2c_misspelled_interface__OF_JOINTS if what == 'joint' else r2c_misspelled_interface__OF_SENSORS if what == 'sensor' else frozenset[str]()
+    if name in known:
+        return None
+    if what == 'joint' and name in r2c_misspelled_interface__SHORT:
+        return r2c_misspelled_interface__SHORT[name]
+    near = sdfcheck_.suggest(name.replace('.', '_'), {each.replace('.', '_'): each for each in known})
+    if near is None or name.startswith((f'{near}_', f'{near}.', f'{near}1', f'{near}2')):
+        return None
+    return next((each for each in known if each.replace('.', '_') == near))
+
+def R2C024_applies(interface):
+    return interface.is_readable and r2c_misspelled_interface__meant(interface) is not None
+
+def R2C025_applies(transmission):
+    return bool(transmission.unresolved)
+
+r2c_unknown_imu_interface__IMU = frozenset((f'{what}.{axis}' for what, axes in (('orientation', 'xyzw'), ('angular_velocity', 'xyz'), ('linear_acceleration', 'xyz')) for axis in axes))
+
+def r2c_unknown_imu_interface__is_near(name):
+    return sdfcheck_.suggest(name.replace('.', '_'), {each.replace('.', '_') for each in r2c_unknown_imu_interface__IMU}) is not None
+
+def R2C026_applies(interface):
+    component = interface.component
+    if component.sensor is None or interface.is_command or interface.name in r2c_unknown_imu_interface__IMU or (not interface.is_readable):
+        return False
+    return component.sensor.type == 'imu' and component.block.is_simulated and (not r2c_unknown_imu_interface__is_near(interface.name))
+
+r2c_control_plugin_without_parameters__NEEDY = frozenset((f'{prefix}{name}{suffix}' for name in ('gz_ros2_control-system', 'ign_ros2_control-system') for prefix, suffix in (('', ''), ('lib', '.so'), ('lib', ''), ('', '.so'))))
+
+def R2C027_applies(plugin):
+    return plugin.filename in r2c_control_plugin_without_parameters__NEEDY and (not any((each.content for each in plugin.children('parameters'))))
+
+r2c_unknown_control_simulator__CLASSES = {'gz_ros2_control-system': ('gz_ros2_control::GazeboSimROS2ControlPlugin', 'ign_ros2_control::IgnitionROS2ControlPlugin'), 'ign_ros2_control-system': ('ign_ros2_control::IgnitionROS2ControlPlugin', 'gz_ros2_control::GazeboSimROS2ControlPlugin')}
+
+def R2C028_applies(plugin):
+    file = plugin.filename.removeprefix('lib').removesuffix('.so')
+    if file in r2c_unknown_control_simulator__CLASSES:
+        return bool(plugin.name) and plugin.name not in r2c_unknown_control_simulator__CLASSES[file]
+    return sdfcheck_.suggest(file, r2c_unknown_control_simulator__CLASSES) is not None
+
+def R2C029_applies(block):
+    return block.is_simulated and (not any(('ros2_control' in plugin.filename for plugin in block.model.plugins)))
+
+def R2C030_applies(component):
+    return not component.interfaces and (not any((child.tag != 'param' for child in component.children())))
+
+def R2C031_applies(interface):
+    if interface.component.what != 'joint' or interface.is_limited:
+        return False
+    return interface.minimum.is_given or interface.maximum.is_given
+
+def R2C032_applies(interface):
+    return any((True for _ in interface.widened))
+
+def R2C033_applies(interface):
+    if not interface.is_limited or interface.name not in {'velocity', 'effort'}:
+        return False
+    low, high = (interface.minimum, interface.maximum)
+    return low.is_given and high.is_given and (low.number <= high.number) and (abs(low.number + high.number) > 1e-09)
 
 def RES001_applies(root):
     return any((resource.is_missing for resource in root.resources))
@@ -674,6 +1080,42 @@ def res_unportable_mesh_uri__scheme(resource):
 def RES013_applies(root):
     return root.is_urdf and any((res_unportable_mesh_uri__scheme(resource) is not None for resource in root.resources))
 
+def RES014_applies(plugin):
+    return bool(plugin.unresolved)
+
+def RES015_applies(plugin):
+    return plugin.meant_file is not None
+
+res_plugin_name_mismatch__GZ_SIM = 'gz-sim'
+
+def RES016_applies(plugin):
+    if not plugin.name or plugin.known is None or plugin.known.generation != res_plugin_name_mismatch__GZ_SIM:
+        return False
+    if plugin.name.startswith('ignition::') or '$' in plugin.name:
+        return False
+    return not plugin.known.is_class(plugin.name)
+
+def res_repeated_system__distinction(plugin):
+    texts = (plugin.get('robotNamespace'), plugin.get('namespace'), plugin.get('controller_manager_name'))
+    return (*texts, plugin.get('ros/namespace'))
+
+def res_repeated_system__first(plugin):
+    for sibling in plugin.siblings:
+        if sibling is plugin:
+            return None
+        if sibling.known == plugin.known and res_repeated_system__distinction(sibling) == res_repeated_system__distinction(plugin):
+            return sibling
+    return None
+
+def RES017_applies(plugin):
+    return plugin.known is not None and plugin.known.once != '' and (res_repeated_system__first(plugin) is not None)
+
+def RES018_applies(world):
+    return any(world.unserved_sensors)
+
+def RES019_applies(plugin):
+    return any(plugin.misspelled_parameters)
+
 def SCH001_applies(root):
     if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):
         return False
@@ -725,7 +1167,7 @@ def sch_mismatched_sensor__lacks_settings(sensor):
 
 def SCH018_applies(sensor):
     expected = sensor.settings_names
-    if not expected or sensor.root.is_urdf or any((sensor.misspells(name) for name in expected)):
+    if not expected or any((sensor.misspells(name) for name in expected)):
         return False
     return sch_mismatched_sensor__wrong_settings(sensor) is not None or sch_mismatched_sensor__lacks_settings(sensor)
 
@@ -742,6 +1184,117 @@ def sch_impossible_cone__wrong_angle(light):
 
 def SCH021_applies(light):
     return light.has('spot') and light.type == 'spot' and bool(sch_impossible_cone__wrong_angle(light))
+
+def sch_zero_direction__zero_direction(part):
+    holder = part.find('plane') if part.kind == 'geometry' else part.element
+    if holder is None or (isinstance(part, sdfcheck_.Light) and part.type == 'point'):
+        return None
+    child = holder.find('normal' if part.kind == 'geometry' else 'direction')
+    if child is None:
+        return None
+    words = child.content.split()
+    is_zero = len(words) == 3 and all((word.strip('0.+-') == '' and '0' in word for word in words))
+    return child.own_value if is_zero else None
+
+def SCH022_applies(part):
+    if part.kind == 'light':
+        return part.has('direction') and sch_zero_direction__zero_direction(part) is not None
+    return part.has('plane') and sch_zero_direction__zero_direction(part) is not None
+
+def sch_zero_mesh_scale__scale(geometry):
+    mesh = geometry.find('mesh')
+    value = None if mesh is None else mesh.value('scale')
+    return sdfcheck_.Vector.of(value, geometry.element, (1.0, 1.0, 1.0))
+
+def SCH023_applies(geometry):
+    return geometry.has('mesh') and 0 in sch_zero_mesh_scale__scale(geometry)
+
+def sch_negative_light_range__reach(light):
+    attenuation = light.find('attenuation')
+    value = None if attenuation is None else attenuation.value('range')
+    return sdfcheck_.Number.of(value, light.element, 10.0)
+
+def SCH024_applies(light):
+    return light.has('attenuation') and sch_negative_light_range__reach(light).number < 0
+
+sch_scan_in_degrees__NAMES = ('min_angle', 'max_angle')
+
+sch_scan_in_degrees__TURN = 2 * math_pi * 1.01
+
+def sch_scan_in_degrees__wide_angles(sensor):
+    for name in ('lidar', 'ray'):
+        settings = sensor.find(name)
+        scan = None if settings is None else settings.find('scan')
+        for direction in () if scan is None else scan.children():
+            for angle in sch_scan_in_degrees__NAMES if direction.name in {'horizontal', 'vertical'} else ():
+                value = direction.value(angle)
+                if value is not None and sch_scan_in_degrees__TURN < abs(value.number) < 1000000.0:
+                    yield value
+
+def SCH025_applies(sensor):
+    return (sensor.has('lidar') or sensor.has('ray')) and any(sch_scan_in_degrees__wide_angles(sensor))
+
+sch_long_step__MOST = 0.5
+
+def SCH026_applies(physics):
+    return physics.max_step_size.number >= sch_long_step__MOST
+
+def sch_unknown_animation__animations(actor):
+    names = {animation.attributes.get('name', '').strip() for animation in actor.animations}
+    return names - {''}
+
+def sch_unknown_animation__unknown(actor):
+    names = sch_unknown_animation__animations(actor)
+    for trajectory in actor.trajectories:
+        value = trajectory.attribute('type')
+        if value is not None and value.text.strip() and (value.text.strip() not in names):
+            yield value
+
+def SCH027_applies(actor):
+    return bool(actor.animations) and any(sch_unknown_animation__unknown(actor))
+
+def sch_unordered_waypoints__disorder(actor):
+    for trajectory in actor.trajectories:
+        written = (waypoint.value('time') for waypoint in trajectory.children('waypoint'))
+        times = [value for value in written if value is not None]
+        pairs = itertools_pairwise(times)
+        found = next((pair for pair in pairs if pair[0].number >= pair[1].number), None)
+        if found is not None:
+            yield found
+
+def SCH028_applies(actor):
+    return any(sch_unordered_waypoints__disorder(actor))
+
+def sch_empty_trajectory__is_empty(trajectory):
+    return next(trajectory.children(), None) is None
+
+def SCH029_applies(actor):
+    return any(map(sch_empty_trajectory__is_empty, actor.trajectories))
+
+def sch_blank_in_topic__topic(sensor):
+    value = sensor.value('topic')
+    return value if value is not None and len(value.text.split()) > 1 else None
+
+def SCH030_applies(sensor):
+    return sensor.has('topic') and sch_blank_in_topic__topic(sensor) is not None
+
+def SRD001_applies(semantics):
+    return bool(semantics.robots) and any((True for _ in semantics.unknown))
+
+def SRD002_applies(semantics):
+    return any((True for _ in semantics.unknown_groups))
+
+def SRD003_applies(semantics):
+    return any((True for _ in semantics.lacking))
+
+def SRD004_applies(semantics):
+    return any((True for _ in semantics.doubled))
+
+def SRD005_applies(semantics):
+    return any((semantics.miscounted(each) is not None for each in semantics.state_values))
+
+def SRD006_applies(semantics):
+    return any((semantics.outside(each) is not None for each in semantics.state_values))
 
 def URD003_applies(robot):
     return any((len(group) > 1 for group in robot.tree.loose_groups))
@@ -796,9 +1349,12 @@ def URD011_applies(transmission):
 def URD012_applies(control):
     return bool(control.unresolved)
 
+def urd_vanishing_root__is_world_alone(robot):
+    return len(robot.links) == 1 and robot.links[0].name == 'world'
+
 def URD013_applies(robot):
     lumping = robot.lumping
-    return not lumping.with_mass.issuperset(lumping.tops)
+    return not lumping.with_mass.issuperset(lumping.tops) or urd_vanishing_root__is_world_alone(robot)
 
 def urd_massless_moving_link__is_apart(link):
     joint = link.parent_joints[0]
@@ -840,8 +1396,11 @@ urd_singular_pitch__NOTABLE = 0.0001
 def URD016_applies(origin):
     return not origin.is_quaternion and urd_singular_pitch__error(origin) > urd_singular_pitch__NOTABLE
 
+def urd_delimiter_in_extension___is_in_plugin(element):
+    return element.name == 'plugin' or any((around.tag == 'plugin' for around in element.iterancestors()))
+
 def urd_delimiter_in_extension__delimited(block):
-    named = (element.attribute('name') for element in block.all_elements() if element.name != 'plugin')
+    named = (element.attribute('name') for element in block.all_elements() if not urd_delimiter_in_extension___is_in_plugin(element))
     return [value for value in named if value is not None and '::' in value.text]
 
 def URD017_applies(block):
@@ -853,6 +1412,32 @@ def URD018_applies(mimic):
 def URD020_applies(joint):
     return joint.type in ('floating', 'planar')
 
+def URD021_applies(link):
+    return link.name.startswith('/')
+
+def URD022_applies(node):
+    return ' ' in node.name
+
+def URD023_applies(mimic):
+    is_late = mimic.next is not None and mimic.leader_name > mimic.joint.name
+    return is_late and (not mimic.leads_into_ring)
+
+urd_missing_hardware_interface__PREFIX = 'transmission_interface/'
+
+def urd_missing_hardware_interface__bare_joints(transmission):
+    if any((actuator.has('hardwareInterface') for actuator in transmission.actuators)):
+        return []
+    return [joint for joint in transmission.joint_elements if not joint.has('hardwareInterface')]
+
+def urd_missing_hardware_interface__is_for_ros_control(transmission):
+    text = transmission.document.source.text
+    return '<hardwareInterface' in text or 'ros_control' in text
+
+def URD024_applies(transmission):
+    value = transmission.type_value
+    is_ours = value is not None and value.text.strip().startswith(urd_missing_hardware_interface__PREFIX)
+    return is_ours and bool(urd_missing_hardware_interface__bare_joints(transmission)) and urd_missing_hardware_interface__is_for_ros_control(transmission)
+
 xml_missing_root__OLD = 'gazebo'
 
 xml_missing_root__FORGOTTEN = frozenset({'model', 'world', xml_missing_root__OLD})
@@ -861,6 +1446,19 @@ def XML011_applies(root):
     return not root.is_urdf and root.element.name in xml_missing_root__FORGOTTEN and (root.document.kind.value == 'sdf')
 
 CONDITIONS = {
+    'DRK001': DRK001_applies,
+    'DRK002': DRK002_applies,
+    'DRK003': DRK003_applies,
+    'DRK004': DRK004_applies,
+    'DRK005': DRK005_applies,
+    'DRK006': DRK006_applies,
+    'DRK007': DRK007_applies,
+    'DRK016': DRK016_applies,
+    'DRK017': DRK017_applies,
+    'DRK018': DRK018_applies,
+    'DRK019': DRK019_applies,
+    'DRK020': DRK020_applies,
+    'DRK021': DRK021_applies,
     'DRK022': DRK022_applies,
     'FRM001': FRM001_applies,
     'FRM002': FRM002_applies,
@@ -878,6 +1476,8 @@ CONDITIONS = {
     'GAZ006': GAZ006_applies,
     'GAZ007': GAZ007_applies,
     'GAZ008': GAZ008_applies,
+    'GAZ009': GAZ009_applies,
+    'GAZ010': GAZ010_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -887,6 +1487,9 @@ CONDITIONS = {
     'INR007': INR007_applies,
     'INR008': INR008_applies,
     'INR009': INR009_applies,
+    'INR010': INR010_applies,
+    'INR011': INR011_applies,
+    'INR012': INR012_applies,
     'JNT001': JNT001_applies,
     'JNT002': JNT002_applies,
     'JNT003': JNT003_applies,
@@ -900,6 +1503,12 @@ CONDITIONS = {
     'JNT011': JNT011_applies,
     'JNT012': JNT012_applies,
     'JNT013': JNT013_applies,
+    'JNT014': JNT014_applies,
+    'JNT015': JNT015_applies,
+    'JNT016': JNT016_applies,
+    'JNT017': JNT017_applies,
+    'JNT018': JNT018_applies,
+    'JNT019': JNT019_applies,
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,
@@ -910,8 +1519,51 @@ CONDITIONS = {
     'NAM004': NAM004_applies,
     'NAM005': NAM005_applies,
     'NAM007': NAM007_applies,
+    'NS003': NS003_applies,
+    'NS004': NS004_applies,
+    'NS005': NS005_applies,
+    'NS006': NS006_applies,
+    'NS007': NS007_applies,
+    'NS008': NS008_applies,
     'NS009': NS009_applies,
     'NS010': NS010_applies,
+    'NS011': NS011_applies,
+    'NS012': NS012_applies,
+    'NS013': NS013_applies,
+    'NS014': NS014_applies,
+    'R2C001': R2C001_applies,
+    'R2C002': R2C002_applies,
+    'R2C003': R2C003_applies,
+    'R2C004': R2C004_applies,
+    'R2C005': R2C005_applies,
+    'R2C006': R2C006_applies,
+    'R2C007': R2C007_applies,
+    'R2C008': R2C008_applies,
+    'R2C009': R2C009_applies,
+    'R2C010': R2C010_applies,
+    'R2C011': R2C011_applies,
+    'R2C012': R2C012_applies,
+    'R2C013': R2C013_applies,
+    'R2C014': R2C014_applies,
+    'R2C015': R2C015_applies,
+    'R2C016': R2C016_applies,
+    'R2C017': R2C017_applies,
+    'R2C018': R2C018_applies,
+    'R2C019': R2C019_applies,
+    'R2C020': R2C020_applies,
+    'R2C021': R2C021_applies,
+    'R2C022': R2C022_applies,
+    'R2C023': R2C023_applies,
+    'R2C024': R2C024_applies,
+    'R2C025': R2C025_applies,
+    'R2C026': R2C026_applies,
+    'R2C027': R2C027_applies,
+    'R2C028': R2C028_applies,
+    'R2C029': R2C029_applies,
+    'R2C030': R2C030_applies,
+    'R2C031': R2C031_applies,
+    'R2C032': R2C032_applies,
+    'R2C033': R2C033_applies,
     'RES001': RES001_applies,
     'RES002': RES002_applies,
     'RES003': RES003_applies,
@@ -924,11 +1576,32 @@ CONDITIONS = {
     'RES011': RES011_applies,
     'RES012': RES012_applies,
     'RES013': RES013_applies,
+    'RES014': RES014_applies,
+    'RES015': RES015_applies,
+    'RES016': RES016_applies,
+    'RES017': RES017_applies,
+    'RES018': RES018_applies,
+    'RES019': RES019_applies,
     'SCH001': SCH001_applies,
     'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,
     'SCH018': SCH018_applies,
     'SCH021': SCH021_applies,
+    'SCH022': SCH022_applies,
+    'SCH023': SCH023_applies,
+    'SCH024': SCH024_applies,
+    'SCH025': SCH025_applies,
+    'SCH026': SCH026_applies,
+    'SCH027': SCH027_applies,
+    'SCH028': SCH028_applies,
+    'SCH029': SCH029_applies,
+    'SCH030': SCH030_applies,
+    'SRD001': SRD001_applies,
+    'SRD002': SRD002_applies,
+    'SRD003': SRD003_applies,
+    'SRD004': SRD004_applies,
+    'SRD005': SRD005_applies,
+    'SRD006': SRD006_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,
     'URD005': URD005_applies,
@@ -945,5 +1618,9 @@ CONDITIONS = {
     'URD017': URD017_applies,
     'URD018': URD018_applies,
     'URD020': URD020_applies,
+    'URD021': URD021_applies,
+    'URD022': URD022_applies,
+    'URD023': URD023_applies,
+    'URD024': URD024_applies,
     'XML011': XML011_applies,
 }

@@ -12,23 +12,16 @@ if TYPE_CHECKING:
     from sdfcheck import problems
     from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
     from sdfcheck.consumers.drake_limits import Ignored, ignored_by_drake
-    from sdfcheck.consumers.reaction import (
-        REFUSES,
-        Consumer,
-        Reaction,
-        Verdict,
-        accepts,
-        refuses,
-        warns,
-    )
-    from sdfcheck.consumers.urdf_readers import lacking, repeating, undersized, unreadable
+    from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, Verdict, accepts, refuses, warns
+    from sdfcheck.consumers.urdf_readers import lacking, repeating, undersized, unexpanded, unreadable
     from sdfcheck.convert.call import convert
     from sdfcheck.convert.file_difference import FileDifference
     from sdfcheck.convert.loss import Loss, NotConvertible
     from sdfcheck.convert.result import Conversion
+    from sdfcheck.formats.namespaces import Prefix, PrefixDeclaration, PrefixedName
     from sdfcheck.formats.suggest import suggest, suggest_in
     from sdfcheck.lint.call import lint
-    from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
+    from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
     from sdfcheck.lint.example import (
         IN_COLLISION,
         IN_JOINT,
@@ -59,16 +52,18 @@ if TYPE_CHECKING:
     from sdfcheck.robot.includes.model_config import ConfigFault, ModelConfig
     from sdfcheck.robot.includes.uri_spelling import UriFault
     from sdfcheck.robot.model import Model
-    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.pose import Pose
     from sdfcheck.robot.motion.poses import PoseError
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.naming.frame_reference import FrameReference
-    from sdfcheck.robot.naming.names import Name
+    from sdfcheck.robot.naming.name import Name
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
-    from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
+    from sdfcheck.robot.parts.actuation import Transmission
     from sdfcheck.robot.parts.axis import Axis, Dynamics, Limit, Mimic
+    from sdfcheck.robot.parts.control import ControlTransmission, Ros2Control
+    from sdfcheck.robot.parts.control_component import ControlComponent, ControlInterface
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.include import Include
     from sdfcheck.robot.parts.inertial import Inertial
@@ -85,7 +80,10 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
     from sdfcheck.robot.root import Root
     from sdfcheck.robot.scope import Scope
+    from sdfcheck.robot.semantics.semantics import Semantics
     from sdfcheck.robot.values import Flag, Number, Text, Vector
+    from sdfcheck.robot.vendor.tag import VendorTag
+    from sdfcheck.robot.vendor.value import VendorValue
     from sdfcheck.robot.world import World
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
@@ -98,8 +96,9 @@ _HOMES = {
     "sdfcheck.convert.file_difference": "FileDifference",
     "sdfcheck.convert.loss": "Loss NotConvertible",
     "sdfcheck.convert.result": "Conversion",
+    "sdfcheck.formats.namespaces": "Prefix PrefixDeclaration PrefixedName",
     "sdfcheck.formats.suggest": "suggest suggest_in",
-    "sdfcheck.lint.diagnostic": "Diagnostic Label Origin Severity",
+    "sdfcheck.lint.diagnostic": "Diagnostic Label Missing MissingKind Origin Severity",
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
     ),
@@ -108,7 +107,7 @@ _HOMES = {
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix replace",
     "sdfcheck.lint.run": "Run",
-    "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unreadable",
+    "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unexpanded unreadable",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.robot.access.load": "Unreadable load parse",
@@ -121,14 +120,16 @@ _HOMES = {
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
     "sdfcheck.robot.access.lookup": "NotFound",
     "sdfcheck.robot.model": "Model",
-    "sdfcheck.robot.motion.mass": "MassProperties",
+    "sdfcheck.robot.motion.mass_properties": "MassProperties",
     "sdfcheck.robot.motion.pose": "Pose",
     "sdfcheck.robot.motion.poses": "PoseError",
     "sdfcheck.robot.motion.tree": "Tree",
-    "sdfcheck.robot.naming.names": "Name",
+    "sdfcheck.robot.naming.name": "Name",
     "sdfcheck.robot.node": "Node",
     "sdfcheck.robot.part": "Part",
-    "sdfcheck.robot.parts.actuation": "Ros2Control Transmission",
+    "sdfcheck.robot.parts.actuation": "Transmission",
+    "sdfcheck.robot.parts.control": "ControlTransmission Ros2Control",
+    "sdfcheck.robot.parts.control_component": "ControlComponent ControlInterface",
     "sdfcheck.robot.parts.axis": "Axis Dynamics Limit Mimic",
     "sdfcheck.robot.parts.gazebo": "GazeboBlock",
     "sdfcheck.robot.parts.include": "Include",
@@ -147,8 +148,11 @@ _HOMES = {
     "sdfcheck.robot.naming.frame_reference": "FrameReference",
     "sdfcheck.robot.root": "Root",
     "sdfcheck.robot.scope": "Scope",
+    "sdfcheck.robot.semantics.semantics": "Semantics",
     "sdfcheck.robot.includes.uri_spelling": "UriFault",
     "sdfcheck.robot.values": "Flag Number Text Vector",
+    "sdfcheck.robot.vendor.tag": "VendorTag",
+    "sdfcheck.robot.vendor.value": "VendorValue",
     "sdfcheck.robot.world": "World",
     "sdfcheck.source.document": "Document",
     "sdfcheck.source.element": "Element Value",
@@ -177,6 +181,9 @@ __all__ = [
     "ConfigFault",
     "Consumer",
     "Contact",
+    "ControlComponent",
+    "ControlInterface",
+    "ControlTransmission",
     "Conversion",
     "Custom",
     "DescriptionError",
@@ -207,6 +214,8 @@ __all__ = [
     "MassProperties",
     "Material",
     "Mimic",
+    "Missing",
+    "MissingKind",
     "Model",
     "ModelConfig",
     "Name",
@@ -223,6 +232,9 @@ __all__ = [
     "Pose",
     "PoseError",
     "Position",
+    "Prefix",
+    "PrefixDeclaration",
+    "PrefixedName",
     "Reaction",
     "Resource",
     "Root",
@@ -230,6 +242,7 @@ __all__ = [
     "Rule",
     "Run",
     "Scope",
+    "Semantics",
     "Sensor",
     "Setting",
     "Severity",
@@ -247,6 +260,8 @@ __all__ = [
     "Value",
     "Vector",
     "VendorRule",
+    "VendorTag",
+    "VendorValue",
     "Verdict",
     "Visual",
     "World",
@@ -276,6 +291,7 @@ __all__ = [
     "suggest_in",
     "targets",
     "undersized",
+    "unexpanded",
     "unreadable",
     "used",
     "warns",
@@ -289,8 +305,7 @@ def __getattr__(name: str) -> Any:
         return import_module(f"sdfcheck.{name}")
     if name not in _HOME_OF:
         raise AttributeError(f"module 'sdfcheck' has no attribute {name!r}")
-    value = getattr(import_module(_HOME_OF[name]), name)
-    globals()[name] = value
+    value = globals()[name] = getattr(import_module(_HOME_OF[name]), name)
     return value
 
 

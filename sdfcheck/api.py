@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.robot.access.load import as_text, load, parse
-from sdfcheck.robot.root import Root
+from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.convert.file_difference import FileDifference
     from sdfcheck.lint.diagnostic import Diagnostic
-    from sdfcheck.lint.fix.fixer import Mended
+    from sdfcheck.lint.fix.fixer import FixedFile
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.targets import Row
     from sdfcheck.robot.motion.mass_report import MassReport
@@ -36,7 +36,7 @@ def fix(  # noqa: PLR0913
     config: Path | None = None,
     isolated: bool = False,
     trust_config: bool = False,
-) -> tuple[Mended, ...]:
+) -> tuple[FixedFile, ...]:
     """Apply the fixes of what ``lint`` finds in files and folders.
 
     Each result has the ``path``, the bytes ``before`` and ``after``, how many fixes were applied (``fixed``)
@@ -50,7 +50,7 @@ def fix(  # noqa: PLR0913
     from sdfcheck.files.overwrite import overwrite
     from sdfcheck.lint.call import options_of, told_apart
     from sdfcheck.lint.config.configuration import Configuration
-    from sdfcheck.lint.fix.fixer import mend
+    from sdfcheck.lint.fix.fixer import fix_files
     from sdfcheck.lint.session import run
 
     text, paths = told_apart(what)
@@ -58,7 +58,7 @@ def fix(  # noqa: PLR0913
         raise WrongUsage("only files are fixed: give a path")
     configuration = Configuration(config, isolated=isolated, trusted=trust_config)
     options = options_of(configuration, select=select, ignore=ignore, target=target)
-    changed = tuple(mend(run(paths, options), paths, options, unsafe=unsafe))
+    changed = tuple(fix_files(run(paths, options), paths, options, unsafe=unsafe))
     for each in changed:
         if write and each.fixed:
             overwrite(each.path, each.after)
@@ -90,7 +90,7 @@ def targets(
 ) -> tuple[Row, ...]:
     """What Gazebo, Drake, urdfdom and MuJoCo make of a file, one row each.
 
-    A row has the simulator (``reader``), its ``verdict``, and the ``reasons``: diagnostics with
+    A row has the simulator (``consumer``), its ``verdict``, and the ``reasons``: diagnostics with
     what the simulator does about them.
 
     Raises sdfcheck.WrongUsage for a path that is not there or is not a robot description.
@@ -119,7 +119,7 @@ def inertia(what: Description) -> MassReport:
     """
     from sdfcheck.robot.motion.mass_report import mass_report
 
-    return mass_report(_document(what))
+    return mass_report(root_of(_document(what)))
 
 
 def print(  # noqa: A001 - the command's name
@@ -151,13 +151,14 @@ def print(  # noqa: A001 - the command's name
 
 def as_json(what: Run | Diagnostic) -> Any:
     """A run or one diagnostic as the command writes it with ``--output-format json``: dicts, lists, numbers, texts."""
+    from sdfcheck.lint.rulebook.packs import load_index
     from sdfcheck.lint.run import Run
-    from sdfcheck.report.json import diagnostic_lines, render
+    from sdfcheck.report.formats.json import diagnostic_lines, render
     from sdfcheck.report.paths import Paths
 
     if isinstance(what, Run):
         return json.loads(render(what))
-    (line,) = diagnostic_lines(Run((what,), ()), Paths())
+    (line,) = diagnostic_lines(Run((what,), (), rules=load_index().facts), Paths())
     return json.loads(line)
 
 

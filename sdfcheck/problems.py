@@ -8,22 +8,22 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.namespace_problems import *  # noqa: F403
     from sdfcheck.formats.sdf.problems import *  # noqa: F403
     from sdfcheck.formats.urdf.problems import *  # noqa: F403
-    from sdfcheck.formats.vendor.problems import *  # noqa: F403
     from sdfcheck.robot.includes.parameter_problems import *  # noqa: F403
+    from sdfcheck.source.encoding_defect import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
+    from sdfcheck.xacro.oversights import *  # noqa: F403
     from sdfcheck.xacro.problems import *  # noqa: F403
 
 _HOMES = (
     "sdfcheck.source.problems",
-    "sdfcheck.formats.namespace_problems",
+    "sdfcheck.source.encoding_defect",
     "sdfcheck.formats.sdf.problems",
     "sdfcheck.formats.urdf.problems",
     "sdfcheck.robot.includes.parameter_problems",
     "sdfcheck.xacro.problems",
-    "sdfcheck.formats.vendor.problems",
+    "sdfcheck.xacro.oversights",
 )
 
 

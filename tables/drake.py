@@ -232,7 +232,7 @@ def range_of(text: str) -> str:
 
 
 def unit_of(text: str) -> str:
-    """A unit in our spelling; alternatives (by the kind of joint) parted by a bar."""
+    """A unit in our spelling; alternatives (by the kind of joint) separated by a bar."""
     text = re.sub(r"\s*\([^)]*\)", "", text)
     if text.startswith(("direction", "by joint", "dimensionless")):
         return ""

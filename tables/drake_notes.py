@@ -27,6 +27,8 @@ GONE = {
 
 TAG_KEYS: dict[str, tuple[str, ...]] = {
     "ball_constraint_body_B": ("differs=:ball_constraint_body_A",),
+    "ball_constraint_p_AP": ("point-in=:ball_constraint_body_A",),
+    "ball_constraint_p_BQ": ("point-in=:ball_constraint_body_B",),
     "capsule": (f"loses-to={_SHAPES}", "deprecated=capsule", "deprecated-in=sdf"),
     "collision_filter_group": ("any=:member,:member_group", "skipped=@ignore"),
     "compliant_hydroelastic": (
@@ -36,12 +38,16 @@ TAG_KEYS: dict[str, tuple[str, ...]] = {
     ),
     "curves": ("any=:line_segment,:circular_arc", "only=yes"),
     "distance_constraint_body_B": ("differs=:distance_constraint_body_A",),
+    "distance_constraint_p_AP": ("point-in=:distance_constraint_body_A",),
+    "distance_constraint_p_BQ": ("point-in=:distance_constraint_body_B",),
     "ellipsoid": (f"loses-to={_SHAPES}", "deprecated=ellipsoid", "deprecated-in=sdf"),
     "hydroelastic_modulus": (
         "range-with=:compliant_hydroelastic",
         "idle-with=:rigid_hydroelastic",
     ),
     "joint": ("forbids=pose",),
+    "linear_spring_damper_p_AP": ("point-in=:linear_spring_damper_body_A",),
+    "linear_spring_damper_p_BQ": ("point-in=:linear_spring_damper_body_B",),
     "mesh_resolution_hint": (
         f"range-with=:compliant_hydroelastic{_PRIMITIVES},:rigid_hydroelastic{_PRIMITIVES}",
     ),
@@ -50,6 +56,7 @@ TAG_KEYS: dict[str, tuple[str, ...]] = {
         "excludes=:compliant_hydroelastic",
         f"needs=:mesh_resolution_hint{_PRIMITIVES}",
     ),
+    "surface_velocity_axis": ("direction-in=link",),
     "tendon_constraint_lower_limit": ("at-most=:tendon_constraint_upper_limit:abort",),
     "tendon_constraint": ("missing=:tendon_constraint_joint:abort",),
     "visual": ("mirror=visual", "any=:geometry", "missing=:geometry:abort"),

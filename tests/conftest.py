@@ -6,4 +6,20 @@ import pytest
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--all-examples",
+        action="store_true",
+        help="show consumers every example of every rule, which takes long",
+    )
     parser.addoption("--golden", action="store_true", help="write the expected outputs again")
+
+
+@pytest.fixture(autouse=True)
+def _accounts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In tests a conversion fails where it has no outcome for an item; users get a loss."""
+    from sdfcheck.convert.ledger import Ledger
+
+    def fail(ledger: Ledger, element: object, item: str) -> None:
+        raise AssertionError(f"the ledger has no outcome: {item}")
+
+    monkeypatch.setattr(Ledger, "forget", fail)

@@ -8,32 +8,33 @@ import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, fill, unmark
-from sdfcheck.lint.fix.fixer import Mended, applicable, mend_file
+from sdfcheck.lint.fix.fixer import FixedFile, applicable, fix_file
 from sdfcheck.lint.one_file import Selected
+from sdfcheck.lint.rulebook.example_run import file_name
 from sdfcheck.lint.rulebook.trial import Trial
 from sdfcheck.source.sniff import Kind, sniff
 from tests.test_rules import BENCH, TRIALS
 
 
-def mended(data: bytes, path: Path, example: Bad, folder: Path) -> Mended:
+def fixed_file(data: bytes, path: Path, example: Bad, folder: Path) -> FixedFile:
     def again(file: Selected) -> list[Diagnostic]:
         return BENCH.lint(file.data.decode(), example, folder)
 
     # What is broken may be anything; the parser tells.
     kind = sniff(data, path)
     known = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
-    return mend_file(Selected(path, data, kind if kind in known else Kind.BROKEN_XML), again, unsafe=True)
+    return fix_file(Selected(path, data, kind if kind in known else Kind.BROKEN_XML), again, unsafe=True)
 
 
 @pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
 def test_fixing_comes_to_rest(trial: Trial, tmp_path: Path) -> None:
     rule, example = trial.rule, trial.example
     assert isinstance(example, Bad)
-    data = unmark(fill(rule.scaffold, example))[0].encode()
-    path = Path(example.file or "example")
+    text = unmark(fill(rule.scaffold, example))[0]
+    data, path = text.encode(), Path(file_name(text, example))
     if example.files is not None:
         path = tmp_path / path
-    once = mended(data, path, example, tmp_path)
+    once = fixed_file(data, path, example, tmp_path)
     assert not once.refusal
     assert (once.after != data) is (once.fixed > 0)
     assert once.fixed or example.fixed is None

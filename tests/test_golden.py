@@ -17,7 +17,8 @@ EXPECTED = "expected.txt"
 def lint(capsys: pytest.CaptureFixture[str]) -> str:
     """The concise report on the current folder."""
     configured = ["--config", CONFIGURATION] if Path(CONFIGURATION).exists() else ["--isolated"]
-    code = main(["lint", *configured, "--exit-zero", "--color", "never", "--output-format", "concise"])
+    shown = ["--output-format", "concise", "--no-fold", "--min-severity", "info", "--color", "never"]
+    code = main(["lint", *configured, "--exit-zero", *shown])
     out, err = capsys.readouterr()
     assert code == 0, err
     return out

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.convert.inputs import Reader
-from sdfcheck.cli.descriptions import Around
+from sdfcheck.cli.convert.places import Source
+from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
@@ -38,8 +39,8 @@ def test_there_are_cases() -> None:
 @pytest.mark.parametrize("case", sorted(CASES.iterdir()), ids=lambda case: case.name)
 def test_conversion(case: Path, request: pytest.FixtureRequest) -> None:
     (source,) = case.glob("input.*")
-    with Reader(Around(Configuration(isolated=True)), lint=False) as reader:
-        document = reader.read(source, {Kind.URDF: "URDF"}).document
+    with Reader(Around(Configuration(isolated=True)), lint=False) as consumer:
+        document = consumer.read(Source(source), {Kind.URDF: "URDF"}).document
     assert document is not None
     done = urdf_to_sdf(document, options_of(case))
     losses = "".join(

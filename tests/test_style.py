@@ -33,7 +33,7 @@ MODULE_LINES = 300
 FUNCTION_LINES = 40
 RULE_LINES = 80
 
-LONG_MODULES: dict[str, str] = {}
+LONG_MODULES: dict[str, str] = {"sdfcheck/__init__.py": "it lists all public names"}
 """Path → why it may be longer."""
 LONG_FUNCTIONS: dict[str, str] = {}
 """Path:name → why it may be longer."""

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from sdfcheck.convert.difference import Change, ChangeKind
+from sdfcheck.convert.change import Change, ChangeKind
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, convert
@@ -15,6 +15,11 @@ from sdfcheck.convert.urdf_to_sdf.options import Options as BackOptions
 from sdfcheck.source.document import Document, read
 
 _TOLD_BY = (
+    ("link: .*/material/.*", {LossKind.CHANGED_COLOR, LossKind.CHANGED_MATERIAL}),
+    ("link: .*/surface.*", {LossKind.DROPPED_ELEMENT, LossKind.KEPT_AS_EXTENSION}),
+    ("link: .*/density", {LossKind.CHANGED_INERTIA}),
+    ("joint: axis/limit/.*", {LossKind.DROPPED_ELEMENT}),
+    ("model: (plugin|transmission) .*", {LossKind.KEPT_AS_EXTENSION}),
     ("link: (visual|collision)( `.*` shape)?", {LossKind.UNSUPPORTED_GEOMETRY}),
     ("link: name of a (visual|collision)", {LossKind.KEPT_AS_EXTENSION, LossKind.RENAMED}),
     ("link: (visual|collision)( `.*`)? file", {LossKind.CHANGED_URI}),
@@ -46,12 +51,17 @@ def there_and_back(document: Document) -> tuple[list[Change], list[Loss]]:
 def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
     """The changes of which no loss has told."""
     for change in changes:
+        if "/material/" in change.what and change.before == "none":
+            continue  # the one color of URDF is written as all that SDFormat has
         looks = change.part
         looks += f": {change.what}" if change.kind is ChangeKind.CHANGED else f" {change.kind.value}"
         kinds: set[LossKind] = set()
         kinds = kinds.union(*(told for pattern, told in _TOLD_BY if re.fullmatch(pattern, looks)))
+        quoted = re.split("[`/]", change.what)
         names = {
-            name for text in (change.name, change.before) for name in (text, *re.split("::|__|/+", text))
+            name
+            for text in (change.name, change.before, *quoted)
+            for name in (text, *re.split("::|__|/+", text))
         }
         if not any(loss.kind in kinds and _mentions(loss, names - {""}) for loss in losses):
             yield f"{looks}: {change.name} {change.before} → {change.after}"

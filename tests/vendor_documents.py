@@ -9,6 +9,7 @@ from sdfcheck.formats.vendor.definitions import Place, Slot, Step, Tag, Vendor
 from sdfcheck.formats.vendor.files import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import out_of_range
+from tests import vendor_rules as rules
 from tests.vendor_surroundings import BOX, PARTS, TOPS
 
 FILES = {
@@ -33,12 +34,12 @@ RANGED = ("-1", "0", "1e9", "-1 0 0", "0 0 0", "inf", "-inf")
 
 
 class Case(NamedTuple):
-    """A document, what it is made for, and the kind of problem to be found (empty: none)."""
+    """A document, what it is made for, and the code of the rule that reports it (empty: none)."""
 
     name: str
     dialect: str
     text: str
-    kind: str
+    code: str
 
 
 def cases() -> list[Case]:
@@ -62,10 +63,8 @@ class _Maker:
             if tag.keys.text("gone"):
                 continue
             if not tag.places:
-                text = f"<{tag.name}/>"
-                yield self.case(
-                    tag, "of the other format", "MisplacedTag", self.around((_step(self.top),), text)
-                )
+                text = self.around((_step(self.top),), f"<{tag.name}/>")
+                yield self.case(tag, "of the other format", rules.MISPLACED, text)
             for place in tag.places:
                 yield from self.uses(tag, place)
 
@@ -78,13 +77,13 @@ class _Maker:
         misspelt = right.replace(f"{tag.name}=", f"{tag.name}qq=", 1)
         misspelt = misspelt.replace(f"<{tag.name}", f"<{tag.name}qq", 1)
         misspelt = misspelt.replace(f"</{tag.name}>", f"</{tag.name}qq>")
-        yield self.case(tag, f"{where} misspelt", "UnknownTag", self.in_place(place, misspelt))
+        yield self.case(tag, f"{where} misspelled", rules.UNKNOWN, self.in_place(place, misspelt))
         elsewhere = "link" if len(place.path) == 1 else ""
         if place.carrier != "attribute":
             path = (*((_step(elsewhere),) if elsewhere else ()), _step(self.top))
-            yield self.case(tag, f"{where} misplaced", "MisplacedTag", self.around(path, right))
+            yield self.case(tag, f"{where} misplaced", rules.MISPLACED, self.around(path, right))
             if place.single:
-                yield self.case(tag, f"{where} twice", "RepeatedTag", self.in_place(place, right + right))
+                yield self.case(tag, f"{where} twice", rules.REPEATED, self.in_place(place, right + right))
         yield from self.contents(tag, place, where)
 
     def contents(self, tag: Tag, place: Place, where: str) -> Iterator[Case]:
@@ -99,23 +98,27 @@ class _Maker:
                 if slot.required:
                     text = self.element(tag, place, {sigil + name: None})
                     yield self.case(
-                        tag, f"{where} without {name}", "MissingTagValue", self.in_place(place, text)
+                        tag, f"{where} without {name}", rules.MISSING_VALUE, self.in_place(place, text)
                     )
         for child in self.needed(tag):
             text = self.element(tag, place, {child.name: None})
-            yield self.case(tag, f"{where} without {child.name}", "MissingTag", self.in_place(place, text))
+            yield self.case(
+                tag, f"{where} without {child.name}", rules.MISSING_CHILD, self.in_place(place, text)
+            )
 
     def values(self, tag: Tag, place: Place, slot: Slot, carrier: str) -> Iterator[Case]:
         where = f"{place.text.replace('/', '.')} {carrier}"
         if tag.name == "drake:joint" and carrier == "@type":
-            yield self.wrong(tag, place, carrier, "nonsense", f"{where} nonsense", "UnknownTagChoice")
+            yield self.wrong(
+                tag, place, carrier, "nonsense", f"{where} nonsense", rules.UNKNOWN_TYPE_OF_JOINT
+            )
             return
         if slot.type in WRONG:
-            kind = {"word": "UnknownTagChoice", "name": "UnknownTagReference"}.get(slot.type, "MalformedTag")
+            code = rules.UNKNOWN_REFERENCE if slot.type == "name" else rules.MALFORMED
             if slot.type != "name" or slot.references:
-                yield self.wrong(tag, place, carrier, WRONG[slot.type], f"{where} nonsense", kind)
+                yield self.wrong(tag, place, carrier, WRONG[slot.type], f"{where} nonsense", code)
         if slot.plain is not None:
-            yield self.wrong(tag, place, carrier, "x::y", f"{where} scoped", "ScopedTagName")
+            yield self.wrong(tag, place, carrier, "x::y", f"{where} scoped", rules.SCOPED_DEFINITION)
         if not tag.keys.text("range-with"):
             count = 3 if slot.type == "vector3" else 1
             for text in RANGED:
@@ -126,19 +129,19 @@ class _Maker:
                     and slot.type in {"double", "vector3"}
                     and out_of_range(slot, text)
                 ):
-                    yield self.wrong(tag, place, carrier, text, f"{where} {text}", "TagOutOfRange")
+                    yield self.wrong(tag, place, carrier, text, f"{where} {text}", rules.OUT_OF_RANGE)
         if carrier == "@value":
             text = f"<{tag.name}>{self.value(tag, slot)}</{tag.name}>"
-            yield self.case(tag, f"{where} as text", "MiscarriedTag", self.in_place(place, text))
+            yield self.case(tag, f"{where} as text", rules.MALFORMED, self.in_place(place, text))
         if carrier == "text" and slot.type in {"double", "vector3"}:
             text = f'<{tag.name} value="{self.value(tag, slot)}"/>'
-            yield self.case(tag, f"{where} as attribute", "MiscarriedTag", self.in_place(place, text))
+            yield self.case(tag, f"{where} as attribute", rules.MALFORMED, self.in_place(place, text))
 
-    def wrong(self, tag: Tag, place: Place, carrier: str, text: str, where: str, kind: str) -> Case:
-        return self.case(tag, where, kind, self.in_place(place, self.element(tag, place, {carrier: text})))
+    def wrong(self, tag: Tag, place: Place, carrier: str, text: str, where: str, code: str) -> Case:
+        return self.case(tag, where, code, self.in_place(place, self.element(tag, place, {carrier: text})))
 
-    def case(self, tag: Tag, what: str, kind: str, text: str) -> Case:
-        return Case(f"{self.dialect} {tag.name} {what}".strip(), self.dialect, text, kind)
+    def case(self, tag: Tag, what: str, code: str, text: str) -> Case:
+        return Case(f"{self.dialect} {tag.name} {what}".strip(), self.dialect, text, code)
 
     # One tag
 
@@ -147,7 +150,7 @@ class _Maker:
         return "model" if self.is_sdf else "robot"
 
     def needed(self, tag: Tag) -> list[Tag]:
-        """The tags that must stand in this one."""
+        """The tags that must are in this one."""
         found = [
             other
             for other in self.table.tags.values()

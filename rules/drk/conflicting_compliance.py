@@ -1,4 +1,6 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, MODEL, SPHERE
 
 RIGID = "<drake:rigid_hydroelastic/>"
@@ -17,7 +19,7 @@ class ConflictingCompliance(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or ignores an element")}
     prefix = "drake"
-    explains = (problems.ConflictingTags, problems.UnmetTag, problems.IdleTag)
+    looks_at = (VendorTag,)
     scaffold = BOX
 
     bad = (
@@ -61,3 +63,27 @@ class ConflictingCompliance(VendorRule):
             "<drake:hydroelastic_modulus>1e7</drake:hydroelastic_modulus>", why="kept for later, and harmless"
         ),
     )
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        if tag.prefix != "drake":
+            return False
+        if tag.excluded is not None or tag.idle_beside is not None:
+            return True
+        return bool(tag.forbidden or tag.needs)
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        pairs = [(tag.element, tag.excluded), *((child, tag.element) for child in tag.forbidden)]
+        for element, other in pairs:
+            if element is not None and other is not None:
+                message = f"`{element.name}` and `{other.name}` exclude each other"
+                yield self.report(tag, message, self.refused, at=element, labels={other: "the other"})
+        for need in tag.needs:
+            shape = need.because
+            on = f" on a `{shape.name}`" if shape is not None else ""
+            message = f"`{tag.name}`{on} needs `{need.name}`"
+            labels = {shape: "the shape"} if shape is not None else None
+            yield self.report(tag, message, self.refused, labels=labels)
+        if (other := tag.idle_beside) is not None:
+            message = f"`{tag.name}` has no effect beside `{other.name}`"
+            yield self.report(tag, message, self.ignored, labels={other: "this one counts"})

@@ -6,9 +6,9 @@ from sdfcheck import Element, Root
 def unread(root: Root) -> tuple[Element, str] | None:
     """What keeps Drake from reading an SDF file, and where; None where nothing does.
 
-    That several models are too many is a matter of the format.
+    That several models are too many is a matter of the format. A file that is included may hold a light.
     """
-    if root.is_urdf:
+    if root.is_urdf or root.document.included_by:
         return None
     models, worlds = list(root.children("model")), list(root.children("world"))
     if not models and not worlds:

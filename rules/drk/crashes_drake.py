@@ -77,9 +77,10 @@ class CrashesDrake(Rule):
         Bad(
             "<geometry><plane><normal>«0 0 0»</normal></plane></geometry>",
             says="a plane without direction: Drake aborts",
+            also=("SCH022",),
         ),
         Bad(
-            '<«sdf» version="1.9"><light name="sun" type="directional"/></sdf>',
+            '<«sdf» version="1.9"><light name="sun" type="point"/></sdf>',
             says="a file with neither model nor world: Drake refuses the file",
             scaffold="",
         ),

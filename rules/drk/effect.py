@@ -1,6 +1,6 @@
 """What Drake does about something, as a reaction and in words."""
 
-from sdfcheck import Consumer, Reaction, Severity, Verdict, refuses, warns
+from sdfcheck import Consumer, Reaction, Severity, Value, Verdict, refuses, warns
 
 ABORTS = refuses("aborts")
 CRASHES = refuses("crashes")
@@ -20,3 +20,8 @@ def affects(reaction: Reaction) -> dict[Consumer, Reaction]:
 def severity(reaction: Reaction) -> Severity:
     """An error where Drake does not get to the end of the file, otherwise a warning."""
     return Severity.ERROR if reaction.verdict is Verdict.REJECT else Severity.WARNING
+
+
+def above(name: str, low: Value, high: Value) -> str:
+    """That a value of Drake's is above another that it must not exceed."""
+    return f"`{name}` is {low.text.strip()} and above `{high.element.name}`, {high.text.strip()}"

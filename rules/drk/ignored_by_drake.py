@@ -1,12 +1,14 @@
 from collections.abc import Iterator
 
 from sdfcheck import (
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
     Element,
     Good,
     Ignored,
+    Reaction,
     Root,
     Rule,
     Severity,
@@ -20,7 +22,7 @@ from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
 
 
 class IgnoredByDrake(Rule):
-    """A standard element or attribute that Drake passes over.
+    """A standard element or attribute that Drake ignores.
 
     Drake reads what it needs for dynamics and geometry. Sensors, plugins, joint friction, the surface
     parameters of Gazebo's engines and the like have no effect; for some of them there is a warning.
@@ -41,7 +43,7 @@ class IgnoredByDrake(Rule):
         ),
         Bad(
             "<dynamics><«friction»>0.5</friction></dynamics>",
-            says="`friction` in `axis/dynamics` is ignored by Drake, without a word",
+            says="`friction` in `axis/dynamics` is ignored by Drake, in silence",
             scaffold=AXIS,
         ),
         Bad(
@@ -62,9 +64,15 @@ class IgnoredByDrake(Rule):
                 continue  # crashes-drake reports what is wrong at the top
             place = uses[0] if isinstance(uses[0], Element) else uses[0].name_span
             times, parent = used(len(uses)), "/".join(reversed(entry.parents))
-            how = "with a warning" if entry.warned else "without a word"
+            how = "with a warning" if entry.warned else "in silence"
             message = f"`{entry.name.removeprefix('@')}`{times} in `{parent}` is ignored by Drake, {how}"
-            yield self.diagnostic(place, message)
+            yield self.diagnostic(place, message, affects=_affects(uses))
+
+
+def _affects(uses: list[Element | Value]) -> dict[Consumer, Reaction]:
+    """Drake knows no state of a model as it was written up to version 1.11."""
+    is_old = any(isinstance(use, Element) and use.name == "state" and use.has("model") for use in uses)
+    return {Consumer.DRAKE: REFUSES} if is_old else {}
 
 
 def _uses(root: Root, entry: Ignored) -> Iterator[Element | Value]:

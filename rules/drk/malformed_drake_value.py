@@ -1,16 +1,35 @@
-from typing import Any
+from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Severity,
+    VendorRule,
+    VendorTag,
+    VendorValue,
+    refuses,
+)
+from sdfcheck_rules.drk.choices import unknown_choice
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, LINK, MODEL, ROBOT
+
+FAULTS = {
+    "EMPTY": "is empty",
+    "NOT_FINITE": "should be {expected}, and `{part}` is none",
+    "TOO_FEW": "should be {expected}, and has fewer",
+    "TOO_MANY": "should be {expected}, and has more: `{part}`",
+}
+"""Why a value is not read as it is written, in words."""
 
 
 class MalformedDrakeValue(VendorRule):
     """The value of one of Drake's elements is not of its type, or not where Drake reads it.
 
     In SDF files the value is mostly the text of the element, and Drake takes what number
-    stands at its front: `1,5` is 1, a word or nothing is 0, and the simulation runs with it. In
+    is at its front: `1,5` is 1, a word or nothing is 0, and the simulation runs with it. In
     URDF files the value is an attribute, and anything but the right number of numbers
-    makes Drake refuse the file; only letters behind a number are cut off.
+    makes Drake refuse the file; only letters after a number are cut off.
     """
 
     code = "DRK003"
@@ -18,7 +37,10 @@ class MalformedDrakeValue(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
-    explains = (problems.MalformedTag, problems.MiscarriedTag, problems.UnknownTagChoice)
+    looks_at = (
+        VendorTag,
+        VendorValue,
+    )
     scaffold = BOX
 
     bad = (
@@ -62,6 +84,39 @@ class MalformedDrakeValue(VendorRule):
         Good("<drake:rigid_hydroelastic>false</drake:rigid_hydroelastic>", why="its presence alone counts"),
     )
 
-    def is_about(self, problem: Any) -> bool:
-        """The type of a joint is not this rule's."""
-        return not isinstance(problem, problems.UnknownTagChoice) or problem.name != "drake:joint"
+    @staticmethod
+    def applies(given: VendorTag | VendorValue) -> bool:
+        if given.prefix != "drake":
+            return False
+        if isinstance(given, VendorTag):
+            return given.is_empty and (given.stray is not None or given.lacks_text)
+        is_type_of_joint = given.tag.name == "drake:joint"
+        return given.misreading is not None or (given.is_unknown_choice and not is_type_of_joint)
+
+    def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
+        if isinstance(given, VendorTag):
+            yield self._of_tag(given)
+        elif (bad := given.misreading) is not None:
+            span = given.misread_span
+            words = FAULTS.get(bad.fault.name, "should be {expected}, not `{part}`")
+            said = words.format(expected=given.expected, part=span.text)
+            yield self.report(given, f"{given.title} {said}", bad.effect, at=span)
+        else:
+            yield unknown_choice(self, given)
+
+    def _of_tag(self, tag: VendorTag) -> Diagnostic:
+        """The value is nowhere, or not where it is read."""
+        effect = tag.effect_of_empty
+        if tag.stray is None:
+            return self.report(tag, f"`{tag.name}` is empty", effect)
+        found, value = tag.stray
+        message = (
+            f"the value of `{tag.name}` is read from its {_shape(tag.carrier)}, not from its {_shape(found)}"
+        )
+        return self.report(tag, message, effect, at=value.name_span if value.attribute else value)
+
+
+def _shape(carrier: str) -> str:
+    """Where a value is, in words."""
+    kinds = {"@": "attribute", "/": "child"}
+    return f"{kinds[carrier[0]]} `{carrier[1:]}`" if carrier[0] in kinds else carrier

@@ -1,13 +1,15 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses, warns
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses, warns
 from sdfcheck_rules.drk.scaffolds import AXIS, JOINT, LINK, ROBOT, ROBOT_LINK
 
 
 class MisplacedDrakeTag(VendorRule):
-    """One of Drake's elements stands where Drake does not look for it.
+    """One of Drake's elements is where Drake does not look for it.
 
     Drake reads each of its elements in few places, and not in the same ones in SDF and in
     URDF; some exist in one of the formats only. Elsewhere it refuses the file (in most
-    parents of SDF) or passes over the element.
+    parents of SDF) or ignores the element.
     """
 
     code = "DRK002"
@@ -17,7 +19,7 @@ class MisplacedDrakeTag(VendorRule):
         Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
     }
     prefix = "drake"
-    explains = (problems.MisplacedTag,)
+    looks_at = (VendorTag,)
     scaffold = LINK
 
     bad = (
@@ -53,3 +55,22 @@ class MisplacedDrakeTag(VendorRule):
         Good("<limit><drake:acceleration>1</drake:acceleration></limit>", scaffold=AXIS),
         Good("<drake:rotor_inertia>1</drake:rotor_inertia>", scaffold=JOINT),
     )
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        if tag.prefix != "drake" or tag.definition is None or tag.is_gone:
+            return False
+        return tag.place is None and not tag.is_undecided
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        name, places = tag.name, named(tag.places, "or")
+        if tag.unmet is not None:
+            yield self.report(tag, f"`{name}` is read only in {places}", tag.effect)
+        elif places:
+            message = f"`{name}` does not belong in {tag.parent.title}"
+            yield self.report(tag, message, tag.effect, rest=f"; it goes into {places}")
+        else:
+            here, there = ("SDF", "URDF") if tag.document.kind.value == "sdf" else ("URDF", "SDF")
+            use = f"; use `{tag.substitute}`" if tag.substitute else ""
+            message = f"`{name}` is for {there}: in {here} {self.does(tag, tag.effect)}{use}"
+            yield self.judged(tag, message, tag.effect)

@@ -1,4 +1,6 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 PLANAR = '<drake:joint name="j" type="planar"><drake:parent>a</drake:parent><drake:child>b</drake:child>'
@@ -15,7 +17,7 @@ class MissingDrakeChild(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
-    explains = (problems.MissingTag,)
+    looks_at = (VendorTag,)
     scaffold = MODEL
 
     bad = (
@@ -49,3 +51,15 @@ class MissingDrakeChild(VendorRule):
         ),
         Good('<drake:collision_filter_group name="g" ignore="true"/>', why="Drake skips it"),
     )
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        # One that is only misspelled is reported as such.
+        return tag.prefix == "drake" and any(lack.misspelled is None for lack in tag.lacks)
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        for lack in tag.lacks:
+            if lack.misspelled is None:
+                message = f"{tag.title} lacks {named(lack.choices, 'or')}"
+                near = f"; did you mean `{lack.choices[0]}`?" if lack.near is not None else ""
+                yield self.report(tag, message, lack.effect, at=lack.near, rest=near)

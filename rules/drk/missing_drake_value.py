@@ -1,4 +1,6 @@
-from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
+from collections.abc import Iterator
+
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import COLLISION, JOINT, MODEL, ROBOT
 
 
@@ -14,7 +16,7 @@ class MissingDrakeValue(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.MissingTagValue,)
+    looks_at = (VendorTag,)
     scaffold = JOINT
 
     bad = (
@@ -39,3 +41,14 @@ class MissingDrakeValue(VendorRule):
             scaffold=MODEL,
         ),
     )
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        return tag.prefix == "drake" and bool(tag.missing_values)
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        for missing in tag.missing_values:
+            kind = "attribute" if missing.carrier[0] == "@" else "child"
+            near = f"; is `{missing.near}` meant for it?" if missing.near else ""
+            message = f"{tag.title} lacks the {kind} `{missing.carrier[1:]}`"
+            yield self.report(tag, message, missing.effect, rest=near)

@@ -1,8 +1,7 @@
 from collections.abc import Iterator
-from typing import Any
 
-from sdfcheck import REFUSES, Bad, Collision, Consumer, Diagnostic, Good, Severity, VendorRule, problems
-from sdfcheck_rules.drk.effect import does
+from sdfcheck import REFUSES, Bad, Collision, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
+from sdfcheck_rules.drk.effect import above, does
 from sdfcheck_rules.drk.frictions import friction, own_friction
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION
 
@@ -26,8 +25,7 @@ class MuOrder(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.UnorderedTags,)
-    looks_at = (Collision,)
+    looks_at = (Collision, VendorTag)
     selects = ("sdf:collision",)
     scaffold = BOX
 
@@ -52,15 +50,13 @@ class MuOrder(VendorRule):
         Good(ODE.format("<mu>0.5</mu><mu2>0.5</mu2>"), scaffold=COLLISION),
     )
 
-    def check(self, subject: Any) -> Iterator[Diagnostic]:
+    def check(self, subject: Collision | VendorTag) -> Iterator[Diagnostic]:
         if isinstance(subject, Collision):
             yield from self._of_ode(subject)
-        else:
-            yield from super().check(subject)
-
-    def is_about(self, problem: Any) -> bool:
-        """Frictions only."""
-        return "mu_" in problem.name
+        elif subject.prefix == "drake" and "mu_" in subject.name and (excess := subject.excess) is not None:
+            message = above(subject.name, excess.low, excess.high)
+            labels = {excess.high: "the value that it must not exceed"}
+            yield self.report(subject, message, excess.effect, at=excess.low, labels=labels)
 
     def _of_ode(self, collision: Collision) -> Iterator[Diagnostic]:
         """`mu` is the static friction, `mu2` the dynamic one."""

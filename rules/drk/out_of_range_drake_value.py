@@ -1,6 +1,7 @@
-from typing import Any
+from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, refuses
+from sdfcheck_rules.drk.effect import above
 from sdfcheck_rules.drk.scaffolds import AXIS, BOX, JOINT, MODEL
 
 TENDON = (
@@ -24,7 +25,10 @@ class OutOfRangeDrakeValue(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
-    explains = (problems.TagOutOfRange, problems.UnorderedTags)
+    looks_at = (
+        VendorTag,
+        VendorValue,
+    )
     scaffold = BOX
 
     bad = (
@@ -35,7 +39,7 @@ class OutOfRangeDrakeValue(VendorRule):
         Bad('<drake:controller_gains p="«-1»" d="1"/>', says="Drake aborts", scaffold=JOINT),
         Bad(
             "<drake:rotor_inertia>«-1»</drake:rotor_inertia>",
-            says="Drake takes it all the same",
+            says="Drake takes it anyway",
             scaffold=JOINT,
         ),
         Bad(
@@ -50,6 +54,19 @@ class OutOfRangeDrakeValue(VendorRule):
         Good("<limit><drake:acceleration>inf</drake:acceleration></limit>", scaffold=AXIS),
     )
 
-    def is_about(self, problem: Any) -> bool:
-        """The order of frictions is not this rule's."""
-        return not isinstance(problem, problems.UnorderedTags) or "mu_" not in problem.name
+    @staticmethod
+    def applies(given: VendorTag | VendorValue) -> bool:
+        if given.prefix != "drake":
+            return False
+        if isinstance(given, VendorTag):
+            return given.excess is not None and "mu_" not in given.name  # mu-order is about frictions
+        return given.bound is not None
+
+    def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
+        if isinstance(given, VendorValue):
+            message = f"{given.title} should be {given.bound}, not `{given.text.strip()}`"
+            yield self.report(given, message, given.slot.wrong)
+        elif (excess := given.excess) is not None:
+            message = above(given.name, excess.low, excess.high)
+            labels = {excess.high: "the value that it must not exceed"}
+            yield self.report(given, message, excess.effect, at=excess.low, labels=labels)

@@ -1,4 +1,6 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, ROBOT_LINK
 
 
@@ -6,7 +8,7 @@ class OutdatedDrakeTag(VendorRule):
     """One of Drake's elements has gone, or has a standard successor.
 
     Drake no longer reads `drake:soft_hydroelastic` and `drake:elastic_modulus`. Since SDFormat 1.8 there
-    are a standard `capsule` and `ellipsoid`, which other readers understand, too.
+    are a standard `capsule` and `ellipsoid`, which other consumers understand, too.
     """
 
     code = "DRK017"
@@ -14,7 +16,7 @@ class OutdatedDrakeTag(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file where the element has gone")}
     prefix = "drake"
-    explains = (problems.OutdatedTag,)
+    looks_at = (VendorTag,)
     scaffold = BOX
 
     bad = (
@@ -38,3 +40,15 @@ class OutdatedDrakeTag(VendorRule):
             why="URDF has no other that everybody knows",
         ),
     )
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        return tag.prefix == "drake" and bool(tag.successor)
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        if tag.is_gone:
+            fix = self.renaming(tag, tag.successor)
+            yield self.report(tag, f"`{tag.name}` is now `{tag.successor}`", tag.effect, fix=fix)
+        else:
+            message = f"`{tag.name}` is older than the standard `{tag.successor}`, which takes its place"
+            yield self.judged(tag, message, tag.effect)._replace(severity=Severity.INFO)

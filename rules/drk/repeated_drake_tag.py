@@ -1,4 +1,6 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, warns
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, warns
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, MODEL, ROBOT
 
 
@@ -13,7 +15,10 @@ class RepeatedDrakeTag(VendorRule):
     severity = Severity.WARNING
     affects = {Consumer.DRAKE: warns("reads the first only, or refuses the file")}
     prefix = "drake"
-    explains = (problems.RepeatedTag, problems.RepeatedTagName)
+    looks_at = (
+        VendorTag,
+        VendorValue,
+    )
     scaffold = BOX
 
     bad = (
@@ -38,3 +43,16 @@ class RepeatedDrakeTag(VendorRule):
         ),
         Good("<drake:rotor_inertia>1</drake:rotor_inertia>", scaffold=JOINT),
     )
+
+    @staticmethod
+    def applies(given: VendorTag | VendorValue) -> bool:
+        return given.prefix == "drake" and given.first is not None
+
+    def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
+        labels = {given.first: "the first"}
+        if isinstance(given, VendorTag):
+            message = f"`{given.name}` is given again: Drake reads the first only"
+            yield self.judged(given, message, given.effect, labels)
+        elif (effect := given.slot.unique) is not None:
+            message = f"there is a `{given.tag.name}` of the name `{given.text}` already"
+            yield self.report(given, message, effect, labels=labels)

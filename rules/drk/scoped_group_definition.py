@@ -1,11 +1,13 @@
-from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
+from collections.abc import Iterator
+
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorValue
 from sdfcheck_rules.drk.scaffolds import MODEL
 
 
 class ScopedGroupDefinition(VendorRule):
     """A collision filter group is defined under a scoped name.
 
-    A group belongs to the model that it stands in. Scoped names are for referring to
+    A group belongs to the model that it is in. Scoped names are for referring to
     links and groups of nested models, never for defining something there.
     """
 
@@ -14,7 +16,7 @@ class ScopedGroupDefinition(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.ScopedTagName,)
+    looks_at = (VendorValue,)
     scaffold = MODEL
 
     bad = (
@@ -31,3 +33,11 @@ class ScopedGroupDefinition(VendorRule):
             why="one colon parts nothing",
         ),
     )
+
+    @staticmethod
+    def applies(name: VendorValue) -> bool:
+        return name.prefix == "drake" and name.is_definition and "::" in name.text
+
+    def check(self, name: VendorValue) -> Iterator[Diagnostic]:
+        if (effect := name.slot.plain) is not None:
+            yield self.report(name, f"a `{name.tag.name}` cannot be defined under a scoped name", effect)

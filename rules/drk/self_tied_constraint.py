@@ -1,4 +1,6 @@
-from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
+from collections.abc import Iterator
+
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import MODEL
 
 BALL = (
@@ -20,8 +22,18 @@ class SelfTiedConstraint(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.SelfTiedTag,)
+    looks_at = (VendorTag,)
     scaffold = MODEL.replace("{}", BALL)
 
     bad = (Bad("«a»", says="both ends are `a`: Drake refuses the file"),)
     good = (Good("b"),)
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        return tag.prefix == "drake" and tag.tied is not None
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        if tag.tied is not None:
+            one, other = tag.tied
+            message = f"both ends are `{one.text.strip()}`"
+            yield self.report(tag, message, self.refused, at=one, labels={other: "the other end"})

@@ -13,8 +13,8 @@ JOINT = '<joint name="j" type="{}"><parent link="a"/><child link="b"/>{}</joint>
 class SpecialValue(Rule):
     """A value means something else to Drake than the format says.
 
-    A `mechanicalReduction` other than 1 is passed over, with a warning. The limits of a
-    continuous joint, which other readers pass over, hold in Drake. A velocity limit of 0 keeps the
+    A `mechanicalReduction` other than 1 is ignored, with a warning. The limits of a
+    continuous joint, which other consumers ignore, hold in Drake. A velocity limit of 0 keeps the
     joint from moving.
     """
 

@@ -1,4 +1,6 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, warns
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, used, warns
 from sdfcheck_rules.drk.scaffolds import LINK, ROBOT_LINK
 
 
@@ -6,7 +8,7 @@ class TooNewDrakeTag(VendorRule):
     """An element is as new as the newest release of Drake.
 
     An SDF file with it is refused by every older release; in a URDF file older releases
-    pass over it.
+    ignore it.
     """
 
     code = "DRK018"
@@ -19,7 +21,7 @@ class TooNewDrakeTag(VendorRule):
         }
     }
     prefix = "drake"
-    explains = (problems.TooNewTag,)
+    looks_at = (VendorTag,)
     scaffold = LINK
 
     bad = (
@@ -34,3 +36,12 @@ class TooNewDrakeTag(VendorRule):
         ),
     )
     good = (Good('<drake:visual name="v"><drake:geometry/></drake:visual>', why="read for years"),)
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        return tag.prefix == "drake" and tag.alike[:1] == [tag] and tag.is_too_new
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        does = "refuses the file" if tag.document.kind.value == "sdf" else "ignores it"
+        message = f"`{tag.name}`{used(len(tag.alike))} came with Drake {tag.since}: an older Drake {does}"
+        yield self.diagnostic(tag, message)

@@ -1,4 +1,6 @@
-from sdfcheck import REFUSES, Bad, Consumer, Good, Severity, VendorRule, problems
+from collections.abc import Iterator
+
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorValue
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT
 
 NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
@@ -7,7 +9,7 @@ NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
 class UnknownDrakeReference(VendorRule):
     """One of Drake's elements names a link, frame, joint or group that is not there.
 
-    Names are those of the model that the element stands in. In SDF the members of groups, the groups and the
+    Names are those of the model that the element is in. In SDF the members of groups, the groups and the
     frames may be reached in nested models (`arm::hand`), the bodies and joints of constraints may not, and
     in URDF there are no scoped names. The world is none of a model's links.
     """
@@ -17,7 +19,7 @@ class UnknownDrakeReference(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.UnknownTagReference,)
+    looks_at = (VendorValue,)
     scaffold = MODEL
 
     bad = (
@@ -70,3 +72,20 @@ class UnknownDrakeReference(VendorRule):
             why="nobody knows what is in a file that is not there",
         ),
     )
+
+    @staticmethod
+    def applies(name: VendorValue) -> bool:
+        return name.prefix == "drake" and name.unresolved is not None
+
+    def check(self, name: VendorValue) -> Iterator[Diagnostic]:
+        if (unresolved := name.unresolved) is None:
+            return
+        text, kinds = name.text.strip(), " or ".join(unresolved.kinds)
+        if unresolved.found is not None:
+            message = f"`{text}` is a {unresolved.found}, and `{name.tag.name}` names a {kinds}"
+        elif "::" in text and not name.slot.scoped:
+            message = f"`{name.tag.name}` names a {kinds} of its own model, and `{text}` is a scoped name"
+        else:
+            message = f"there is no {kinds} `{text}`"
+        near = f"; did you mean `{unresolved.near}`?" if unresolved.near else ""
+        yield self.report(name, message, self.refused, rest=near)

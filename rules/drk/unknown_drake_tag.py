@@ -1,4 +1,6 @@
-from sdfcheck import Bad, Consumer, Good, Severity, VendorRule, problems, refuses, warns
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses, warns
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 
@@ -7,7 +9,7 @@ class UnknownDrakeTag(VendorRule):
 
     In most parents of an SDF file Drake refuses what it does not know in its own
     prefix. In URDF files, and in some parents in SDF (`axis`, `inertial`, `mesh`, …), it
-    passes over it without a word: the misspelt setting has no effect.
+    ignores it in silence: the misspelled setting has no effect.
     """
 
     code = "DRK001"
@@ -17,7 +19,7 @@ class UnknownDrakeTag(VendorRule):
         Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
     }
     prefix = "drake"
-    explains = (problems.UnknownTag,)
+    looks_at = (VendorTag,)
     scaffold = MODEL
 
     bad = (
@@ -47,3 +49,19 @@ class UnknownDrakeTag(VendorRule):
         Good('<p:spaceship xmlns:p="https://example.org/p"/>', why="another vendor's"),
         Good('<plugin name="p" filename="p"><drake:spaceship/></plugin>', why="plugins hold what they like"),
     )
+
+    @staticmethod
+    def applies(tag: VendorTag) -> bool:
+        return tag.prefix == "drake" and tag.definition is None
+
+    def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
+        is_prefixed = tag.name.startswith("drake:")
+        what = f"`{tag.name}` is not known to Drake" if is_prefixed else f"`{tag.name}` has no prefix"
+        near = tag.meant
+        yield self.report(
+            tag,
+            what,
+            tag.effect,
+            rest=f"; did you mean `{near}`?" if near else "",
+            fix=self.renaming(tag, near) if near else None,
+        )

@@ -1,5 +1,4 @@
 from collections.abc import Iterator
-from typing import Any
 
 from sdfcheck import (
     REFUSES,
@@ -11,8 +10,9 @@ from sdfcheck import (
     Reaction,
     Severity,
     VendorRule,
-    problems,
+    VendorValue,
 )
+from sdfcheck_rules.drk.choices import unknown_choice
 from sdfcheck_rules.drk.effect import IGNORES, affects, does, severity
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT, ROBOT_JOINT
 
@@ -38,8 +38,7 @@ class UnsupportedJointType(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
-    explains = (problems.UnknownTagChoice,)
-    looks_at = (Joint,)
+    looks_at = (Joint, VendorValue)
     selects = ("sdf:joint", "urdf:robot/joint")
     scaffold = ROBOT_JOINT
 
@@ -80,9 +79,9 @@ class UnsupportedJointType(VendorRule):
         Good(f'<drake:joint name="j" type="ball">{ENDS}</drake:joint>'),
     )
 
-    def check(self, subject: Any) -> Iterator[Diagnostic]:
-        if not isinstance(subject, Joint):
-            yield from super().check(subject)
+    def check(self, subject: Joint | VendorValue) -> Iterator[Diagnostic]:
+        if isinstance(subject, VendorValue):
+            yield from self._of_own(subject)
         elif (kind := subject.type_value) is not None:
             for reaction, what, instead in (_in_urdf if subject.is_urdf else _in_sdf)(subject):
                 message = f"{what.format(kind.text.strip())}: {does(reaction)}"
@@ -90,9 +89,10 @@ class UnsupportedJointType(VendorRule):
                     message += f"; write it as {instead}"
                 yield self.diagnostic(kind, message, severity=severity(reaction), affects=affects(reaction))
 
-    def is_about(self, problem: Any) -> bool:
-        """Choices of other elements are not this rule's."""
-        return bool(problem.name == "drake:joint")
+    def _of_own(self, kind: VendorValue) -> Iterator[Diagnostic]:
+        """The type of a `drake:joint`."""
+        if kind.prefix == "drake" and kind.tag.name == "drake:joint" and kind.is_unknown_choice:
+            yield unknown_choice(self, kind)
 
 
 def _in_sdf(joint: Joint) -> Iterator[tuple[Reaction, str, str]]:

@@ -35,7 +35,7 @@ class UnsupportedMeshFormat(Rule):
 
     Collision geometries come from `.obj`, `.vtk` and `.gltf` files, rigid hydroelastic ones from
     `.obj` and `.vtk`, deformable ones from `.vtk`; anything else is refused where there is a
-    SceneGraph. Drake's renderers show `.obj` and `.gltf`, and leave other visuals out without a word.
+    SceneGraph. Drake's renderers show `.obj` and `.gltf`, and leave other visuals out in silence.
     """
 
     code = "DRK009"

@@ -113,6 +113,9 @@ def _angles(element: Element) -> list[tuple[int, str, str]]:
 
 def _says_otherwise(pose: Element) -> bool:
     """Does it say that it is in degrees, or a quaternion?"""
+    holder = pose.parent
+    if holder is not None and "degrees" in holder.keys():  # noqa: SIM118 - the business of misplaced-degrees
+        return True
     if not pose.keys():
         return False
     given = pose.attributes

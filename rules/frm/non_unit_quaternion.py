@@ -27,8 +27,8 @@ class NonUnitQuaternion(Rule):
     """The quaternion of a pose does not have the length 1.
 
     libsdformat takes it as it is, so what becomes of it differs from program to program: some
-    make it of unit length, others stretch what they turn. One of four zeros is no rotation
-    at all; Drake refuses it.
+    make it of unit length, as Drake does, others stretch what they turn. One of four zeros is no
+    rotation at all, and Drake refuses the file for it.
     """
 
     code = "FRM007"

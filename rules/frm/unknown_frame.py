@@ -9,10 +9,15 @@ from sdfcheck import (
     Diagnostic,
     FrameReference,
     Good,
+    Reaction,
     Rule,
     Severity,
+    accepts,
+    refuses,
     replace,
 )
+
+INSIDE = ("collision", "light", "sensor", "visual")
 
 
 class UnknownFrame(Rule):
@@ -91,6 +96,7 @@ class UnknownFrame(Rule):
         name, scope = reference.name, reference.scope
         if scope is None:
             return
+        affects = _affects(reference)
         guess = scope.guess(name, but=(reference.owner_element.attributes.get("name", ""),))
         message = f"`{reference.value.attribute}` names `{name}`, which is no frame of {scope.title}"
         if (meant := guess.meant) is not None:
@@ -99,13 +105,23 @@ class UnknownFrame(Rule):
                 f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
             )
             fix = replace(reference.value, meant, f"write `{meant}`", unsafe=True)
-            yield self.diagnostic(reference, message, fix=fix)
+            yield self.diagnostic(reference, message, fix=fix, affects=affects)
         elif name == "world":
             hint = "inside a model the frame of the world is out of reach"
-            yield self.diagnostic(reference, message, help=hint)
+            yield self.diagnostic(reference, message, help=hint, affects=affects)
         elif guess.outside is not None:
             message += "; it is defined outside, out of reach"
             labels = {guess.outside: f"`{name}` is defined here"}
-            yield self.diagnostic(reference, message, labels=labels)
+            yield self.diagnostic(reference, message, labels=labels, affects=affects)
         else:
-            yield self.diagnostic(reference, message)
+            yield self.diagnostic(reference, message, affects=affects)
+
+
+def _affects(reference: FrameReference) -> dict[Consumer, Reaction]:
+    owner = reference.owner_element.name
+    found: dict[Consumer, Reaction] = {}
+    if reference.role == "relative_to" and owner in INSIDE:
+        found[Consumer.GAZEBO] = refuses("refuses to place what is there")
+    if owner in ("sensor", "light"):
+        found[Consumer.DRAKE] = accepts("ignores the part")
+    return found

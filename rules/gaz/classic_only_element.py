@@ -42,7 +42,7 @@ class ClassicOnlyElement(Rule):
 
     Gazebo Classic came to its end in 2025. Its successor loads other plugins, does
     sound, grippers and the view with plugins, and has no populations, roads or saved states.
-    The elements are passed over; a plugin that cannot be loaded is an error on the console.
+    The elements are ignored; a plugin that cannot be loaded is an error on the console.
     """
 
     code = "GAZ002"

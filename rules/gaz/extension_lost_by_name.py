@@ -29,7 +29,7 @@ class ExtensionLostByName(Rule):
 
     libsdformat hands friction, contact and laser settings on to the collisions of the link,
     and materials to its visuals, by comparing names. A collision or visual with a name of its own
-    is passed over without a word, unless the name begins with that of the link.
+    is ignored in silence, unless the name begins with that of the link.
     """
 
     code = "GAZ004"

@@ -53,7 +53,7 @@ class FrameIdSpelling(Rule):
         ),
         Bad(
             "<«gz_frame_id»>imu</gz_frame_id>",
-            says="`gz_frame_id` is not in SDFormat 1.9; Gazebo reads it all the same",
+            says="`gz_frame_id` is not in SDFormat 1.9; Gazebo reads it anyway",
         ),
         Bad(
             "<«gz_frame_id»>imu</gz_frame_id>",
@@ -81,7 +81,7 @@ class FrameIdSpelling(Rule):
         for name, elements in misnamed(root).items():
             times = used(len(elements))
             if name == instead:
-                message = f"`{name}`{times} is not in SDFormat {version}; Gazebo reads it all the same"
+                message = f"`{name}`{times} is not in SDFormat {version}; Gazebo reads it anyway"
                 advice = "from version 1.12 on there is `frame_id`"
                 yield self.diagnostic(elements[0], message, help=advice, severity=Severity.INFO)
                 continue

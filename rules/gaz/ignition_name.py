@@ -34,7 +34,7 @@ class IgnitionName(Rule):
     """A plugin, element or prefix is called after Ignition, as Gazebo was up to Fortress.
 
     Gazebo Garden still took the old names, with a warning; later releases do not find the
-    plugins and pass over the elements. Fortress takes the new names of plugins as well.
+    plugins and ignore the elements. Fortress takes the new names of plugins as well.
     """
 
     code = "GAZ001"
@@ -59,6 +59,7 @@ class IgnitionName(Rule):
             '<gazebo><plugin filename="«ignition-gazebo6-imu-system»" name="imu"/></gazebo>',
             fixed='<gazebo><plugin filename="gz-sim-imu-system" name="imu"/></gazebo>',
             scaffold=IN_ROBOT,
+            also=("RES016",),
         ),
         Bad(
             '<plugin filename="MinimalScene" name="3D View"><«ignition-gui»><title>3D View</title>'

@@ -29,17 +29,17 @@ RED = '<material name="red"><color rgba="1 0 0 1"/></material>'
 class ScriptMaterial(Rule):
     """A visual gets its looks from a material script, which new Gazebo does not load.
 
-    Scripts belong to the renderer of Gazebo Classic; its successor shows the default colour. Only the
-    colours of the `Gazebo/…` palette are known to recent releases by their names, so these are for information.
-    Colours beside the script (`ambient`, `diffuse`, `pbr`) are seen everywhere.
+    Scripts belong to the renderer of Gazebo Classic; its successor shows the default color. Only the
+    colors of the `Gazebo/…` palette are known to recent releases by their names, so these are for information.
+    Colors beside the script (`ambient`, `diffuse`, `pbr`) are seen everywhere.
     """
 
     code = "GAZ006"
     name = "script-material"
     severity = Severity.WARNING
     affects = {
-        Consumer.GAZEBO: warns("shows the default colour"),
-        Consumer.DRAKE: {"sdf": warns("shows the default colour")},
+        Consumer.GAZEBO: warns("shows the default color"),
+        Consumer.DRAKE: {"sdf": warns("shows the default color")},
     }
     looks_at = (Root,)
     scaffold = IN_VISUAL
@@ -48,7 +48,7 @@ class ScriptMaterial(Rule):
         Bad(
             f"{SHAPE}<material><script><uri>model://m/materials/scripts</uri>"
             "<name>«Bark»</name></script></material>",
-            says="new Gazebo does not read material script `Bark`, and no colour stands beside it",
+            says="new Gazebo does not read material script `Bark`, and no color is beside it",
         ),
         Bad(
             '<gazebo reference="base"><material>«Gazebo/Red»</material></gazebo>'
@@ -61,11 +61,11 @@ class ScriptMaterial(Rule):
         Good(
             f"{SHAPE}<material><script><uri>file://media/materials/scripts/gazebo.material</uri>"
             "<name>Gazebo/Red</name></script><diffuse>1 0 0 1</diffuse></material>",
-            why="the colour is there for those who read no scripts",
+            why="the color is there for those who read no scripts",
         ),
         Good(
             '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>',
-            why="the colour of the visual is seen",
+            why="the color of the visual is seen",
             scaffold=LINK.replace("</visual>", f"{RED}</visual>"),
         ),
     )
@@ -82,7 +82,7 @@ class ScriptMaterial(Rule):
             script = f"material script `{name}`" if name else "a material script"
             yield self.diagnostic(
                 targets[0],
-                f"new Gazebo does not read {script}{used(len(targets))}, and no colour stands beside it",
+                f"new Gazebo does not read {script}{used(len(targets))}, and no color is beside it",
                 help="give the material `ambient` and `diffuse`",
                 severity=Severity.INFO if name.startswith(PALETTE) else None,
             )

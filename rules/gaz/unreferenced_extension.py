@@ -9,7 +9,7 @@ OTHERS = ("visual", "collision", "material", "robot")
 class UnreferencedExtension(Rule):
     """A `gazebo` block is for a link or joint that does not exist.
 
-    libsdformat drops the whole block without a word: friction, sensors and plugins in it
+    libsdformat drops the whole block in silence: friction, sensors and plugins in it
     are never seen. Links and joints can be referred to, visuals, collisions and the robot
     itself cannot; a block for the robot has no reference.
     """

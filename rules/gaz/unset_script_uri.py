@@ -3,7 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import IN_VISUAL, REFUSES, Bad, Consumer, Diagnostic, Good, Material, Rule, Severity
 
 UNSET = frozenset({"", "__default__"})
-"""What the reader takes for no URI: nothing, and the word for it."""
+"""What the consumer takes for no URI: nothing, and the word for it."""
 SHAPE = "<geometry><box><size>1 1 1</size></box></geometry>"
 SCRIPT = f"{SHAPE}<material><script>{{}}<name>Gazebo/Red</name></script><diffuse>1 0 0 1</diffuse></material>"
 
@@ -39,7 +39,7 @@ class UnsetScriptUri(Rule):
 
     @staticmethod
     def applies(material: Material) -> bool:
-        if material.is_urdf or material.is_extension:
+        if material.is_urdf:
             return False
         script = material.script
         uri = None if script is None else script.find("uri")

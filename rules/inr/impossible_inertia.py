@@ -1,14 +1,24 @@
 from collections.abc import Iterator, Sequence
 
 from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
-from sdfcheck_rules.inr.moments import has_moments, is_impossible, is_indefinite
+from sdfcheck_rules.inr.moments import has_moments, is_impossible, is_indefinite, once_merged
+
+INERTIA = (
+    '<inertial><mass value="1"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{1}"/></inertial>'
+)
+MERGED = (
+    f'<robot name="r"><link name="a">{INERTIA.format(8, 8)}</link><link name="b">{INERTIA.format(1, "«9»")}</link>'
+    '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
+)
 
 
 class ImpossibleInertia(Rule):
     """Principal moments break the triangle inequality, which no distribution of mass can.
 
     However a mass is spread, each principal moment of inertia is at most the sum of the
-    other two. libsdformat and Drake refuse the model, MuJoCo unless told otherwise.
+    other two. libsdformat refuses the model, MuJoCo unless told otherwise; Drake takes a solid sphere
+    in place of the inertia. In URDF libsdformat merges links that fixed joints tie together first, and
+    judges the sum.
     """
 
     code = "INR003"
@@ -37,6 +47,7 @@ class ImpossibleInertia(Rule):
             "<ixy>0.001</ixy><ixz>0.001</ixz><iyz>0.001</iyz></inertia></inertial>",
             says="0.003 > 0 + 0",
         ),
+        Bad(MERGED, scaffold="", says="9 > 1 + 1"),
     )
     good = (
         Good(
@@ -54,7 +65,9 @@ class ImpossibleInertia(Rule):
         message = f"no body has these principal moments: {high} > {low} + {middle}"
         largest = max("ixx", "iyy", "izz", key=inertial.moments.__getitem__)
         labels = {inertial.link: "the inertia of this link"}
-        yield self.diagnostic(inertial.moments[largest], message, labels=labels)
+        yield self.diagnostic(
+            inertial.moments[largest], message, labels=labels, affects=once_merged(inertial)
+        )
 
 
 def _distinct(principal: Sequence[float]) -> list[str]:

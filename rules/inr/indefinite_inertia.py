@@ -14,14 +14,15 @@ from sdfcheck import (
     Severity,
     warns,
 )
-from sdfcheck_rules.inr.moments import has_moments, is_indefinite
+from sdfcheck_rules.inr.moments import has_moments, is_indefinite, once_merged
 
 
 class IndefiniteInertia(Rule):
     """An inertia tensor is not positive definite, so the body would gain energy from turning.
 
-    libsdformat refuses the model, Drake and MuJoCo too. Common causes are a sign lost on
-    the way from a CAD program, and products of inertia that are larger than the moments.
+    libsdformat and MuJoCo refuse the model; Drake takes a solid sphere in place of the inertia. Common
+    causes are a sign lost on the way from a CAD program, and products of inertia that are larger than
+    the moments. In URDF libsdformat merges links that fixed joints tie together first, and judges the sum.
     """
 
     code = "INR002"
@@ -64,17 +65,17 @@ class IndefiniteInertia(Rule):
         return has_moments(inertial) and is_indefinite(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
-        labels = {inertial.link: "the inertia of this link"}
+        labels, affects = {inertial.link: "the inertia of this link"}, once_merged(inertial)
         name = _culprit(inertial.moments)
         if name is not None:
             moment = inertial.moments[name]
             reason = "negative" if name in _DIAGONAL else _too_large(name)
             message = f"{name} {moment.text} is {reason}: the inertia is not positive definite"
-            yield self.diagnostic(moment, message, labels=labels)
+            yield self.diagnostic(moment, message, labels=labels, affects=affects)
             return
         smallest = inertial.principal[0]
         message = f"the inertia is not positive definite: its smallest principal moment is {smallest:.6g}"
-        yield self.diagnostic(inertial.moments_element, message, labels=labels)
+        yield self.diagnostic(inertial.moments_element, message, labels=labels, affects=affects)
 
 
 _DIAGONAL = ("ixx", "iyy", "izz")

@@ -8,7 +8,7 @@ from sdfcheck_rules.inr.moments import is_about_origin, ratio
 class InertiaAboutWrongPoint(Rule):
     """An inertia fits the link's shapes only if it is about the link's origin.
 
-    SDFormat and URDF want the moments about the centre of mass, in the frame of the
+    SDFormat and URDF want the moments about the center of mass, in the frame of the
     inertial's own pose. CAD programs offer both; with the wrong one the link is far too
     slow to turn.
     """
@@ -39,7 +39,7 @@ class InertiaAboutWrongPoint(Rule):
             "<inertia><ixx>0.0017</ixx><iyy>0.0017</iyy><izz>0.0017</izz></inertia></inertial>"
             '<collision name="c"><pose>0 0 0.5 0 0 0</pose><geometry><box><size>0.1 0.1 0.1</size></box></geometry>'
             "</collision>",
-            why="about the centre of mass",
+            why="about the center of mass",
         ),
     )
 
@@ -50,7 +50,7 @@ class InertiaAboutWrongPoint(Rule):
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         offset = math.hypot(*inertial.center or ())
         message = (
-            f"the inertia seems to be about the link's origin, {offset:.3g} m away from the centre of mass: "
+            f"the inertia seems to be about the link's origin, {offset:.3g} m away from the center of mass: "
             f"it is {ratio(inertial):.1f} times that of a solid"
         )
         yield self.diagnostic(inertial.moments_element, message, labels={inertial.link: "this link"})

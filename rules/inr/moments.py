@@ -1,19 +1,15 @@
 """What the rules of this family ask of moments of inertia.
 
-The hard conditions are those of libsdformat 17 (gz-math's MassMatrix3): positive
-definite, and no principal moment above the sum of the other two. The soft ones compare
-with homogeneous solids of the link's own primitive shapes; only traces are compared,
-which no rotation changes.
+The hard conditions are those of libsdformat. The soft ones compare with homogeneous solids
+of the link's own primitive shapes; only traces are compared, which no rotation changes.
 """
 
 from __future__ import annotations
 
 import math
 
-from sdfcheck import Inertial
+from sdfcheck import Consumer, Inertial, Reaction, accepts
 
-_ROUNDING = 2.3e-15
-"""So much of the largest moment may be lost by rounding."""
 _FACTOR = 100.0
 """More than this off a solid of the same mass and shape is no modelling choice any more."""
 
@@ -31,20 +27,47 @@ def has_moments(inertial: Inertial) -> bool:
     return not mass.is_given or mass.number > 0 or "$" in mass.text  # which xacro has yet to fill in
 
 
+def has_moments_only(inertial: Inertial) -> bool:
+    """In URDF: has a link moments and a mass of 0, and do links with mass hold it?
+
+    Of one that moves, and of a root, other rules report that it has no mass.
+    """
+    if not inertial.is_legible or not any(inertial.tensor):
+        return False
+    lumping = inertial.link.model.lumping
+    return lumping.base(inertial.link) in lumping.with_mass
+
+
 def is_indefinite(inertial: Inertial) -> bool:
     """Is a principal moment negative?"""
-    return inertial.principal[0] < -rounding(inertial)
+    return inertial.tensor.is_indefinite
 
 
 def is_impossible(inertial: Inertial) -> bool:
     """Is a principal moment larger than the sum of the other two?"""
-    low, middle, high = inertial.principal
-    return low + middle + rounding(inertial) < high
+    return inertial.tensor.is_impossible
 
 
-def rounding(inertial: Inertial) -> float:
-    """How far off the principal moments may be because the moments were rounded."""
-    return _ROUNDING * max(map(abs, inertial.tensor))
+def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
+    """What libsdformat does about a link's impossible moments where it does not judge the link by itself.
+
+    In URDF it merges links that fixed joints tie together, and judges the sum of their moments.
+    """
+    if not inertial.is_urdf:
+        return {}
+    lumping, link = inertial.link.model.lumping, inertial.link
+    if link.name == "world" or lumping.is_dropped(link):
+        return {Consumer.GAZEBO: accepts("makes no link of it")}
+    base = lumping.base(link)
+    moments = lumping.moments(base)
+    if (
+        lumping.masses[base] < 0
+        or not math.isfinite(moments.trace)
+        or moments.is_indefinite
+        or moments.is_impossible
+    ):
+        return {}
+    return {Consumer.GAZEBO: accepts("takes the sum of the links that it merges")}
 
 
 def ratio(inertial: Inertial) -> float:

@@ -2,27 +2,39 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_LINK,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
     Good,
     Inertial,
     Link,
+    Reaction,
     Rule,
     Severity,
     accepts,
     refuses,
     warns,
 )
-from sdfcheck_rules.inr.moments import is_remarkable
+from sdfcheck_rules.inr.moments import has_moments_only, is_remarkable, once_merged
+
+INERTIAL = (
+    '<inertial><mass value="{0}"/><inertia ixx="{1}" ixy="0" ixz="0" iyy="{1}" iyz="0" izz="{1}"/></inertial>'
+)
+FIXED = (
+    f'<robot name="r"><link name="a">{INERTIAL.format(1, 1)}</link><link name="b">{INERTIAL}</link>'
+    '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
+)
+SPHERE = "takes a solid sphere of 1 kg in its place"
 
 
 class NonPositiveMass(Rule):
     """A mass is negative, zero or not a number.
 
-    libsdformat refuses a model with a negative or undefined mass; Drake aborts. A zero
-    mass is accepted and leaves the link without inertia: physics engines drop it, or
-    divide by it.
+    libsdformat refuses a model with a negative or undefined mass (version 17 drops such a link of a
+    URDF robot, with those below it); Drake takes a solid sphere of 1 kg in its place. A mass of 0
+    leaves the link without inertia: physics engines drop it, or divide by it. In URDF a link without
+    mass may be fixed to another one, but not have moments of inertia: Drake takes the sphere there, too.
     """
 
     code = "INR001"
@@ -31,7 +43,7 @@ class NonPositiveMass(Rule):
     looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: refuses("refuses a negative mass"),
-        Consumer.DRAKE: warns("takes a solid sphere in its place"),
+        Consumer.DRAKE: warns(SPHERE),
         Consumer.MUJOCO: refuses("refuses a link that moves"),
     }
     scaffold = IN_LINK
@@ -44,8 +56,10 @@ class NonPositiveMass(Rule):
             '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>',
             scaffold="",
         ),
+        Bad(FIXED.format("«0»", 1), scaffold="", says="link `b` has moments of inertia and a mass of 0"),
     )
     good = (
+        Good(FIXED.format("0", 0), why="no body at all, fixed to one", scaffold=""),
         Good("<inertial><mass>1e-9</mass></inertial>", why="small, but a mass"),
         Good(
             '<sdf version="1.12"><model name="m"><static>true</static><link name="a">'
@@ -60,26 +74,41 @@ class NonPositiveMass(Rule):
         if not is_remarkable(inertial):
             return False
         mass = inertial.mass
-        # No mass in URDF: it depends on the joint. What is not a number at all is malformed.
-        return mass.number < 0 or (mass.number == 0 and not inertial.is_urdf) or mass.text.lower() == "nan"
+        if mass.number == 0:
+            return not inertial.is_urdf or has_moments_only(inertial)
+        # What is not a number at all is malformed.
+        return mass.number < 0 or mass.text.lower() == "nan"
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         mass, link = inertial.mass, inertial.link
+        affects = once_merged(inertial)
         if mass.number == 0:
-            affects = {
-                Consumer.GAZEBO: warns("takes it as it is"),
-                Consumer.MUJOCO: accepts("asks the mass of all that is fixed together"),
-            }
-            message = f"link `{link.name}` has no mass: 0 kg"
+            what = "moments of inertia and a mass of 0" if inertial.is_urdf else "no mass: 0 kg"
+            affects.setdefault(Consumer.GAZEBO, REFUSES if inertial.is_urdf else warns("takes it as it is"))
+            affects[Consumer.MUJOCO] = _in_mujoco(inertial)
+            message = f"{link.title} has {what}"
             yield self.diagnostic(mass, message, severity=Severity.WARNING, affects=affects)
             return
+        if not _moves(link):
+            affects[Consumer.MUJOCO] = _in_mujoco(inertial)
+        elif inertial.is_urdf:
+            affects.setdefault(
+                Consumer.GAZEBO, warns("drops the link, and before version 17 refuses the file")
+            )
         what = "negative" if mass.number < 0 else "not a number"
         yield self.diagnostic(
             mass,
             f"mass {mass.text} is {what}",
             labels={link: "the mass of this link"},
-            affects={} if _moves(link) else {Consumer.MUJOCO: accepts("needs no mass where nothing moves")},
+            affects=affects,
         )
+
+
+def _in_mujoco(inertial: Inertial) -> Reaction:
+    """What MuJoCo does where no joint moves the link."""
+    if inertial.tensor.is_indefinite or inertial.tensor.is_impossible:
+        return refuses("refuses the moments")
+    return accepts("asks for the mass of all that is fixed together, and only where it moves")
 
 
 def _moves(link: Link) -> bool:

@@ -11,7 +11,7 @@ WITH_AXIS = frozenset(("continuous", "planar", "prismatic", "revolute"))
 def is_used(axis: Axis) -> bool:
     """Does anybody read the direction? The first axis of a joint counts, in URDF that of types that have one."""
     joint = axis.joint
-    if axis.is_extension or (axis is not joint.axis and axis is not joint.axis2):
+    if axis is not joint.axis and axis is not joint.axis2:
         return False
     return not axis.is_urdf or joint.type in WITH_AXIS
 

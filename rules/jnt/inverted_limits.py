@@ -70,7 +70,7 @@ class InvertedLimits(Rule):
             return False
         if limit.is_urdf and not (limit.joint.type in BOUNDED and inf > lower.number and upper.number > -inf):
             return False
-        return limit.axis.limit is limit and not limit.is_extension
+        return limit.axis.limit is limit
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper = limit.lower, limit.upper

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Reaction,
+    Root,
+    Rule,
+    Severity,
+    warns,
+)
 
 SHOWN = 6
 """So many links of a loop are shown: the first ones and the last."""
@@ -9,8 +22,9 @@ SHOWN = 6
 class JointLoop(Rule):
     """Joints lead from a link, from parent to child, back to it.
 
-    None of these links is the root, so nothing holds them. A URDF robot is a tree, and
-    urdfdom refuses the file. SDFormat allows loops; Drake refuses two links that are
+    None of these links is the root, so nothing holds them. A URDF robot is a tree: urdfdom and
+    libsdformat refuse a file without a root, and leave the ring out where there is another root; Drake
+    and MuJoCo refuse both. SDFormat allows loops; Drake refuses two links that are
     each other's parents. The joint that comes last in the file is the one that is
     reported: the others made a chain before it closed them.
     """
@@ -68,4 +82,12 @@ class JointLoop(Rule):
                 f"joints lead from link `{names[0]}` back to it: {way}",
                 labels=dict.fromkeys(others[: SHOWN - 1], "and on from here"),
                 severity=Severity.ERROR if root.is_urdf else None,
+                affects=_aside(root),
             )
+
+
+def _aside(root: Root) -> dict[Consumer, Reaction]:
+    """What becomes of a ring beside the root of a robot."""
+    if not root.is_urdf or not any(model.tree.roots for model in root.models):
+        return {}
+    return dict.fromkeys((Consumer.GAZEBO, Consumer.URDFDOM), warns("leaves out the links of the ring"))

@@ -9,7 +9,7 @@ class MissingAxis(Rule):
     """A joint that moves about or along an axis has none.
 
     Drake refuses the file. libsdformat accepts it, and Gazebo takes an axis of its own choice
-    without a word. Universal joints and those of type revolute2 need two.
+    in silence. Universal joints and those of type revolute2 need two.
     """
 
     code = "JNT004"
@@ -37,7 +37,7 @@ class MissingAxis(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return not (joint.is_urdf or joint.is_extension) and any(
+        return not joint.is_urdf and any(
             not axis.is_given and not joint.misspells(name)
             for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False)
         )
@@ -46,4 +46,4 @@ class MissingAxis(Rule):
         for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False):
             if not axis.is_given and not joint.misspells(name):
                 message = f"{joint.title} of type {joint.type} has no `{name}`"
-                yield self.diagnostic(joint, message, help="some readers take 0 0 1 instead")
+                yield self.diagnostic(joint, message, help="some consumers take 0 0 1 instead")

@@ -66,7 +66,7 @@ class NegativeLimit(Rule):
 
     @staticmethod
     def applies(part: Limit | Dynamics) -> bool:
-        if not _negative(part) or part.is_extension:
+        if not _negative(part):
             return False
         return part is part.axis.limit or part is part.axis.dynamics
 

@@ -10,8 +10,8 @@ ROUNDING = 1e-3
 class NonUnitAxis(Rule):
     """The axis of a joint does not have the length 1.
 
-    Readers keep the direction and make the length 1, so the robot is as it would be. Who
-    computes with the numbers as they stand gets motions that are too long or too short.
+    Consumers keep the direction and make the length 1, so the robot is as it would be. A
+    program that uses the numbers as written computes motions that are too long or too short.
     """
 
     code = "JNT013"

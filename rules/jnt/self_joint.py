@@ -47,7 +47,7 @@ class SelfJoint(Rule):
     @staticmethod
     def applies(joint: Joint) -> bool:
         child, parent = joint.child_value, joint.parent_value
-        if child is None or parent is None or joint.is_extension:
+        if child is None or parent is None:
             return False
         if child.text == parent.text:
             return joint.is_urdf or child.text != "world"  # otherwise the business of world-as-child

@@ -23,17 +23,18 @@ from sdfcheck import (
 class SeveralParents(Rule):
     """A link is the child of more than one joint.
 
-    A URDF robot is a tree, and urdfdom refuses a link with two parents. SDFormat allows it, and
-    Gazebo closes the loop, but it is seldom meant; Drake and the solvers of kinematics want a tree.
+    A URDF robot is a tree: MuJoCo, Drake and libsdformat 17 refuse a link with two parents, and urdfdom
+    hangs it on the joint whose name comes last. SDFormat allows it, and Gazebo closes the loop, but
+    it is seldom meant; Drake and the solvers of kinematics want a tree.
     """
 
     code = "JNT007"
     name = "several-parents"
     severity = Severity.WARNING
     affects = {
-        Consumer.GAZEBO: {"urdf": REFUSES},
+        Consumer.GAZEBO: {"urdf": refuses("refuses the file; version 12 does not")},
         Consumer.DRAKE: refuses("refuses the loop"),
-        Consumer.URDFDOM: warns("keeps one of the joints only"),
+        Consumer.URDFDOM: warns("hangs the link on the joint whose name comes last"),
         Consumer.MUJOCO: REFUSES,
     }
     looks_at = (Root,)

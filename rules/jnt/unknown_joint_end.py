@@ -10,11 +10,14 @@ from sdfcheck import (
     Edit,
     Good,
     Joint,
+    Model,
+    Reaction,
     Rule,
     Severity,
     Value,
     accepts,
     make_fix,
+    refuses,
 )
 
 _ARM = '<link name="arm"/>'
@@ -105,18 +108,29 @@ class UnknownJointEnd(Rule):
         meant, outside = joint.scope.guess(value.text, but=but, kind="link" if is_urdf else "")
         if outside is not None:
             labels = {outside: f"`{name}` is defined here"}
-            return self.diagnostic(value, f"{message} is outside, out of reach", labels=labels)
+            message += " is outside, out of reach"
+            return self.diagnostic(value, message, labels=labels, affects=_affects(joint, value))
         message += " does not exist"
         if others:
             message += f" (named {1 + len(others)} times)"
         if meant is None:
             advice = "only Drake takes `world` for granted, others want a link of that name"
-            known = {Consumer.DRAKE: accepts("takes it for granted")} if name == "world" else {}
-            return self.diagnostic(value, message, help=advice if known else None, affects=known)
+            affects = _affects(joint, value)
+            if name == "world":
+                affects[Consumer.DRAKE] = accepts("takes it for granted")
+            return self.diagnostic(value, message, help=advice if name == "world" else None, affects=affects)
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
         edits = tuple(Edit(end.span, meant) for end in (value, *others))
-        return self.diagnostic(value, message, fix=make_fix(f"write `{meant}`", edits, unsafe=True))
+        fix = make_fix(f"write `{meant}`", edits, unsafe=True)
+        return self.diagnostic(value, message, fix=fix, affects=_affects(joint, value))
+
+
+def _affects(joint: Joint, end: Value) -> dict[Consumer, Reaction]:
+    """libsdformat overlooks parents in nested models, and the joint cannot be made."""
+    is_nested = joint.model is not None and isinstance(joint.model.holder, Model)
+    is_overlooked = not joint.is_urdf and end.element.name == "parent" and is_nested
+    return {Consumer.GAZEBO: refuses("refuses to make the joint")} if is_overlooked else {}
 
 
 def _unknown_ends(joint: Joint) -> list[tuple[Value, list[Value]]]:
@@ -126,7 +140,7 @@ def _unknown_ends(joint: Joint) -> list[tuple[Value, list[Value]]]:
     parent, child = joint.parent_value, joint.child_value
     unknown = [parent] if parent is not None and joint.parent is None else []
     unknown += [child] if child is not None and joint.child is None else []
-    if not unknown or joint.is_extension:
+    if not unknown:
         return []
     scope = joint.scope
     found: list[tuple[Value, list[Value]]] = []

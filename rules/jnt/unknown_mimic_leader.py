@@ -72,7 +72,7 @@ class UnknownMimicLeader(Rule):
     @staticmethod
     def applies(mimic: Mimic) -> bool:
         value, joint = mimic.leader_value, mimic.joint
-        if value is None or mimic.is_extension or mimic is not mimic.axis.mimic:
+        if value is None or mimic is not mimic.axis.mimic:
             return False
         if mimic.leader is not None:
             return mimic.is_without_axis

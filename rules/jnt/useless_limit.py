@@ -16,14 +16,19 @@ UNLIMITED = 1e15
 class UselessLimit(Rule):
     """A joint has position limits that its type does not know.
 
-    A continuous joint turns without end. A joint that is meant to stop somewhere is
-    of type revolute.
+    A continuous joint turns without end; only Drake limits it in URDF anyway. A joint that is
+    meant to stop somewhere is of type revolute.
     """
 
     code = "JNT011"
     name = "useless-limit"
     severity = Severity.WARNING
-    affects = dict.fromkeys(Consumer, warns("has a joint that cannot be driven"))
+    affects = {
+        Consumer.GAZEBO: warns("ignores them"),
+        Consumer.DRAKE: {"sdf": warns("ignores them"), "urdf": warns("limits the joint")},
+        Consumer.URDFDOM: warns("hands them on"),
+        Consumer.MUJOCO: warns("ignores them"),
+    }
     looks_at = (Limit,)
     scaffold = IN_MODEL
 
@@ -50,7 +55,7 @@ class UselessLimit(Rule):
 
     @staticmethod
     def applies(limit: Limit) -> bool:
-        return bool(_useless(limit)) and limit.axis.limit is limit and not limit.is_extension
+        return bool(_useless(limit)) and limit.axis.limit is limit
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         first, *others = _useless(limit)

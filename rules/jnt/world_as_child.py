@@ -1,23 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity
+from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, refuses
 
 
 class WorldAsChild(Rule):
     """The child of a joint is the world.
 
-    A joint moves its child, and the world does not move. libsdformat refuses the file.
-    Swap the ends: the world can be a parent.
+    A joint moves its child, and the world does not move. libsdformat refuses the file, in URDF from
+    version 17 on; Drake refuses it in SDFormat. Swap the ends: the world can be a parent.
     """
 
     code = "JNT003"
     name = "world-as-child"
     severity = Severity.ERROR
     affects = {
-        Consumer.GAZEBO: REFUSES,
+        Consumer.GAZEBO: {"sdf": REFUSES, "urdf": refuses("refuses the file; version 12 does not")},
         Consumer.DRAKE: {"sdf": REFUSES},
-        Consumer.URDFDOM: REFUSES,
-        Consumer.MUJOCO: REFUSES,
     }
     looks_at = (Joint,)
     scaffold = IN_MODEL
@@ -38,7 +36,7 @@ class WorldAsChild(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        if joint.parent_value is None or joint.child_value is None or joint.is_extension:
+        if joint.parent_value is None or joint.child_value is None:
             return False
         if joint.is_urdf:
             is_link = joint.child_name == "world" and joint.child is not None

@@ -19,7 +19,7 @@ from sdfcheck_rules.jnt.directions import has_no_length, is_used
 class ZeroAxis(Rule):
     """The axis of a joint has no length, so it points nowhere.
 
-    libsdformat and Drake refuse the file; in other readers the joint's motion divides by zero.
+    libsdformat and Drake refuse the file; in other consumers the joint's motion divides by zero.
     """
 
     code = "JNT006"

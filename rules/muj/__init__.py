@@ -1,1 +1,3 @@
-"""MuJoCo: what its reader of URDF does not take."""
+"""MuJoCo: what its consumer of URDF does not take."""
+
+SOURCES = ("https://mujoco.readthedocs.io/en/stable/modeling.html",)

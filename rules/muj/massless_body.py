@@ -1,14 +1,13 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck_rules.muj.mass import is_massless
 
 JOINT = '<joint name="j" type="{}"><parent link="base"/><child link="arm"/></joint>'
 INERTIAL = (
     '<inertial><mass value="1"/><inertia ixx="{0}" iyy="{0}" izz="{0}" ixy="0" ixz="0" iyz="0"/></inertial>'
 )
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
-LEAST = 1e-15
-"""What the mass and the moments of a body that moves must exceed."""
 
 
 class MasslessBody(Rule):
@@ -45,9 +44,7 @@ class MasslessBody(Rule):
 
     @staticmethod
     def applies(link: Link) -> bool:
-        if not link.is_urdf or not link.parent_joints or not link.parent_joints[0].moves:
-            return False
-        return not any(map(_has_mass, _fused(link)))
+        return link.is_urdf and is_massless(link)
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         joint = link.parent_joints[0]
@@ -55,27 +52,3 @@ class MasslessBody(Rule):
             f"{link.title} moves by {joint.title} and has no mass or no inertia: MuJoCo refuses the file"
         )
         yield self.diagnostic(link, message, labels={joint: "it moves here"})
-
-
-def _fused(link: Link) -> set[Link]:
-    """The link with all that fixed joints tie to it from below, which MuJoCo makes one body."""
-    found = {link}
-    waiting = [link]
-    while waiting:
-        for joint in waiting.pop().child_joints:
-            child = joint.child_link if joint.is_fixed else None
-            if child is not None and child not in found:
-                found.add(child)
-                waiting.append(child)
-    return found
-
-
-def _has_mass(link: Link) -> bool:
-    """By its inertial, or by its collisions where it has none; what is not a number is reported for itself."""
-    inertial = link.inertial
-    if not inertial.is_given:
-        return link.has("collision")
-    if not inertial.has("mass") or not inertial.has("inertia"):
-        return True
-    numbers = [inertial.mass, *(inertial.moments[moment] for moment in ("ixx", "iyy", "izz"))]
-    return not any(number.is_given and number.number <= LEAST for number in numbers)

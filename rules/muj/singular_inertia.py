@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck_rules.muj.mass import is_massless
 
 LEAST = 1e-14
 """What each principal moment (kg·m²) must reach, unless all are 0."""
@@ -11,10 +12,10 @@ PUT = MASS.format("{}") + FIXED
 
 
 class SingularInertia(Rule):
-    """A principal moment of a link that does not move is 0 and others are not.
+    """A principal moment of a link is 0 and others are not.
 
     MuJoCo refuses the robot, wherever the link is, the root included; it takes a principal moment
-    below 1e-14 kg·m² for 0. Moments that are all 0 make a point mass, which may be fixed to something.
+    below 1e-14 kg·m² for 0. Moments that are all exactly 0 make a point mass, which may be fixed to something.
     """
 
     code = "MUJ004"
@@ -30,6 +31,7 @@ class SingularInertia(Rule):
             PUT.format(INERTIA.format("1", "1", "«0»")),
             says="the smallest principal moment of link `arm` is 0",
         ),
+        Bad(PUT.format(INERTIA.format("«1e-15»", "1e-15", "1e-15")), says="is 1e-15"),
     )
     good = (
         Good(PUT.format(INERTIA.format("0", "0", "0")), why="a point mass"),
@@ -38,14 +40,12 @@ class SingularInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if not inertial.is_urdf or inertial.is_unremarkable or not inertial.is_legible:
+        if not inertial.is_urdf or inertial.inertia is None or not inertial.is_legible:
             return False
-        joints = inertial.link.parent_joints
-        if inertial.inertia is None or (joints and joints[0].moves):
+        low, _, high = inertial.principal
+        if low >= LEAST or high <= 0 or inertial.tensor.is_indefinite or inertial.tensor.is_impossible:
             return False
-        low, middle, high = inertial.principal
-        is_body = low + middle >= high * (1 - LEAST) and low > -LEAST * high
-        return high > 0 and low < LEAST and is_body
+        return not is_massless(inertial.link)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         least = min("ixx", "iyy", "izz", key=lambda name: float(inertial.moments[name]))

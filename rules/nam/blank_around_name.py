@@ -4,7 +4,7 @@ from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Name, Root, Rule
 
 
 class BlankAroundName(Rule):
-    """A name in SDFormat begins or ends with a blank.
+    """A name in SDFormat begins or ends with a space.
 
     libsdformat takes it off from the name and from what refers to it. Plugins, scripts and
     other programs that compare names as they are written find nothing.
@@ -24,20 +24,20 @@ class BlankAroundName(Rule):
         Bad(
             '<link name="« tip»"/>',
             fixed='<link name="tip"/>',
-            says="a blank before the name `tip`",
+            says="a space before the name `tip`",
         ),
         Bad(
             '<frame name="«tool »"/>',
             fixed='<frame name="tool"/>',
-            says="a blank after the name `tool`",
+            says="a space after the name `tool`",
         ),
     )
     good = (
-        Good('<link name="left tip"/>', why="a blank inside a name belongs to it"),
+        Good('<link name="left tip"/>', why="a space inside a name belongs to it"),
         Good(
             '<robot name="r"><link name=" a"/></robot>',
             scaffold="",
-            why="readers of URDF keep it",
+            why="consumers of URDF keep it",
         ),
     )
 
@@ -49,7 +49,7 @@ class BlankAroundName(Rule):
         for given in filter(_is_standard, root.names.padded):
             where = "before" if given.value.text[0].isspace() else "after"
             fix = replace(given.value, given.name, f"write `{given.name}`")
-            yield self.diagnostic(given.value, f"a blank {where} the name `{given.name}`", fix=fix)
+            yield self.diagnostic(given.value, f"a space {where} the name `{given.name}`", fix=fix)
 
 
 def _is_standard(name: Name) -> bool:

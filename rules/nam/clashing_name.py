@@ -12,10 +12,15 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
+    refuses,
     warns,
 )
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
+ASIDE = {
+    Consumer.GAZEBO: refuses("its checker refuses the file; simulators read it"),
+    Consumer.DRAKE: accepts("takes both"),
+}
 
 
 class ClashingName(Rule):
@@ -75,7 +80,7 @@ class ClashingName(Rule):
             is_renamed = first.makes_frame and later.makes_frame and not later.is_merged
             is_renamed = is_renamed and root.is_older_than("1.7")
             message = f"{later.kind} `{later.name}` has the name of a {first.kind} in {later.parent.title}"
-            affects = {} if makes_frame else {Consumer.DRAKE: accepts("takes both")}
+            affects = {} if makes_frame else ASIDE
             if is_renamed:
                 affects = {Consumer.GAZEBO: warns("renames it")}
                 message += ", so libsdformat renames it"

@@ -78,9 +78,15 @@ class DelimiterInName(Rule):
             return self.diagnostic(given.value, message)
         message = f"the name `{given.name}` contains `::`, which SDFormat does not allow from 1.8 on"
         affects = dict.fromkeys(Consumer, accepts("takes it in this version"))
+        if given.kind == "link":
+            affects[Consumer.DRAKE] = REFUSES
         return self.diagnostic(given.value, message, severity=Severity.INFO, affects=affects)
 
 
 def _is_divided(name: Name) -> bool:
-    """Does it have a delimiter where one is not allowed? Custom elements and materials are free to."""
-    return "::" in name.name and ":" not in name.kind and name.kind != "material"
+    """Does it have a delimiter where one is not allowed? Custom elements and materials are free to.
+
+    Those in `<gazebo>` blocks are the business of delimiter-in-extension.
+    """
+    is_free = ":" in name.kind or name.kind == "material" or name.is_extension
+    return "::" in name.name and not is_free

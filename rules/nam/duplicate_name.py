@@ -1,6 +1,22 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, accepts
+from sdfcheck import (
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Name,
+    Reaction,
+    Root,
+    Rule,
+    Severity,
+    accepts,
+)
+
+UNAWARE = (Consumer.DRAKE, Consumer.URDFDOM, Consumer.MUJOCO)
+"""Who does not read `<gazebo>` blocks."""
 
 
 class DuplicateName(Rule):
@@ -49,5 +65,11 @@ class DuplicateName(Rule):
                 later.value,
                 f"there is another {later.kind} `{later.name}` in {where}",
                 labels={first.value: "the first one"},
-                affects={} if later.kind == "link" else {Consumer.MUJOCO: accepts("takes both")},
+                affects=_affects(later),
             )
+
+
+def _affects(later: Name) -> dict[Consumer, Reaction]:
+    if later.is_extension:
+        return dict.fromkeys(UNAWARE, accepts("does not read it"))
+    return {} if later.kind == "link" else {Consumer.MUJOCO: accepts("takes both")}

@@ -1,18 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
 
 
 class EmptyName(Rule):
     """A name is empty or blank.
 
     libsdformat stops reading there: what has a name must have one that can be referred to.
+    In URDF urdfdom and MuJoCo take it; Drake wants names of robots and links.
     """
 
     code = "NAM006"
     name = "empty-name"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES, Consumer.URDFDOM: REFUSES}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.EmptyName,)
     scaffold = IN_MODEL
 
@@ -27,7 +28,10 @@ class EmptyName(Rule):
         what = "blank" if value.text else "empty"
         message = f"the name of `{value.element.name}` is {what}"
         if problem.until is None:
-            yield self.diagnostic(value, message)
+            parent = value.element.parent
+            is_joint = value.element.name == "joint" and parent is not None and parent.name == "robot"
+            affects = {Consumer.DRAKE: accepts("needs no name there")} if is_joint else {}
+            yield self.diagnostic(value, message, affects=affects)
             return
         message += f", and required up to version {problem.until}"
         yield self.diagnostic(value, message, severity=Severity.WARNING)

@@ -8,7 +8,7 @@ _ENDS = frozenset("\"'<>: \t\r\n")
 
 
 class MalformedScopedName(Rule):
-    """A reference has an empty part before, behind or between `::`.
+    """A reference has an empty part before, after or between `::`.
 
     A scoped name leads down into nested models, one name after the other. There is no
     way up: a leading `::` does not mean the outermost scope, and finds nothing.

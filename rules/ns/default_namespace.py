@@ -1,13 +1,25 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    PrefixDeclaration,
+    Rule,
+    Severity,
+    make_fix,
+    warns,
+)
 
 
 class DefaultNamespace(Rule):
     """A default namespace is declared: `xmlns="…"`.
 
     The custom-elements proposal does not permit it: libsdformat reads names as plain
-    text and knows no default namespace. To a namespace-aware reader every element is
+    text and knows no default namespace. To a namespace-aware parser every element is
     then another one than the specification's.
     """
 
@@ -15,10 +27,10 @@ class DefaultNamespace(Rule):
     name = "default-namespace"
     severity = Severity.ERROR
     affects = {
-        Consumer.GAZEBO: {"sdf": warns("warns and reads it all the same")},
+        Consumer.GAZEBO: {"sdf": warns("warns and reads it anyway")},
         Consumer.DRAKE: {"sdf": REFUSES},
     }
-    explains = (problems.DefaultNamespace,)
+    looks_at = (PrefixDeclaration,)
 
     bad = (
         Bad(
@@ -39,8 +51,12 @@ class DefaultNamespace(Rule):
         ),
     )
 
-    def check(self, problem: problems.DefaultNamespace) -> Iterator[Diagnostic]:
-        fix = make_fix("remove it", (Edit(problem.whole, ""),), unsafe=True)
+    @staticmethod
+    def applies(declaration: PrefixDeclaration) -> bool:
+        return declaration.name == "xmlns" and declaration.document.kind.value == "sdf"
+
+    def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
+        fix = make_fix("remove it", (Edit(declaration.whole, ""),), unsafe=True)
         yield self.diagnostic(
-            problem.span, "a default namespace is not permitted; declare a prefix (`xmlns:…`)", fix=fix
+            declaration, "a default namespace is not permitted; declare a prefix (`xmlns:…`)", fix=fix
         )

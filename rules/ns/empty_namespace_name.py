@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, PrefixDeclaration, Rule, Severity, warns
+from sdfcheck_rules.ns.soundness import is_malformed, is_reserved
 
 
 class EmptyNamespaceName(Rule):
@@ -14,7 +15,7 @@ class EmptyNamespaceName(Rule):
     name = "empty-namespace-name"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("older versions refuse the file")}
-    explains = (problems.EmptyNamespaceName,)
+    looks_at = (PrefixDeclaration,)
 
     bad = (
         Bad(
@@ -29,7 +30,12 @@ class EmptyNamespaceName(Rule):
         ),
     )
 
-    def check(self, problem: problems.EmptyNamespaceName) -> Iterator[Diagnostic]:
-        message = f"prefix `{problem.prefix}` is declared with an empty name"
-        advice = "customary is a URI that you control"
-        yield self.diagnostic(problem.span, message, help=advice)
+    @staticmethod
+    def applies(declaration: PrefixDeclaration) -> bool:
+        if declaration.namespace.strip() or is_malformed(declaration.name):
+            return False
+        return declaration.first is None and not is_reserved(declaration)
+
+    def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
+        message = f"prefix `{declaration.prefix}` is declared with an empty name"
+        yield self.diagnostic(declaration, message, help="customary is a URI that you control")

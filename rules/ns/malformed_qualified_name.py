@@ -1,10 +1,11 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, PrefixedName, Rule, Severity
+from sdfcheck_rules.ns.soundness import is_malformed
 
 
 class MalformedQualifiedName(Rule):
-    """A name has more than one colon, or nothing before or behind it.
+    """A name has more than one colon, or nothing before or after it.
 
     A prefixed name is a prefix, one colon and a local part. libsdformat takes whatever
     has a colon for somebody's own; namespace-aware XML parsers refuse the file.
@@ -13,7 +14,10 @@ class MalformedQualifiedName(Rule):
     code = "NS008"
     name = "malformed-qualified-name"
     severity = Severity.ERROR
-    explains = (problems.MalformedQualifiedName,)
+    looks_at = (
+        PrefixDeclaration,
+        PrefixedName,
+    )
 
     bad = (
         Bad(
@@ -21,7 +25,7 @@ class MalformedQualifiedName(Rule):
             says="`p:a:b` has 2 colons",
         ),
         Bad('<sdf version="1.12"><world name="w" «:kind»="2d"/></sdf>', says="has nothing before its colon"),
-        Bad('<sdf version="1.12"><world name="w"><«p:»/></world></sdf>', says="has nothing behind its colon"),
+        Bad('<sdf version="1.12"><world name="w"><«p:»/></world></sdf>', says="has nothing after its colon"),
     )
     good = (
         Good('<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w"><p:a.b-c/></world></sdf>'),
@@ -33,10 +37,16 @@ class MalformedQualifiedName(Rule):
         ),
     )
 
-    def check(self, problem: problems.MalformedQualifiedName) -> Iterator[Diagnostic]:
-        name = problem.name
+    @staticmethod
+    def applies(named: PrefixDeclaration | PrefixedName) -> bool:
+        if isinstance(named, PrefixedName):
+            return is_malformed(named.name) and not named.is_in_plugin
+        return is_malformed(named.name) and named.name != "xmlns"
+
+    def check(self, named: PrefixDeclaration | PrefixedName) -> Iterator[Diagnostic]:
+        name = named.name
         if name.count(":") > 1:
             fault = f"has {name.count(':')} colons, and one is allowed"
         else:
-            fault = f"has nothing {'before' if name.startswith(':') else 'behind'} its colon"
-        yield self.diagnostic(problem.span, f"`{name}` {fault}")
+            fault = f"has nothing {'before' if name.startswith(':') else 'after'} its colon"
+        yield self.diagnostic(named, f"`{name}` {fault}")

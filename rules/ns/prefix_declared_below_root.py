@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, make_fix, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, Prefix, PrefixDeclaration, Rule, Severity, make_fix
 
 
 class PrefixDeclaredBelowRoot(Rule):
@@ -13,7 +13,7 @@ class PrefixDeclaredBelowRoot(Rule):
     code = "NS006"
     name = "prefix-declared-below-root"
     severity = Severity.INFO
-    explains = (problems.DeclaredBelowRoot,)
+    looks_at = (Prefix,)
 
     bad = (
         Bad(
@@ -39,20 +39,31 @@ class PrefixDeclaredBelowRoot(Rule):
             '<sdf version="1.12"><world name="w">'
             '<light name="a" type="point" xmlns:p="https://example.org/p" p:x="1"/>'
             '<light name="b" type="point" p:x="1"/></world></sdf>',
-            why="undeclared-prefix tells of the scope that is too small",
+            why="undeclared-prefix reports the scope that is too small",
         ),
     )
 
-    def check(self, problem: problems.DeclaredBelowRoot) -> Iterator[Diagnostic]:
-        message = f"prefix `{problem.prefix}` is declared below the root element"
-        if len(problem.wholes) > 1:
-            message += f" {len(problem.wholes)} times"
-        fix: Fix | None = None
-        if problem.wholes:
-            removed = tuple(Edit(whole, "") for whole in problem.wholes)
-            if problem.declaration:
-                added = Edit(problem.root, f" {problem.declaration}")
-                fix = make_fix("declare it on the root element", (added, *removed))
-            else:
-                fix = make_fix("remove it, the root element has it", removed)
-        yield self.diagnostic(problem.span, message, fix=fix)
+    @staticmethod
+    def applies(prefix: Prefix) -> bool:
+        return not prefix.undeclared and bool(_below(prefix))
+
+    def check(self, prefix: Prefix) -> Iterator[Diagnostic]:
+        message = f"prefix `{prefix.name}` is declared below the root element"
+        below = _below(prefix)
+        if len({declaration.namespace for declaration in prefix.declarations}) > 1:
+            for declaration in below:
+                yield self.diagnostic(declaration, message)
+            return
+        edits = [Edit(declaration.whole, "") for declaration in below]
+        title = "remove it, the root element has it"
+        if not prefix.declarations[0].is_on_root:
+            edits.insert(0, Edit(prefix.insertion, f" {below[0].whole.text.strip()}"))
+            title = "declare it on the root element"
+        if len(below) > 1:
+            message += f" {len(below)} times"
+        yield self.diagnostic(below[0], message, fix=make_fix(title, tuple(edits)))
+
+
+def _below(prefix: Prefix) -> list[PrefixDeclaration]:
+    """The declarations below the root that something uses."""
+    return [each for each in prefix.declarations if each.is_used and not each.is_on_root]

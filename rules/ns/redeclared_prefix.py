@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, PrefixDeclaration, Rule, Severity
 
 
 class RedeclaredPrefix(Rule):
@@ -8,20 +8,20 @@ class RedeclaredPrefix(Rule):
 
     This breaks the uniqueness rule of "Namespaces in XML", which the custom-elements
     proposal asks to comply with. It is an attribute given twice as well, for which
-    every reader refuses the file.
+    every consumer refuses the file.
     """
 
     code = "NS004"
     name = "redeclared-prefix"
     severity = Severity.ERROR
     affects = dict.fromkeys(Consumer, REFUSES)
-    explains = (problems.RedeclaredPrefix,)
+    looks_at = (PrefixDeclaration,)
 
     bad = (
         Bad(
             '<sdf version="1.12">'
             '<model name="m" xmlns:p="https://example.org/p" «xmlns:p»="https://example.org/q">'
-            '<link name="l" p:colour="red"/></model></sdf>',
+            '<link name="l" p:color="red"/></model></sdf>',
             says="prefix `p` is declared twice",
         ),
     )
@@ -34,6 +34,10 @@ class RedeclaredPrefix(Rule):
         ),
     )
 
-    def check(self, problem: problems.RedeclaredPrefix) -> Iterator[Diagnostic]:
-        message = f"prefix `{problem.prefix}` is declared twice on one element"
-        yield self.diagnostic(problem.span, message, labels={problem.first: "first declared here"})
+    @staticmethod
+    def applies(declaration: PrefixDeclaration) -> bool:
+        return declaration.first is not None
+
+    def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
+        message = f"prefix `{declaration.prefix}` is declared twice on one element"
+        yield self.diagnostic(declaration, message, labels={declaration.first: "first declared here"})

@@ -1,13 +1,25 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_JOINT, Bad, Consumer, Custom, Diagnostic, Good, Rule, Severity, warns
+from sdfcheck import (
+    IN_COLLISION,
+    IN_JOINT,
+    IN_MODEL,
+    Bad,
+    Consumer,
+    Custom,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    warns,
+)
 
 
 class ReplacedElement(Rule):
-    """A custom element stands in for a required standard one.
+    """A custom element replaces a required standard one.
 
     Custom elements may add information, and may not replace any: whoever gives
-    `<p:diameter>` must give `<radius>` all the same (custom-elements proposal). Readers
+    `<p:diameter>` must give `<radius>` anyway (custom-elements proposal). Consumers
     that do not know the prefix take the default.
     """
 
@@ -27,6 +39,13 @@ class ReplacedElement(Rule):
         Bad(
             '<axis><«p:xyz» xmlns:p="https://example.org/p">0 1 0</p:xyz></axis>',
             scaffold=IN_JOINT,
+            says="`axis` has no `xyz`",
+        ),
+        Bad(
+            '<include xmlns:experimental="http://sdformat.org/schemas/experimental"><uri>model://arm</uri>'
+            '<experimental:params><joint element_id="j"><axis action="replace">'
+            '<«p:xyz» xmlns:p="https://example.org/p">0 1 0</p:xyz></axis></joint></experimental:params></include>',
+            scaffold=IN_MODEL,
             says="`axis` has no `xyz`",
         ),
     )

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, PrefixedName, Rule, Severity
+from sdfcheck_rules.ns.soundness import is_malformed, is_reserved
 
 
 class ReservedPrefix(Rule):
@@ -13,7 +14,10 @@ class ReservedPrefix(Rule):
     code = "NS013"
     name = "reserved-prefix"
     severity = Severity.ERROR
-    explains = (problems.ReservedPrefix,)
+    looks_at = (
+        PrefixDeclaration,
+        PrefixedName,
+    )
 
     bad = (
         Bad(
@@ -37,7 +41,16 @@ class ReservedPrefix(Rule):
         ),
     )
 
-    def check(self, problem: problems.ReservedPrefix) -> Iterator[Diagnostic]:
-        prefix = problem.prefix
+    @staticmethod
+    def applies(named: PrefixDeclaration | PrefixedName) -> bool:
+        if is_malformed(named.name):
+            return False
+        if isinstance(named, PrefixedName):
+            return named.prefix == "xmlns"
+        return is_reserved(named) and named.first is None
+
+    def check(self, named: PrefixDeclaration | PrefixedName) -> Iterator[Diagnostic]:
+        prefix = named.prefix
         what = f"prefix `{prefix}`" if prefix in {"xml", "xmlns"} else f"the name of prefix `{prefix}`"
-        yield self.diagnostic(problem.span, f"{what} is reserved for XML itself")
+        place = named.prefix_span if isinstance(named, PrefixedName) else named.span
+        yield self.diagnostic(place, f"{what} is reserved for XML itself")

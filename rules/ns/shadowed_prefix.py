@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity
+from sdfcheck_rules.ns.soundness import is_sound
 
 
 class ShadowedPrefix(Rule):
@@ -13,7 +14,7 @@ class ShadowedPrefix(Rule):
     code = "NS011"
     name = "shadowed-prefix"
     severity = Severity.WARNING
-    explains = (problems.ShadowedPrefix, problems.SynonymousPrefix)
+    looks_at = (PrefixDeclaration,)
 
     bad = (
         Bad(
@@ -35,12 +36,17 @@ class ShadowedPrefix(Rule):
         ),
     )
 
-    def check(self, problem: problems.ShadowedPrefix | problems.SynonymousPrefix) -> Iterator[Diagnostic]:
-        if isinstance(problem, problems.ShadowedPrefix):
-            message = f"prefix `{problem.prefix}` gets another name inside its own scope"
-            yield self.diagnostic(
-                problem.span, message, labels={problem.outer: "declared with another name here"}
-            )
-        else:
-            message = f"prefix `{problem.prefix}` stands for the same namespace as `{problem.first_prefix}`"
-            yield self.diagnostic(problem.span, message, labels={problem.first: "the other prefix"})
+    @staticmethod
+    def applies(declaration: PrefixDeclaration) -> bool:
+        outer = declaration.outer
+        is_rival = declaration.twin is not None if outer is None else outer.namespace != declaration.namespace
+        return is_rival and is_sound(declaration)
+
+    def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
+        outer, twin, prefix = declaration.outer, declaration.twin, declaration.prefix
+        if outer is not None:
+            message = f"prefix `{prefix}` gets another name inside its own scope"
+            yield self.diagnostic(declaration, message, labels={outer: "declared with another name here"})
+        elif twin is not None:
+            message = f"prefix `{prefix}` stands for the same namespace as `{twin.prefix}`"
+            yield self.diagnostic(declaration, message, labels={twin: "the other prefix"})

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Rule, Severity, make_fix, problems, used
+from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Prefix, Rule, Severity, make_fix, used
 
 # Prefixes whose namespace names their vendors have settled.
 WELL_KNOWN = {
@@ -24,7 +24,7 @@ class UndeclaredPrefix(Rule):
     code = "NS003"
     name = "undeclared-prefix"
     severity = Severity.ERROR
-    explains = (problems.UndeclaredPrefix,)
+    looks_at = (Prefix,)
 
     bad = (
         Bad(
@@ -46,7 +46,7 @@ class UndeclaredPrefix(Rule):
         ),
         Bad(
             '<sdf version="1.12"><model name="m">'
-            '<link name="l" «mine»:colour="red" mine:size="2"/></model></sdf>',
+            '<link name="l" «mine»:color="red" mine:size="2"/></model></sdf>',
             says="used 2 times",
         ),
     )
@@ -62,20 +62,25 @@ class UndeclaredPrefix(Rule):
         ),
     )
 
-    def check(self, problem: problems.UndeclaredPrefix) -> Iterator[Diagnostic]:
-        prefix, times = problem.prefix, used(len(problem.uses))
-        namespace = problem.namespace or WELL_KNOWN.get(prefix, "")
+    @staticmethod
+    def applies(prefix: Prefix) -> bool:
+        # Without its own prefix xacro does nothing, which is another matter.
+        return bool(prefix.undeclared) and (prefix.name != "xacro" or prefix.document.kind.value != "xacro")
+
+    def check(self, prefix: Prefix) -> Iterator[Diagnostic]:
+        name, times = prefix.name, used(len(prefix.undeclared))
+        elsewhere = prefix.declarations[0] if prefix.declarations else None
+        namespace = (elsewhere.namespace if elsewhere else "") or WELL_KNOWN.get(name, "")
         fix: Fix | None = None
-        advice: str | None = f'declare it on the root element: xmlns:{prefix}="…"'
+        advice: str | None = f'declare it on the root element: xmlns:{name}="…"'
         if namespace:
             advice = None
-            declaration = Edit(problem.root, f' xmlns:{prefix}="{namespace}"')
+            declaration = Edit(prefix.insertion, f' xmlns:{name}="{namespace}"')
             fix = make_fix("declare it on the root element", (declaration,))
-        if problem.elsewhere is None or problem.scope_end is None:
-            message = f"prefix `{prefix}` is not declared{times}"
-            yield self.diagnostic(problem.span, message, fix=fix, help=advice)
+        if elsewhere is None:
+            message = f"prefix `{name}` is not declared{times}"
+            yield self.diagnostic(prefix.undeclared[0], message, fix=fix, help=advice)
             return
-        line = problem.scope_end.begin.line
-        labels = {problem.elsewhere: f"declared here, in scope until line {line}"}
-        message = f"prefix `{prefix}` is not declared here{times}"
-        yield self.diagnostic(problem.span, message, labels=labels, fix=fix, help=advice)
+        labels = {elsewhere: f"declared here, in scope until line {elsewhere.scope_end.begin.line}"}
+        message = f"prefix `{name}` is not declared here{times}"
+        yield self.diagnostic(prefix.undeclared[0], message, labels=labels, fix=fix, help=advice)

@@ -23,9 +23,9 @@ class UnknownElement(Rule):
 
     The custom-elements proposal keeps names without prefix for the standard; elements of
     one's own are given a prefix. libsdformat warns and keeps the element as somebody's
-    own, so that a misspelt one is as good as absent; Drake refuses the file. It is a warning
-    all the same, since what is somebody's own harms nobody in Gazebo, for which most files
-    are written. Who writes for Drake sets it to `error` under `[severity]`.
+    own, so that a misspelled one is as good as absent; Drake refuses the file. It is a warning
+    anyway, since what is somebody's own harms nobody in Gazebo, for which most files
+    are written. For Drake, set it to `error` under `[severity]`.
     """
 
     code = "NS002"
@@ -48,10 +48,10 @@ class UnknownElement(Rule):
             unsafe=True,
             says="did you mean `self_collide`?",
         ),
-        Bad("<«colour»>red</colour>", says="unknown element `colour` in model `m`"),
+        Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
     )
     good = (
-        Good('<p:colour xmlns:p="https://example.org/p">red</p:colour>', why="it has a prefix"),
+        Good('<p:color xmlns:p="https://example.org/p">red</p:color>', why="it has a prefix"),
         Good(
             '<p:wheel xmlns:p="https://example.org/p"><tyre>soft</tyre></p:wheel>',
             why="custom elements may hold what they like",

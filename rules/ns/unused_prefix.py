@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, named, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, PrefixDeclaration, Rule, Severity, make_fix, named
+from sdfcheck_rules.ns.soundness import is_sound
 
 
 class UnusedPrefix(Rule):
@@ -12,7 +13,7 @@ class UnusedPrefix(Rule):
     code = "NS007"
     name = "unused-prefix"
     severity = Severity.INFO
-    explains = (problems.UnusedPrefix,)
+    looks_at = (PrefixDeclaration,)
 
     bad = (
         Bad(
@@ -38,10 +39,24 @@ class UnusedPrefix(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnusedPrefix) -> Iterator[Diagnostic]:
-        removed = tuple(Edit(whole, "") for whole in problem.wholes)
+    @staticmethod
+    def applies(declaration: PrefixDeclaration) -> bool:
+        # The files that an xacro file includes may use what it declares.
+        if declaration.is_used or declaration.document.kind.value == "xacro":
+            return False
+        return _unused(declaration)[:1] == [declaration]
+
+    def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
+        unused = _unused(declaration)
+        removed = tuple(Edit(each.whole, "") for each in unused)
+        prefixes = named([each.prefix for each in unused], most=5)
         if len(removed) == 1:
-            what, cure = f"prefix {named(problem.prefixes, most=5)} is", "remove the declaration"
+            what, cure = f"prefix {prefixes} is", "remove the declaration"
         else:
-            what, cure = f"prefixes {named(problem.prefixes, most=5)} are", "remove the declarations"
-        yield self.diagnostic(problem.span, f"{what} declared and not used", fix=make_fix(cure, removed))
+            what, cure = f"prefixes {prefixes} are", "remove the declarations"
+        yield self.diagnostic(declaration, f"{what} declared and not used", fix=make_fix(cure, removed))
+
+
+def _unused(declaration: PrefixDeclaration) -> list[PrefixDeclaration]:
+    """What its element declares and nothing uses."""
+    return [each for each in declaration.beside if not each.is_used and is_sound(each)]

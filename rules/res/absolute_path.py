@@ -49,7 +49,7 @@ class AbsolutePath(Rule):
         ),
     )
     good = (
-        Good(MESH.format("file://meshes/arm.dae"), why="relative all the same"),
+        Good(MESH.format("file://meshes/arm.dae"), why="relative anyway"),
         Good(MESH.format("model://arm/arm.dae")),
     )
 

@@ -12,7 +12,7 @@ SELF = (
 class IncludeCycle(Rule):
     """A model includes itself, directly or by way of others.
 
-    No reader guards against it: libsdformat and Gazebo include until the stack is full,
+    No consumer guards against it: libsdformat and Gazebo include until the stack is full,
     and crash.
     """
 

@@ -29,8 +29,8 @@ class InvalidIncludeParameter(Rule):
     Each entry of `<experimental:params>` names an element of the included model by
     `element_id` and says in `action` whether to add, modify, remove or replace it;
     without an action its children say so. libsdformat skips an entry that it cannot
-    carry out and refuses the document. What is added or replaced has to fit the format
-    besides.
+    carry out and refuses the document; where a name is missing it takes the first one. What is added
+    or replaced has to fit the format, too.
     """
 
     code = "RES010"
@@ -65,7 +65,7 @@ class InvalidIncludeParameter(Rule):
             says="has no `gravity`",
         ),
         Bad('<link element_id="base"><«wheel» action="add"/></link>', files=ARM, says="may not hold `wheel`"),
-        Bad('<link element_id="base" action="modify" «colour»="red"/>', files=ARM, says="attribute `colour`"),
+        Bad('<link element_id="base" action="modify" «color»="red"/>', files=ARM, says="attribute `color`"),
         Bad('<link element_id="base"><«visual» action="remove"/></link>', files=ARM, says="`skin` is taken"),
         Bad('<«link» element_id="base"/>', files=ARM, says="changes nothing"),
     )
@@ -88,6 +88,8 @@ class InvalidIncludeParameter(Rule):
             place = place.name_span
         doubtful = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("changes nothing"))
         affects = doubtful if problem.fault is ParameterFault.NO_CHANGE else {}
+        if problem.fault is ParameterFault.NAME_ASSUMED:
+            affects = {Consumer.GAZEBO: warns("takes the first one")}
         yield self.diagnostic(place, message, severity=severity, affects=affects)
 
     def message(self, problem: problems.InvalidParameter) -> str:

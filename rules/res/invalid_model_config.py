@@ -13,6 +13,7 @@ from sdfcheck import (
     Severity,
     Value,
     refuses,
+    warns,
 )
 
 CONFIG = "model.config"
@@ -25,7 +26,7 @@ MESSAGES = {
     ConfigFault.EMPTY_FILE: "`sdf` names no file",
     ConfigFault.NO_VERSION: "`sdf` has no `version`",
     ConfigFault.BAD_VERSION: "`{}` is no version of SDFormat",
-    ConfigFault.TOO_NEW: "version {} is newer than any reader knows",
+    ConfigFault.TOO_NEW: "version {} is newer than any consumer knows",
     ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
     ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
 }
@@ -104,7 +105,7 @@ class InvalidModelConfig(Rule):
         if isinstance(subject, ModelConfig):
             yield from self.misconfigured(subject)
         elif subject.uri_value is not None:
-            message = f"`{subject.uri}` has only a manifest.xml, and readers look for a model.config"
+            message = f"`{subject.uri}` has only a manifest.xml, and consumers look for a model.config"
             yield self.diagnostic(subject.uri_value, message)
 
     def misconfigured(self, config: ModelConfig) -> Iterator[Diagnostic]:
@@ -113,4 +114,10 @@ class InvalidModelConfig(Rule):
             message = MESSAGES[fault].format(named, near)
             if near is not None and fault is not ConfigFault.UNMADE_FILE:
                 message += f", did you mean `{near}`?"
-            yield self.diagnostic(place, message, severity=SEVERITIES.get(fault, Severity.ERROR))
+            affects = dict.fromkeys(self.affects, warns("reads the model, and warns"))
+            yield self.diagnostic(
+                place,
+                message,
+                severity=SEVERITIES.get(fault, Severity.ERROR),
+                affects=affects if fault is ConfigFault.NO_NAME else {},
+            )

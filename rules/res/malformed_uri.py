@@ -27,10 +27,10 @@ CUT_OFF = frozenset({UriFault.SLASHES, UriFault.SCHEME_CASE, UriFault.UNKNOWN_SC
 
 
 class MalformedUri(Rule):
-    """A URI is spelt so that readers do not find what it names.
+    """A URI is spelt so that consumers do not find what it names.
 
     A slash too few or too many, backslashes, capital letters in the scheme, a scheme
-    that nobody knows, blanks. Readers differ in what they forgive: libsdformat cuts any
+    that nobody knows, spaces. Consumers differ in what they forgive: libsdformat cuts any
     scheme off, ROS hands the address to a web client that insists on it.
     """
 
@@ -46,7 +46,7 @@ class MalformedUri(Rule):
             URDF_MESH.format("«package:/arm/arm.stl»"),
             fixed=URDF_MESH.format("package://arm/arm.stl"),
             scaffold=IN_URDF_LINK,
-            says="not two slashes behind",
+            says="is not followed by two slashes",
         ),
         Bad(
             MESH.format("«model:\\\\arm\\arm.dae»"),
@@ -56,30 +56,30 @@ class MalformedUri(Rule):
         Bad(
             MESH.format("«Model://arm/arm.dae»"),
             fixed=MESH.format("model://arm/arm.dae"),
-            says="small letters",
+            says="lower case",
         ),
         Bad(
             "<include><uri>«modle://arm»</uri></include>",
             fixed="<include><uri>model://arm</uri></include>",
             scaffold=IN_WORLD,
-            says="no reader knows the scheme `modle`",
+            says="no consumer knows the scheme `modle`",
         ),
         Bad(MESH.format("«model://»"), says="names no model"),
         Bad(
             MESH.format("«https:/fuel.example.org/arm»"),
             fixed=MESH.format("https://fuel.example.org/arm"),
-            says="not two slashes behind",
+            says="is not followed by two slashes",
         ),
         Bad(
             URDF_MESH.format("« package://arm/arm.stl»"),
             fixed=URDF_MESH.format("package://arm/arm.stl"),
             scaffold=IN_URDF_LINK,
-            says="blank",
+            says="space",
         ),
     )
     good = (
-        Good(MESH.format("model://Double pendulum/arm.dae"), why="names may have blanks"),
-        Good(MESH.format("\n  meshes/arm.dae\n"), why="blanks around the text of an element do not count"),
+        Good(MESH.format("model://Double pendulum/arm.dae"), why="names may have spaces"),
+        Good(MESH.format("\n  meshes/arm.dae\n"), why="spaces around the text of an element do not count"),
     )
 
     @staticmethod
@@ -98,11 +98,11 @@ class MalformedUri(Rule):
         scheme = named.uri.partition(":")[0]
         message = {
             UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
-            UriFault.SLASHES: f"not two slashes behind `{scheme}:` in `{text}`",
-            UriFault.SCHEME_CASE: f"the scheme `{scheme}` is spelt in small letters",
-            UriFault.UNKNOWN_SCHEME: f"no reader knows the scheme `{scheme}`",
+            UriFault.SLASHES: f"`{scheme}:` is not followed by two slashes in `{text}`",
+            UriFault.SCHEME_CASE: f"the scheme `{scheme}` should be in lower case",
+            UriFault.UNKNOWN_SCHEME: f"no consumer knows the scheme `{scheme}`",
             UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
-            UriFault.BLANK: f"a blank too many in `{text}`",
+            UriFault.BLANK: f"`{text}` has a space that does not belong to it",
         }[fault]
         if meant is None:
             yield self.diagnostic(value, message, affects=affects)

@@ -8,6 +8,8 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Missing,
+    MissingKind,
     Resource,
     Root,
     Rule,
@@ -100,8 +102,9 @@ class MissingFile(Rule):
             assert location is not None, "what is missing was looked for"
             setting = "model-paths" if location.scheme == "model" else "package-paths"
             advice = f"; set `{setting}` in the configuration if it is elsewhere"
-            yield self.together(
-                uses, f"{location.scheme} `{location.name}` is not on the search path", advice
+            message = f"{location.scheme} `{location.name}` is not on the search path"
+            yield self.together(uses, message, advice)._replace(
+                missing=Missing(MissingKind(location.scheme), location.name, len(uses))
             )
         for folder, uses in absences.folders.items():
             yield self.together(uses, f"there is no folder `{place(root.document, folder)}`")

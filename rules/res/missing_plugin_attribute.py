@@ -22,7 +22,7 @@ class MissingPluginAttribute(Rule):
     """A plugin has no `filename`, or in old versions no `name`.
 
     Without the name of the library there is nothing to load, and libsdformat stops
-    reading the document. A `name` is required up to version 1.9; later readers do
+    reading the document. A `name` is required up to version 1.9; later consumers do
     without, and only older ones refuse the file.
     """
 

@@ -66,5 +66,5 @@ def names_in(folder: str | Path, endings: tuple[str, ...]) -> list[str]:
 
 
 def needs_no_escape(text: str) -> bool:
-    """Can the text stand in XML as it is?"""
+    """Can the text be in XML as it is?"""
     return not set(text) & set("<>&\"'")

@@ -24,7 +24,7 @@ SHELL = '<collision name="shell"><geometry><sphere><radius>1</radius></sphere></
 class UnknownCollisionReference(Rule):
     """A contact sensor, sound, gripper or state names a collision, link or model that is not there.
 
-    No reader complains. The sensor never senses, the sound never sounds, the gripper
+    No consumer complains. The sensor never senses, the sound never sounds, the gripper
     never grips, the state is not restored.
     """
 
@@ -55,9 +55,9 @@ class UnknownCollisionReference(Rule):
     )
     good = (
         Good(SHELL + SENSOR.format("shell")),
-        Good(SHELL + SENSOR.format(" shell "), why="blanks around a name are not part of it"),
+        Good(SHELL + SENSOR.format(" shell "), why="spaces around a name are not part of it"),
         Good(SHELL + SENSOR.format("__default__"), why="the word for nothing in particular"),
-        Good(SHELL + SENSOR.format("m::base::shell"), why="readers differ in how they spell scopes"),
+        Good(SHELL + SENSOR.format("m::base::shell"), why="consumers differ in how they spell scopes"),
         Good(
             '<gripper name="g"><gripper_link>base</gripper_link><palm_link>base</palm_link></gripper>',
             scaffold=IN_MODEL,

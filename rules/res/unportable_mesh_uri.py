@@ -20,7 +20,7 @@ MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 
 
 class UnportableMeshUri(Rule):
-    """The address of a mesh in a URDF is one that not all readers of URDF resolve.
+    """The address of a mesh in a URDF is one that not all consumers of URDF resolve.
 
     ROS programs such as RViz know `package://`, `file://` and web addresses; a relative
     path or `model://` shows no mesh there. Drake, MuJoCo and Gazebo do resolve relative

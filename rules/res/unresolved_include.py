@@ -1,9 +1,24 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, REFUSES, Bad, Consumer, Diagnostic, Good, Include, Root, Rule, Severity
+from sdfcheck import (
+    IN_WORLD,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Include,
+    Missing,
+    MissingKind,
+    Root,
+    Rule,
+    Severity,
+    refuses,
+)
 from sdfcheck_rules.res.places import descriptions, looked_for
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
+ELSEWHERE = refuses("refuses the file where it does not find it")
 
 
 class UnresolvedInclude(Rule):
@@ -97,11 +112,13 @@ class UnresolvedInclude(Rule):
         times = f" ({count} includes)" if count > 1 else ""
         severity = Severity.ERROR
         advice: str | None = where
+        lacked: Missing | None = None
         if location.is_remote:
             severity, advice = Severity.INFO, None
             message = f"`{text}` is not fetched, so what it brings is not known{times}"
+            lacked = Missing(MissingKind.REMOTE, text, count)
         elif not location.is_local:
-            advice, message = None, f"no reader knows the scheme `{location.scheme}`"
+            advice, message = None, f"no consumer knows the scheme `{location.scheme}`"
         elif location.owner is not None:
             missing = text.partition(f"{location.name}/")[2]
             message = f"there is no `{missing}` in {location.scheme} `{location.name}`"
@@ -109,7 +126,9 @@ class UnresolvedInclude(Rule):
             kind = location.scheme or "model"
             message = f"{kind} `{location.name or text}` is not on the search path{times}"
             severity = Severity.WARNING
+            lacked = Missing(MissingKind(kind), location.name or text, count)
             advice = f"{where}; set `{kind}-paths` in the configuration if it is elsewhere"
         else:
             message = f"`{text}` leads to no file"
-        yield self.diagnostic(value, message, severity=severity, help=advice)
+        affects = {} if lacked is None else dict.fromkeys(self.affects, ELSEWHERE)
+        yield self.diagnostic(value, message, severity=severity, help=advice, affects=affects, missing=lacked)

@@ -12,6 +12,7 @@ from sdfcheck import (
     Obstacle,
     Rule,
     Severity,
+    warns,
 )
 
 SETTINGS = ("name", "static", "placement_frame")
@@ -77,7 +78,9 @@ class UnusableInclude(Rule):
         for setting in empty_settings(include):
             yield self.diagnostic(setting, f"`{setting.name}` of this include is empty")
         if include.is_read_in_vain and include.uri_value is not None:
-            yield self.diagnostic(include.uri_value, self.reason(include))
+            is_foreign = include.obstacle is Obstacle.FOREIGN
+            affects = {Consumer.DRAKE: warns("loads nothing in its place")} if is_foreign else {}
+            yield self.diagnostic(include.uri_value, self.reason(include), affects=affects)
 
     def reason(self, include: Include) -> str:
         file, document = include.found.file, include.found.document

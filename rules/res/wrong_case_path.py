@@ -27,7 +27,7 @@ ELSEWHERE = refuses("refuses the file where the case of letters counts")
 class WrongCasePath(Rule):
     """A path is right but for capital letters.
 
-    Windows and macOS find the file all the same; on Linux it is missing. An include of
+    Windows and macOS find the file anyway; on Linux it is missing. An include of
     it is an error, because the document is refused there.
     """
 

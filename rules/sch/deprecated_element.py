@@ -12,6 +12,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    accepts,
     make_fix,
     named,
     problems,
@@ -78,6 +79,7 @@ class DeprecatedElement(Rule):
                 f"{what} is called `{successor}`{since}",
                 severity=Severity.INFO,
                 fix=_renaming(problem),
+                affects=dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), accepts("reads the old name")),
             )
             return
         message = f"`{element.name}` is deprecated{since}"

@@ -5,7 +5,7 @@ from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Light, Rule, Sev
 
 LIGHT = (
     '<light name="l" type="{}"><spot><inner_angle>{}</inner_angle><outer_angle>{}</outer_angle>'
-    "<falloff>1</falloff></spot></light>"
+    "<falloff>1</falloff></spot><direction>0 0 -1</direction></light>"
 )
 
 

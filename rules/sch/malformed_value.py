@@ -20,8 +20,8 @@ INERTIAL = (
 )
 
 WORDS = {
-    "BLANK": "`{name}` holds a blank that is not between numbers, or that is no space",
-    "COMMA": "`{name}` should be {expected}, parted by spaces and not by commas",
+    "BLANK": "`{name}` holds a space that is not between numbers, or that is no space",
+    "COMMA": "`{name}` should be {expected}, separated by spaces and not by commas",
     "EXPRESSION": "`{name}` holds an expression that nothing has expanded",
     "FRACTION": "`{name}` should be {expected}, and `{part}` is a fraction",
     "HEXADECIMAL": "`{name}` should be {expected}, and `{part}` is hexadecimal",
@@ -37,7 +37,7 @@ class MalformedValue(Rule):
     """A value is not of the type that its place asks for.
 
     libsdformat refuses the whole document for one such value, and says of it only that
-    some element could not be read. Numbers have a decimal point and are parted by
+    some element could not be read. Numbers have a decimal point and are separated by
     spaces; a truth value is true, false, 1 or 0. Where a value may be left out, an empty
     one is the default, and gets a warning.
     """
@@ -53,7 +53,7 @@ class MalformedValue(Rule):
         Bad("<gravity>«yes»</gravity>", says="`gravity` should be true or false, not `yes`"),
         Bad("<pose>0 0 «high» 0 0 0</pose>", says="`pose` should be 6 numbers, and `high` is none"),
         Bad("<pose>«0 0 ${z} 0 0 0»</pose>", says="`pose` holds an expression that nothing has expanded"),
-        Bad("<pose>«0,0,1,0,0,0»</pose>", says="should be 6 numbers, parted by spaces and not by commas"),
+        Bad("<pose>«0,0,1,0,0,0»</pose>", says="should be 6 numbers, separated by spaces and not by commas"),
         Bad("<mass>«heavy»</mass>", scaffold=INERTIAL, says="`mass` should be a number, not `heavy`"),
         Bad("<mass>«1e400»</mass>", scaffold=INERTIAL, says="`1e400` is too large for `mass`"),
         Bad('<pose degrees="«on»">0 0 0 0 0 0</pose>', says="`degrees` should be true or false"),

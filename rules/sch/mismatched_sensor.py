@@ -48,7 +48,7 @@ class MismatchedSensor(Rule):
     @staticmethod
     def applies(sensor: Sensor) -> bool:
         expected = sensor.settings_names
-        if not expected or sensor.root.is_urdf or any(sensor.misspells(name) for name in expected):
+        if not expected or any(sensor.misspells(name) for name in expected):
             return False
         return wrong_settings(sensor) is not None or lacks_settings(sensor)
 

@@ -17,11 +17,11 @@ from sdfcheck import (
 
 
 class MisplacedElement(Rule):
-    """A standard element stands where its parent does not allow it.
+    """A standard element is where its parent does not allow it.
 
-    Readers look for an element in its place only. libsdformat warns and ignores a
+    Consumers look for an element in its place only. libsdformat warns and ignores a
     misplaced one, so the mass, the pose or the friction that it gives is the default
-    instead. Only an `<include>` is followed wherever it stands, and gets a warning.
+    instead. Only an `<include>` is followed wherever it is, and gets a warning.
     """
 
     code = "SCH003"
@@ -47,7 +47,7 @@ class MisplacedElement(Rule):
         Good("<inertial><mass>2</mass></inertial>"),
         Good(
             '<p:mass xmlns:p="https://example.org/p">2</p:mass>',
-            why="a custom element is free to stand anywhere",
+            why="a custom element is free to be anywhere",
         ),
         Good(
             '<sensor name="s" type="custom"><plugin filename="p" name="p"><mass>2</mass></plugin></sensor>',
@@ -66,5 +66,5 @@ class MisplacedElement(Rule):
             yield self.diagnostic(element, message)
             return
         yield self.diagnostic(
-            element, message, severity=Severity.WARNING, help="libsdformat follows it all the same"
+            element, message, severity=Severity.WARNING, help="libsdformat follows it anyway"
         )

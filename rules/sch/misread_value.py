@@ -21,7 +21,7 @@ IMAGE = (
     '<sdf version="1.12"><model name="m"><link name="base"><sensor name="s" type="camera">'
     "<camera>{}</camera></sensor></link></model></sdf>"
 )
-# Behind a number, these do not change what it was meant to be.
+# After a number, these do not change what it was meant to be.
 TRAILERS = ",;\"'"
 
 
@@ -30,8 +30,8 @@ class MisreadValue(Rule):
 
     libsdformat takes the longest number from the front of a text and forgets the rest: a
     decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one
-    counts. A value also ends at a comment. What is read as it was meant all the same (a
-    comma or quote behind a number, a hexadecimal number) gets a warning.
+    counts. A value also ends at a comment. What is read as it was meant anyway (a
+    comma or quote after a number, a hexadecimal number) gets a warning.
     """
 
     code = "SCH012"
@@ -56,7 +56,7 @@ class MisreadValue(Rule):
         Bad("<visibility_mask>«-1»</visibility_mask>", scaffold=IMAGE, says="`-1` is read as 4294967295"),
     )
     good = (
-        Good("<mass>1.5 <!-- kg --></mass>", why="nothing stands behind the comment"),
+        Good("<mass>1.5 <!-- kg --></mass>", why="nothing is after the comment"),
         Good("<mass>1e-3</mass>"),
         Good(
             "<image><width>320.0</width><height>240</height></image>",
@@ -68,9 +68,11 @@ class MisreadValue(Rule):
     def check(self, problem: problems.MisreadValue | problems.CutText) -> Iterator[Diagnostic]:
         name = problem.value.attribute or problem.value.element.name
         if isinstance(problem, problems.CutText):
-            yield self.diagnostic(
-                problem.rest, f"`{name}` ends at the comment: what stands behind it is not read"
-            )
+            message = f"`{name}` ends at the comment: what follows it is not read"
+            words = len(problem.value.element.content.split())
+            is_short = name == "pose" and words not in (0, 6, 7)
+            affects = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), REFUSES) if is_short else {}
+            yield self.diagnostic(problem.rest, message, affects=affects)
             return
         reading, part = problem.reading, problem.span.text
         affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else {}
@@ -90,5 +92,5 @@ class MisreadValue(Rule):
             f"`{part}` is read as {reading.read_as}",
             severity=Severity.WARNING if as_meant else None,
             affects=affects,
-            help="numbers have a decimal point and are parted by spaces" if cause == "COMMA" else None,
+            help="numbers have a decimal point and are separated by spaces" if cause == "COMMA" else None,
         )

@@ -23,7 +23,7 @@ class MissingAttribute(Rule):
 
     libsdformat stops reading at the first one: a joint without type or a link
     without name costs the whole document. An attribute that later versions
-    no longer require is told as a warning, because only older readers refuse the file.
+    no longer require is reported as a warning, because only older consumers refuse the file.
     """
 
     code = "SCH005"

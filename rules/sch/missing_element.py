@@ -5,6 +5,7 @@ from sdfcheck import (
     IN_LINK,
     IN_MODEL,
     IN_VISUAL,
+    IN_WORLD,
     REFUSES,
     Bad,
     Consumer,
@@ -23,8 +24,15 @@ class MissingElement(Rule):
 
     Without its parent or child a joint is refused, and so are an include without uri and
     a material script without uri and name. For all else libsdformat takes a default and
-    says nothing: a box without a size is a cube of one metre, an axis without direction
-    points along z. Those get a warning.
+    says nothing. Where that makes another robot or scene there is a warning: a box without a size is a
+    cube of one meter, an axis without direction points along z, a spot light without angles lights
+    nothing, a visible plane is 1 m wide, a battery has no voltage.
+
+    Nothing is reported where the default is what everybody expects who leaves the element out: all of
+    physics, its solvers and constraints; scene, gravity, magnetic field, atmosphere and the model of
+    the Earth's surface; products of inertia (0); limits of joints (none), springs (none) and the terms of a mimic;
+    the whole image of a camera, its field of view, clip distances, lens and noise of cameras and other sensors; topics;
+    the normal of a plane (up), and its size as a collision, which has no end; states.
     """
 
     code = "SCH004"
@@ -56,8 +64,16 @@ class MissingElement(Rule):
             scaffold=IN_VISUAL,
             says="`shader` has no `normal_map`",
         ),
+        Bad('<«light» name="l" type="directional"/>', scaffold=IN_WORLD, says="so 0 0 -1 is taken"),
+        Bad(
+            "<geometry><«plane»/></geometry>",
+            scaffold=IN_LINK.replace("{}", '<visual name="v">{}</visual>'),
+            says="`plane` has no `size`, so 1 1 is taken",
+        ),
     )
     good = (
+        Good("<geometry><plane/></geometry>", why="a horizontal plane without end"),
+        Good('<light name="l" type="point"/>', scaffold=IN_WORLD, why="shines everywhere"),
         Good("<geometry><box><size>2 1 1</size></box></geometry>"),
         Good(
             '<world name="w"><physics type="ode"/></world>',

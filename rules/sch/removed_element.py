@@ -20,7 +20,7 @@ from sdfcheck import (
 class RemovedElement(Rule):
     """An element or attribute is no longer part of the version that the file declares.
 
-    What older versions had, readers convert on loading, but only in files that declare
+    What older versions had, consumers convert on loading, but only in files that declare
     the older version. Under a newer one the element is unknown, and ignored: gravity
     inside physics, the frame of a sensor, an axis' `use_parent_model_frame`.
     """
@@ -47,7 +47,7 @@ class RemovedElement(Rule):
         Good(
             '<sdf version="1.6"><model name="m"><link name="base"/><link name="arm">'
             '<pose frame="base">0 0 1 0 0 0</pose></link></model></sdf>',
-            why="readers turn it into relative_to",
+            why="consumers turn it into relative_to",
             scaffold="",
         ),
         Good("<axis><xyz>0 0 1</xyz></axis>"),

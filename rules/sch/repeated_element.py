@@ -22,7 +22,7 @@ SHOWN = 3
 class RepeatedElement(Rule):
     """An element that may occur once is given again.
 
-    Readers take the first one; what the others say is lost without a word. A second
+    Consumers take the first one; what the others say is lost in silence. A second
     model, light or actor at the top of the file is an error, because libsdformat takes
     one entity from a file, and refuses it otherwise.
     """
@@ -51,12 +51,12 @@ class RepeatedElement(Rule):
         Bad(
             '<model name="a"><link name="l"/></model><«model» name="b"><link name="l"/></model>',
             scaffold=SDF,
-            says="model `b` cannot stand beside model `a`",
+            says="model `b` cannot be beside model `a`",
         ),
         Bad(
             '<model name="a"><link name="l"/></model><«light» name="b" type="point"/>',
             scaffold=SDF,
-            says="light `b` cannot stand beside model `a`",
+            says="light `b` cannot be beside model `a`",
         ),
     )
     good = (
@@ -72,7 +72,7 @@ class RepeatedElement(Rule):
         ),
         Good(
             '<world name="a"/><world name="b"/><model name="m"><link name="l"/></model>',
-            why="worlds may be several, and stand beside an entity",
+            why="worlds may be several, and be beside an entity",
             scaffold=SDF,
         ),
     )
@@ -82,7 +82,7 @@ class RepeatedElement(Rule):
         if problem.refused:
             yield self.diagnostic(
                 element,
-                f"{element.title} cannot stand beside {first.title}: a file holds one model, light or actor",
+                f"{element.title} cannot be beside {first.title}: a file holds one model, light or actor",
                 labels={first: "the first one"},
                 severity=Severity.ERROR,
                 affects=dict.fromkeys(Consumer, REFUSES),

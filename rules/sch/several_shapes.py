@@ -10,7 +10,7 @@ class SeveralShapes(Rule):
 
     libsdformat takes one of them, not the first in the file but the first in an order
     of its own (box, capsule, cone, cylinder, ellipsoid, plane, sphere, mesh, heightmap,
-    polyline), and drops the others without a word. Each shape needs a visual or
+    polyline), and drops the others in silence. Each shape needs a visual or
     collision of its own.
     """
 

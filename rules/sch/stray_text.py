@@ -9,7 +9,7 @@ LONGEST = 30
 class StrayText(Rule):
     """There is text in an element that holds only elements.
 
-    No reader looks at it. It is the rest of an edit, a tag whose `<` was lost, or a
+    No consumer looks at it. It is the rest of an edit, a tag whose `<` was lost, or a
     value that belongs one level deeper.
     """
 

@@ -7,7 +7,7 @@ from sdfcheck_rules.sch.newer import report
 class TooNewAttribute(Rule):
     """An attribute is younger than the version that the file declares.
 
-    A new reader reads every file as the newest version and goes by the attribute. A reader
+    A new consumer reads every file as the newest version and goes by the attribute. A consumer
     of the declared version ignores it: a pose that is `relative_to` something is then
     relative to the default, and the robot falls apart.
     """

@@ -7,7 +7,7 @@ from sdfcheck_rules.sch.newer import report
 class TooNewElement(Rule):
     """An element is younger than the version that the file declares.
 
-    A new reader reads every file as the newest version and takes the element. A reader
+    A new consumer reads every file as the newest version and takes the element. A consumer
     of the declared version does not know it and leaves it out: the same file gives
     another robot there.
     """

@@ -25,7 +25,7 @@ class UnknownChoice(Rule):
     """A value is none of those that its place knows.
 
     libsdformat refuses unknown types of joints, sensors, lights and noise, unknown image
-    formats and the like; case counts in most of them. What it keeps as it stands (a
+    formats and the like; case counts in most of them. What it keeps as it is (a
     physics engine's name, a lens) is a warning: the program that looks for it finds nothing.
     """
 

@@ -6,7 +6,7 @@ from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Sever
 SDF_VERSIONS = ("1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")
 URDF_VERSIONS = ("1.0", "1.1", "1.2")
 _MISSPELLED = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
-"""A version of SDFormat, perhaps with blanks around it, a leading zero, a third number or a comma."""
+"""A version of SDFormat, perhaps with spaces around it, a leading zero, a third number or a comma."""
 
 
 class UnknownVersion(Rule):
@@ -30,7 +30,7 @@ class UnknownVersion(Rule):
         Bad("«1.13»", says="version `1.13` is not known"),
         Bad("«1,9»", fixed="1.9", unsafe=True, says="did you mean `1.9`?"),
     )
-    good = (Good("1.2", why="the oldest that readers convert"), Good("1.10", why="ten, not one"))
+    good = (Good("1.2", why="the oldest that consumers convert"), Good("1.10", why="ten, not one"))
 
     @staticmethod
     def applies(root: Root) -> bool:

@@ -18,9 +18,9 @@ from sdfcheck import (
 
 
 class WrongComponentCount(Rule):
-    """A pose, vector, colour or time has too few or too many numbers.
+    """A pose, vector, color or time has too few or too many numbers.
 
-    Too few are refused, and so are too many in a pose or colour. A vector with more
+    Too few are refused, and so are too many in a pose or color. A vector with more
     numbers than it needs is accepted, without the last ones: that gets a warning.
     A pose has six numbers, or seven with `rotation_format="quat_xyzw"`.
     """
@@ -49,7 +49,7 @@ class WrongComponentCount(Rule):
         ),
     )
     good = (
-        Good("<pose>\n  0 0 1\n  0 0 0\n</pose>", why="any blanks part numbers"),
+        Good("<pose>\n  0 0 1\n  0 0 0\n</pose>", why="any spaces separate numbers"),
         Good('<pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>'),
     )
 

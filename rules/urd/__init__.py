@@ -1,1 +1,3 @@
 """URD: URDF."""
+
+SOURCES = ("http://wiki.ros.org/urdf/XML",)

@@ -8,12 +8,12 @@ COLON = re.compile(r":(?=\s)")
 
 
 class ColonInComment(Rule):
-    """A comment holds a colon with a blank behind it.
+    """A comment holds a colon with a space after it.
 
     A ROS 2 launch file that passes the description on as a parameter, and does not say
     that it is text, has it read as YAML. There such a colon begins a mapping: the launch
     fails with `mapping values are not allowed here`, and nothing points to the comment.
-    The cure on the other side is `ParameterValue(…, value_type=str)`.
+    The fix on the other side is `ParameterValue(…, value_type=str)`.
     """
 
     code = "URD015"
@@ -31,7 +31,7 @@ class ColonInComment(Rule):
         ),
     )
     good = (
-        Good("<!-- see https://example.org/a:b -->", why="no blank behind"),
+        Good("<!-- see https://example.org/a:b -->", why="no space after"),
         Good('<link name="x"/><!-- no -->'),
     )
 

@@ -1,14 +1,26 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, Value, refuses
+from sdfcheck import (
+    IN_ROBOT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    GazeboBlock,
+    Good,
+    Rule,
+    Severity,
+    Value,
+    refuses,
+)
 
 
 class DelimiterInExtension(Rule):
     """A name inside `gazebo` contains `::`.
 
-    When libsdformat has converted the robot it checks all names for `::`, those of a
-    plugin's own elements included, and refuses the whole robot for one. Only the name of
-    a plugin itself, mostly a C++ class, may hold it.
+    When libsdformat has converted the robot it checks the names of sensors, links and joints for `::`
+    and refuses the whole robot for one; before version 17 its checker alone does. A plugin's own name,
+    mostly a C++ class, may hold it, and so may whatever is inside a plugin.
     """
 
     code = "URD017"
@@ -21,14 +33,15 @@ class DelimiterInExtension(Rule):
 
     bad = (
         Bad(
-            '<gazebo><plugin name="p" filename="p"><joint name="«r::j»"/></plugin></gazebo>',
-            says="`r::j` contains `::`, for which libsdformat refuses the robot",
+            '<gazebo reference="base"><sensor name="«r::s»" type="imu"/></gazebo>',
+            says="`r::s` contains `::`, for which libsdformat refuses the robot",
         ),
     )
     good = (
         Good('<gazebo><plugin name="gz::sim::systems::Imu" filename="p"/></gazebo>', why="a plugin's class"),
         Good(
-            '<gazebo><plugin name="p" filename="p"><joint>r::j</joint></plugin></gazebo>', why="text is free"
+            '<gazebo><plugin name="p" filename="p"><joint name="r::j">r::j</joint></plugin></gazebo>',
+            why="a plugin's own element",
         ),
     )
 
@@ -43,5 +56,10 @@ class DelimiterInExtension(Rule):
 
 
 def delimited(block: GazeboBlock) -> list[Value]:
-    named = (element.attribute("name") for element in block.all_elements() if element.name != "plugin")
+    named = (element.attribute("name") for element in block.all_elements() if not _is_in_plugin(element))
     return [value for value in named if value is not None and "::" in value.text]
+
+
+def _is_in_plugin(element: Element) -> bool:
+    """Is it a plugin, or inside one?"""
+    return element.name == "plugin" or any(around.tag == "plugin" for around in element.iterancestors())

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, warns
+from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts, warns
 
 
 class DisconnectedLink(Rule):
@@ -60,9 +60,18 @@ class DisconnectedLink(Rule):
                 labels={ends[0]: "the first of them"},
                 affects=dict.fromkeys(Consumer, REFUSES),
             )
+        tied = set(_tied_for_drake(robot))
         for group in tree.loose_groups:
             if len(group) == 1:
-                message = f"no joint ties {group[0].title} to the rest of the robot"
-                yield self.diagnostic(
-                    group[0], message, labels={tree.top(tree.groups[0]): "the root of the rest"}
-                )
+                link = group[0]
+                message = f"no joint ties {link.title} to the rest of the robot"
+                known = {Consumer.DRAKE: accepts("knows the joint")} if link.name in tied else {}
+                labels = {tree.top(tree.groups[0]): "the root of the rest"}
+                yield self.diagnostic(link, message, labels=labels, affects=known)
+
+
+def _tied_for_drake(robot: Model) -> Iterator[str]:
+    """The links at the ends of joints that Drake alone knows."""
+    for joint in robot.children("drake:joint"):
+        ends = (joint.find("parent"), joint.find("child"))
+        yield from (end.attributes.get("link", "") for end in ends if end is not None)

@@ -10,15 +10,15 @@ class FeatureAboveVersion(Rule):
     """Something of URDF 1.1 or 1.2 is used, and the robot does not declare that version.
 
     Capsules and `quat_xyzw` came with 1.1 (urdfdom 5.1), limits of acceleration and jerk
-    with 1.2 (urdfdom 6). Without the version urdfdom passes over the attributes, so that a
-    shape is not turned, and at a capsule it drops the rest of the link. An older urdfdom refuses
-    the version as such. Drake reads capsules in any case.
+    with 1.2 (urdfdom 6). Without the version urdfdom ignores the attributes, so that a
+    shape is not turned, and at a capsule it drops the rest of the link. With the version declared, urdfdom
+    before 5.1 takes the whole file for one that it does not know. Drake reads capsules in any case.
     """
 
     code = "URD019"
     name = "feature-above-version"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: warns("passes over it"), Consumer.URDFDOM: warns("passes over it")}
+    affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.URDFDOM: warns("ignores it")}
     explains = (problems.FeatureAboveVersion,)
     scaffold = ROBOT.format("")
 

@@ -21,8 +21,8 @@ class IncompleteInertia(Rule):
     """An inertial lacks its mass, its inertia or some of the six numbers.
 
     urdfdom stops reading the link there: its visuals and collisions are lost, and in
-    Gazebo a link without mass goes with all that hangs on it. Drake takes zero for what
-    is missing.
+    Gazebo a link without mass goes with all that hangs on it. Drake takes zero for missing
+    moments, and for a missing mass a solid sphere of 1 kg.
     """
 
     code = "URD010"
@@ -65,7 +65,8 @@ class IncompleteInertia(Rule):
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         link = inertial.link.title
         for part in filter(inertial.lacks, PARTS):
-            yield self.diagnostic(inertial, f"the inertial of {link} has no `{part}`")
+            affects = {Consumer.DRAKE: warns("takes a solid sphere of 1 kg")} if part == "mass" else {}
+            yield self.diagnostic(inertial, f"the inertial of {link} has no `{part}`", affects=affects)
         if inertial.missing_moments and inertial.inertia is not None:
             missing = named(inertial.missing_moments, "or")
             yield self.diagnostic(inertial.inertia, f"the inertia of {link} has no {missing}")

@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Link,
+    Model,
+    Reaction,
+    Rule,
+    Severity,
+    accepts,
+    refuses,
+    warns,
+)
+from sdfcheck_rules.urd.without_mass import in_drake
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 MASS = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
@@ -14,9 +28,10 @@ class MasslessMovingLink(Rule):
     """A link that moves has no mass.
 
     libsdformat drops the link and all that hangs on it; in Drake its joint makes the mass
-    matrix singular, and the simulation fails. A link counts as massless when neither it nor
-    any link that fixed joints tie to it has mass. The same holds below a fixed joint that
-    libsdformat is told to keep.
+    matrix singular, and the simulation fails. A link counts as massless when it and all links that
+    fixed joints tie to it from below have no more than 1e-6 kg together. The same holds below a fixed
+    joint that libsdformat is told to keep. Where such a link has another one fixed to it, libsdformat
+    17 refuses the file.
     """
 
     code = "URD014"
@@ -38,6 +53,10 @@ class MasslessMovingLink(Rule):
             says="drops it and the 1 link below it",
         ),
         Bad('<link name="b"><inertial><mass value="«0»"/>' + INERTIA + "</inertial></link>"),
+        Bad(
+            '<link name="b"><inertial><mass value="«1e-7»"/>' + INERTIA + "</inertial></link>",
+            says="has a mass of 1e-7 kg, which counts as none, so libsdformat drops it",
+        ),
     )
     good = (
         Good(f'<link name="b">{MASS}</link>'),
@@ -58,10 +77,24 @@ class MasslessMovingLink(Rule):
             below = sum(1 for _ in link.below()) - 1
             others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
             what = "is not to be merged" if joint.is_fixed else "moves"
-            message = f"{link.title} {what} and has no mass, so libsdformat drops it{others}"
-            label = "is kept" if joint.is_fixed else "moves it"
             mass = link.inertial.mass
-            yield self.diagnostic(mass if mass.is_given else link, message, labels={joint: label})
+            is_tiny = mass.number != 0 and mass.is_given
+            amount = f"a mass of {mass.text.strip()} kg, which counts as none," if is_tiny else "no mass,"
+            message = f"{link.title} {what} and has {amount} so libsdformat drops it{others}"
+            labels = {joint: "is kept" if joint.is_fixed else "moves it"}
+            place = mass if mass.is_given else link
+            yield self.diagnostic(place, message, labels=labels, affects=_affects(link))
+
+
+def _affects(link: Link) -> dict[Consumer, Reaction]:
+    found = in_drake(link)
+    if any(joint.is_lumped for joint in link.child_joints):
+        found[Consumer.GAZEBO] = refuses(
+            "refuses the file; before version 17 drops the link and those below it"
+        )
+    if link.has_mass:
+        found[Consumer.DRAKE] = accepts("takes it as it is")
+    return found
 
 
 def dropped(robot: Model) -> list[Link]:

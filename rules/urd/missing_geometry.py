@@ -27,7 +27,7 @@ class MissingGeometry(Rule):
 
     urdfdom stops reading the link there, so that it loses the visuals that follow and all
     of its collisions; the rest of the robot is read as if nothing had happened. Drake
-    refuses the file. A shape with a prefix is meant for one reader: a warning.
+    refuses the file. A shape with a prefix is meant for one consumer: a warning.
     """
 
     code = "URD007"

@@ -25,7 +25,8 @@ class MissingLimit(Rule):
 
     urdfdom refuses a file with a revolute or prismatic joint without `limit`, and one with
     any `limit` that has no `effort` or no `velocity`, whatever the joint. A `limit` with
-    neither `lower` nor `upper` locks the joint, for both are 0; that gets a warning.
+    neither `lower` nor `upper` locks the joint in urdfdom and libsdformat, for both are 0; Drake and
+    MuJoCo take no limits. That gets a warning.
     """
 
     code = "URD005"
@@ -78,7 +79,7 @@ class MissingLimit(Rule):
             yield self.diagnostic(part, f"the limit of {joint} has {lacks}")
         if is_locked(part):
             message = f"the limit of {joint} has no `lower` and no `upper`, so both are 0 and it cannot move"
-            affects = dict.fromkeys(Consumer, warns("locks the joint"))
+            affects = dict.fromkeys((Consumer.GAZEBO, Consumer.URDFDOM), warns("locks the joint"))
             yield self.diagnostic(part, message, severity=Severity.WARNING, affects=affects)
 
 

@@ -16,7 +16,7 @@ class SingularPitch(Rule):
 
     Where the sine of the pitch is beyond 0.99999, its conversion back to angles gives
     exactly a right angle. libsdformat writes the poses of visuals and collisions with it,
-    so they turn by up to 4.5 milliradians; other readers take the angle as written.
+    so they turn by up to 4.5 milliradians; other consumers take the angle as written.
     """
 
     code = "URD016"

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, accepts, refuses
 
 
 class UnconvertedJoint(Rule):
@@ -33,6 +33,10 @@ class UnconvertedJoint(Rule):
         return joint.type in ("floating", "planar")
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        model, child = joint.model, joint.child_link
+        is_dropped = model is not None and child is not None and model.lumping.is_dropped(child)
         yield self.diagnostic(
-            joint.type_value or joint, f"{joint.title} is {joint.type}, which SDFormat has no joint for"
+            joint.type_value or joint,
+            f"{joint.title} is {joint.type}, which SDFormat has no joint for",
+            affects={Consumer.GAZEBO: accepts("drops its child, which has no mass")} if is_dropped else {},
         )

@@ -9,10 +9,10 @@ LINK = f'<robot name="r">{{}}<link name="a"><visual>{SHAPE}<material name="grey"
 class UndefinedMaterial(Rule):
     """A visual names a material that is not defined.
 
-    Materials are defined in the robot, or in the first visual that gives their colour;
+    Materials are defined in the robot, or in the first visual that gives their color;
     a definition in a later link comes too late. urdfdom leaves the visual without
     material, Drake refuses the file. A material that is defined twice with different
-    looks gets a warning: most readers take the first for both, Drake refuses that, too.
+    looks gets a warning: most consumers take the first for both, Drake refuses that, too.
     """
 
     code = "URD006"
@@ -54,7 +54,7 @@ class UndefinedMaterial(Rule):
             scaffold="",
             says="material `red` was defined otherwise before",
         ),
-        Bad('<«material» name="grey"/>', says="material `grey` has neither colour nor texture"),
+        Bad('<«material» name="grey"/>', says="material `grey` has neither color nor texture"),
     )
     good = (
         Good('<material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>'),
@@ -68,7 +68,7 @@ class UndefinedMaterial(Rule):
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
         for material in filter(is_empty, robot.materials):
-            yield self.diagnostic(material, f"{material.title} has neither colour nor texture")
+            yield self.diagnostic(material, f"{material.title} has neither color nor texture")
         for material, first in robot.material_names.redefined:
             yield self.redefined(material, first)
         for name, uses in robot.material_names.undefined.items():
@@ -78,7 +78,7 @@ class UndefinedMaterial(Rule):
         return self.diagnostic(
             material.name_value or material,
             f"material `{material.get('name')}` was defined otherwise before",
-            labels={first.name_value or first: "what most readers take"},
+            labels={first.name_value or first: "what most consumers take"},
             severity=Severity.WARNING,
             affects={
                 consumer: warns("takes one of the two") for consumer in (Consumer.GAZEBO, Consumer.URDFDOM)

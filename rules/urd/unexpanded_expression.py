@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_URDF_LINK,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -10,30 +9,23 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
-    refuses,
+    unexpanded,
     warns,
 )
-
-PARTLY = (Consumer.GAZEBO, Consumer.URDFDOM, Consumer.MUJOCO)
 
 
 class UnexpandedExpression(Rule):
     """An expression of xacro is left in a plain URDF file.
 
-    No reader of URDF knows `${…}` and `$(…)`: they end up in names and paths as they
-    stand, and where a number is wanted the file is refused. Run xacro on the source,
-    or call the file `.xacro` if this is the source.
+    No simulator knows `${…}` and `$(…)`: they end up in names and paths as they are, a file of such a
+    name is not found, and where a number is wanted the file is refused or a part of the link
+    dropped. Run xacro on the source, or call the file `.xacro` if this is the source.
     """
 
     code = "URD009"
     name = "unexpanded-expression"
     severity = Severity.ERROR
-    affects = {
-        Consumer.GAZEBO: refuses("refuses the file, or drops parts of links"),
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: refuses("refuses the file, or drops parts of links"),
-        Consumer.MUJOCO: REFUSES,
-    }
+    affects = dict.fromkeys(Consumer, warns("keeps it as it is written"))
     explains = (problems.UnexpandedExpression,)
     scaffold = IN_URDF_LINK
 
@@ -59,5 +51,4 @@ class UnexpandedExpression(Rule):
             message += (
                 f", nor {'is 1 other expression' if others == 1 else f'are {others} other expressions'}"
             )
-        affects = {} if others else dict.fromkeys(PARTLY, warns("refuses the file, or drops the part"))
-        yield self.diagnostic(problem.span, message, affects=affects)
+        yield self.diagnostic(problem.span, message, affects=unexpanded(problem.values))

@@ -13,8 +13,9 @@ CONTROL = (
 class UnknownControlJoint(Rule):
     """`ros2_control` names a joint that the robot does not have.
 
-    The controller manager takes the joint for one of its own: it has no limits, the state
-    publisher knows no transform for it, and the joint that was meant does not move.
+    From jazzy on, ros2_control refuses the whole description. Earlier releases take the joint
+    for one of the hardware's own: it has no limits, the state publisher knows no transform for it,
+    and the joint that was meant does not move. Gazebo leaves it out with a warning.
     """
 
     code = "URD012"

@@ -19,9 +19,9 @@ from sdfcheck import (
 
 
 class UnknownUrdfAttribute(Rule):
-    """An attribute that no reader of URDF looks for is given.
+    """An attribute that no consumer of URDF looks for is given.
 
-    All of them pass over it in silence and take the default of what was meant, if there
+    All of them ignore it in silence and take the default of what was meant, if there
     is one. Attributes with a prefix are free. Where the slip leaves something out that is
     required, this is an error.
     """

@@ -22,10 +22,10 @@ SHAPE = '<geometry><sphere radius="1"/></geometry>'
 
 
 class UnknownUrdfElement(Rule):
-    """An element that no reader of URDF looks for stands in the description.
+    """An element that no consumer of URDF looks for is in the description.
 
-    All of them pass over it in silence, and over everything in it, so that a slip in a
-    name costs the robot a mass, a limit or a shape without a word from anybody. Elements
+    All of them ignore it in silence, with everything in it, so that a slip in a
+    name costs the robot a mass, a limit or a shape in silence. Elements
     with a prefix are free, and so is what is inside `gazebo`, `transmission` and
     `ros2_control`. Where the slip leaves something out that is required, this is an error.
     """
@@ -51,7 +51,7 @@ class UnknownUrdfElement(Rule):
             says="did you mean `geometry`?",
         ),
         Bad('<«mass» value="1"/>', says="`mass` is not read in link `base`; it goes into `inertial`"),
-        Bad(f"<visual>{SHAPE}<«colour»/><colour/></visual>", says="(used 2 times)"),
+        Bad(f"<visual>{SHAPE}<«color»/><color/></visual>", says="(used 2 times)"),
     )
     good = (
         Good(f"<collision>{SHAPE}<drake:proximity_properties/></collision>", why="a prefix makes it free"),

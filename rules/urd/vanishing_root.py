@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts, refuses, warns
+from sdfcheck_rules.urd.without_mass import in_drake
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 LINKS = f'<link name="b">{MASS}</link>'
@@ -19,7 +20,10 @@ class VanishingRoot(Rule):
     code = "URD013"
     name = "vanishing-root"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: refuses("loads an empty model")}
+    affects = {
+        Consumer.GAZEBO: refuses("refuses the file, for nothing is left"),
+        Consumer.DRAKE: accepts("asks for mass below joints that move"),
+    }
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = '<robot name="r">{}</robot>'
@@ -30,6 +34,7 @@ class VanishingRoot(Rule):
             says="root link `a` has no mass, so libsdformat drops it and the 1 link below it",
         ),
         Bad('<«link» name="a"/>', says="no link of robot `r` has mass"),
+        Bad('<«link» name="world"/>', says="robot `r` has no link but `world`"),
     )
     good = (
         Good(f'<link name="a"/>{LINKS}{TURNING.replace("continuous", "fixed")}', why="b is merged into a"),
@@ -42,17 +47,28 @@ class VanishingRoot(Rule):
     @staticmethod
     def applies(robot: Model) -> bool:
         lumping = robot.lumping
-        return not lumping.with_mass.issuperset(lumping.tops)
+        return not lumping.with_mass.issuperset(lumping.tops) or is_world_alone(robot)
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
+        if is_world_alone(robot):
+            message = f"{robot.title} has no link but `world`, so libsdformat makes an empty model of it"
+            yield self.diagnostic(robot.links[0], message, severity=Severity.INFO)
         for top in robot.lumping.tops:
             if top in robot.lumping.with_mass:
                 continue
             links = list(top.below())
             if not any(link.has_mass for link in links):
                 message = f"no link of {robot.title} has mass, so libsdformat makes an empty model of it"
-                yield self.diagnostic(top, message, severity=Severity.INFO)
+                affects = in_drake(top)
+                if robot.is_static:
+                    affects[Consumer.GAZEBO] = warns("loads an empty model")
+                yield self.diagnostic(top, message, severity=Severity.INFO, affects=affects)
                 continue
             below = f"{len(links) - 1} link{'s' * (len(links) != 2)}"
             message = f"root {top.title} has no mass, so libsdformat drops it and the {below} below it"
-            yield self.diagnostic(top, message)
+            yield self.diagnostic(top, message, affects=in_drake(top))
+
+
+def is_world_alone(robot: Model) -> bool:
+    """Is the world itself the only link?"""
+    return len(robot.links) == 1 and robot.links[0].name == "world"

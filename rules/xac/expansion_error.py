@@ -16,6 +16,7 @@ _MESSAGES: Mapping[str, str] = {
     "variable": "environment variable `{detail}` is not set for the expansion",
     "withheld": "environment variable `{detail}` is set, but not passed on to the expansion",
     "pattern": "no file matches `{detail}`, so nothing is included",
+    "text": "xacro cannot read the file here: {detail}",
     "syntax": "the included file is not well-formed: {detail}",
     "recursion": "macro `{detail}` calls itself without end",
     "file": "an included file cannot be read: {detail}",
@@ -26,7 +27,7 @@ class ExpansionError(Rule):
     """xacro cannot expand the file.
 
     An expression fails, an included file is missing or malformed, a macro calls itself
-    without end, or a bound on time, memory or reach is met. The diagnostic stands at
+    without end, or a bound on time, memory or reach is met. The diagnostic is at
     the expression as it is written, and shows the macro calls and includes that lead
     there. A substitution argument without a value is a warning: the file may be sound,
     but it was not checked. So is what xacro does not stop for: a pattern that matches no
@@ -75,16 +76,23 @@ class ExpansionError(Rule):
         advice = _HELP.get(kind, "").format(detail=problem.detail) or None
         is_dormant = problem.is_dormant and kind != "pattern"
         own = dict(unless_reached(is_dormant=is_dormant, help=advice))
-        if kind in {"argument", "pattern"}:
+        reason = problem.reason
+        labels = {reason.place: reason.label} if reason and reason.place else None
+        if kind == "argument" and reason is not None:
+            own["help"] = None
+        elif kind in {"argument", "pattern"}:
             own["severity"] = Severity.WARNING
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
         origins = tuple(Origin(*step) for step in problem.origins)
-        yield self.diagnostic(problem.span, _message(problem), origins=origins, **own)
+        yield self.diagnostic(problem.span, _message(problem), labels=labels, origins=origins, **own)
 
 
 def _message(problem: problems.ExpansionFailure) -> str:
-    detail, kind = problem.detail, problem.kind.value
+    detail, kind, reason = problem.detail, problem.kind.value, problem.reason
+    if kind == "argument" and reason is not None:
+        return f"argument `{detail}` has no value here: {reason.words}"
+    because = f"; {reason.words}" if reason is not None else ""
     if kind == "expression" and problem.expression:
-        return f"`{problem.expression}` cannot be evaluated: {detail}"
-    return _MESSAGES.get(kind, "expansion fails: {detail}").replace("{detail}", detail)
+        return f"`{problem.expression}` cannot be evaluated: {detail}{because}"
+    return _MESSAGES.get(kind, "expansion fails: {detail}").replace("{detail}", detail) + because

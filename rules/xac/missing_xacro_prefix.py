@@ -1,20 +1,23 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
 class MissingXacroPrefix(Rule):
     """An element of xacro's own stands without the prefix `xacro:`.
 
-    Since ROS Noetic xacro leaves it in the description as it is, where no reader knows
+    Since ROS Noetic xacro leaves it in the description as it is, where no consumer knows
     it: the property is not defined, the macro not called, the block not inserted.
     """
 
     code = "XAC012"
     name = "missing-xacro-prefix"
     severity = Severity.ERROR
-    affects = dict.fromkeys(Consumer, warns("ignores it"))
+    affects = {
+        **dict.fromkeys(Consumer, warns("ignores it")),
+        Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")},
+    }
     explains = (problems.MissingXacroPrefix,)
     scaffold = IN_XACRO
 

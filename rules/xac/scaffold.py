@@ -1,4 +1,4 @@
-"""What the examples of this family stand in."""
+"""What the examples of this family are in."""
 
 FILE = "robot.sdf.xacro"
 

@@ -41,5 +41,6 @@ class UndeclaredXacroPrefix(Rule):
         yield self.diagnostic(
             problem.span,
             f"prefix `xacro` is not declared{used(problem.count)}",
+            labels={problem.insertion: "a declaration belongs here"},
             fix=make_fix("declare it on the root element", (declaration,)),
         )

@@ -9,11 +9,18 @@ SHOWN = 3
 
 def report(rule: Rule, problem: problems.UndefinedName, what: str) -> Diagnostic:
     """One diagnostic at the first use, with others beside it."""
+    reason = problem.reason
     guess = f"; did you mean `{problem.near}`?" if problem.near else ""
+    if reason is not None:
+        guess = f": {reason.words}"
+    here = " here" if reason is not None and reason.place is not None else ""
+    labels = dict.fromkeys(problem.others[:SHOWN], "also here")
+    if reason is not None and reason.place is not None:
+        labels[reason.place] = reason.label
     return rule.diagnostic(
         problem.span,
-        f"{what} `{problem.name}` is not defined{used(1 + len(problem.others))}{guess}",
-        labels=dict.fromkeys(problem.others[:SHOWN], "also here"),
+        f"{what} `{problem.name}` is not defined{here}{used(1 + len(problem.others))}{guess}",
+        labels=labels,
         origins=tuple(Origin(*step) for step in problem.origins),
         **unless_reached(is_dormant=problem.is_dormant),
     )

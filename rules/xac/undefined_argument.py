@@ -6,7 +6,7 @@ from sdfcheck_rules.xac.unreached import unless_reached
 
 
 class UndefinedArgument(Rule):
-    """`$(arg …)` asks for an argument that is not declared, but for a slip in its name.
+    """`$(arg …)` names an argument that no `xacro:arg` declares; a similar name is declared.
 
     xacro stops there unless the caller gives one of that name.
     """

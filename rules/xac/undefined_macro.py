@@ -10,7 +10,7 @@ class UndefinedMacro(Rule):
 
     xacro stops at an element with its prefix that is none of its own and no macro. In
     a macro library a call is reported only if no file of the project defines the macro
-    and a name at hand is close to it: who includes the library may bring the rest.
+    and a known name is close to it: who includes the library may bring the rest.
     """
 
     code = "XAC003"

@@ -8,10 +8,10 @@ from sdfcheck_rules.xac.undefined import report
 class UndefinedProperty(Rule):
     """An expression uses a name that is no property, macro parameter or function of xacro.
 
-    Properties are evaluated when they are first used, so a misspelt name may lie
-    dormant until a macro is called in another way. The diagnostic stands in the
+    Properties are evaluated when they are first used, so a misspelled name may lie
+    dormant until a macro is called in another way. The diagnostic is in the
     expression that has the name, not where its value is used. In a macro library a
-    name is reported only if no file of the project defines it and a name at hand is close to it.
+    name is reported only if no file of the project defines it and a known name is close to it.
     """
 
     code = "XAC004"

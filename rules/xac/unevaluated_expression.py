@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -8,7 +8,7 @@ class UnevaluatedExpression(Rule):
     """Something looks like an expression of xacro and is none.
 
     Braces without a dollar sign stay as they are, so that a link is called `{side}_wheel`
-    in the robot. Of an expression without its end xacro drops all that follows, in silence.
+    in the robot. For an expression without its end xacro 2 stops; older versions drop all that follows.
     """
 
     code = "XAC010"
@@ -42,7 +42,8 @@ class UnevaluatedExpression(Rule):
     def check(self, problem: problems.UnevaluatedExpression) -> Iterator[Diagnostic]:
         text = problem.span.text
         if problem.is_open:
-            yield self.diagnostic(problem.span, f"the expression `{text}` has no end")
+            affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
+            yield self.diagnostic(problem.span, f"the expression `{text}` has no end", affects=affects)
             return
         message = f"`{text}` is not evaluated; did you mean `{problem.meant}`?"
         fix = replace(problem.span, problem.meant, f"make it `{problem.meant}`", unsafe=True)

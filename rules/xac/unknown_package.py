@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, warns
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Missing,
+    MissingKind,
+    Origin,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -44,4 +56,5 @@ class UnknownPackage(Rule):
             f"package `{problem.name}` is not found{guess}",
             help=f"say where it is with `packages` in the configuration or `--package {problem.name}=PATH`",
             origins=tuple(Origin(*step) for step in problem.origins),
+            missing=None if problem.near else Missing(MissingKind.PACKAGE, problem.name),
         )

@@ -1,1 +1,3 @@
 """XML: the text itself, in every dialect."""
+
+SOURCES = ("https://www.w3.org/TR/xml/",)

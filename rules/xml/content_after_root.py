@@ -2,15 +2,15 @@ from collections.abc import Iterator
 
 from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
 
-PASSED_OVER = dict.fromkeys(Consumer, warns("passes over it"))
+IGNORED = dict.fromkeys(Consumer, warns("ignores it"))
 
 
 class ContentAfterRoot(Rule):
-    """Something stands behind the root element: a second one, an end tag, or text.
+    """Something is after the root element: a second one, an end tag, or text.
 
     A document has one root element. The simulators read the first one and ignore a
-    second, but refuse a file with text behind it; every strict XML parser refuses both.
-    What stands there is not checked.
+    second, but refuse a file with text after it; every strict XML parser refuses both.
+    What is there is not checked.
     """
 
     code = "XML008"
@@ -25,12 +25,12 @@ class ContentAfterRoot(Rule):
             says="a second root element, `sdf`",
         ),
         Bad('<sdf version="1.12"><world name="w"/></sdf>\n«</sdf>»', says="`</sdf>` closes nothing"),
-        Bad('<sdf version="1.12"><world name="w"/></sdf>\n«the end»\n', says="text behind the root element"),
+        Bad('<sdf version="1.12"><world name="w"/></sdf>\n«the end»\n', says="text after the root element"),
     )
     good = (
         Good(
             '<sdf version="1.12"><world name="w"/></sdf>\n<!-- the end -->\n',
-            why="comments may stand anywhere",
+            why="comments may be anywhere",
         ),
     )
 
@@ -39,13 +39,13 @@ class ContentAfterRoot(Rule):
         affects = {}
         if text.startswith("</"):
             message = f"`{text}` closes nothing: the root element is closed already"
-            affects = PASSED_OVER
+            affects = IGNORED
         elif text.startswith("<?xml"):
-            message = "a second document begins behind the root element"
-            affects = PASSED_OVER
+            message = "a second document begins after the root element"
+            affects = IGNORED
         elif span.start and span.source.text[span.start - 1] == "<":
             message = f"a second root element, `{text}`"
-            affects = PASSED_OVER
+            affects = IGNORED
         else:
-            message = "text behind the root element"
+            message = "text after the root element"
         yield self.diagnostic(span, message, labels={problem.root: "the root element"}, affects=affects)

@@ -49,7 +49,7 @@ class ContentBeforeDeclaration(Rule):
         before, declaration = problem.span, problem.declaration
         source = before.source
         if before.text.strip():
-            # The line end behind the declaration moves along with it.
+            # The line end after the declaration moves along with it.
             end = (
                 declaration.end
                 + len(source.text[declaration.end :][:2])
@@ -60,7 +60,7 @@ class ContentBeforeDeclaration(Rule):
             edits = (Edit(first, moved.text), Edit(moved, ""))
             fix = make_fix("move the declaration to the front", edits)
         else:
-            fix = make_fix("remove what stands before it", (Edit(before, ""),))
+            fix = make_fix("remove what is before it", (Edit(before, ""),))
         message = "the XML declaration must be the first thing in the file"
         if before.text.strip():
             yield self.diagnostic(declaration, message, fix=fix)

@@ -1,20 +1,24 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems, refuses
 
 
 class DocumentType(Rule):
     """The file has a document type declaration.
 
-    Neither SDFormat nor URDF has one. The simulators skip it, and with it the entities
-    that it declares: a reference to one of them stays in the text as it is written.
+    Neither SDFormat nor URDF has one. Drake and MuJoCo skip it, and so does libsdformat in SDFormat; in URDF
+    urdfdom before version 4, and libsdformat with it, refuses the file. Entities that it declares are
+    not known: a reference to one of them stays in the text as it is written.
     sdfcheck does the same; it expands no entity and loads no file that one names.
     """
 
     code = "XML007"
     name = "document-type"
     severity = Severity.WARNING
-    affects = {Consumer.URDFDOM: warns("some versions refuse the file")}
+    affects = {
+        Consumer.GAZEBO: {"urdf": refuses("refuses the file with urdfdom before version 4")},
+        Consumer.URDFDOM: refuses("refuses the file before version 4"),
+    }
     explains = (problems.DocumentType,)
 
     bad = (

@@ -6,7 +6,7 @@ from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, prob
 class DoubleHyphenInComment(Rule):
     """A comment contains `--`, which XML forbids.
 
-    The simulators read the file all the same; every strict XML parser refuses it, and
+    The simulators read the file anyway; every strict XML parser refuses it, and
     with it the tools that are built on one (editors, xmllint, Python's own parser).
     """
 

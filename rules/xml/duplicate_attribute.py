@@ -6,7 +6,7 @@ from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, p
 class DuplicateAttribute(Rule):
     """An element has the same attribute twice.
 
-    XML forbids it, and every reader refuses the file: which of the two values should
+    XML forbids it, and every consumer refuses the file: which of the two values should
     count, nobody can know.
     """
 

@@ -26,8 +26,8 @@ MESSAGES = {
     Kind.MISSING_ANGLE: "`<` is missing before `{text}`",
     Kind.TRUNCATED: "the file ends inside `{text}`",
     Kind.UNCLOSED_TAG: "`>` is missing at the end of the tag `<{name}`",
-    Kind.BLANK_IN_TAG: "a blank between `<` and `{name}`",
-    Kind.ODD_BLANK: "{name} in a tag looks like a blank and is none for XML",
+    Kind.BLANK_IN_TAG: "a space between `<` and `{name}`",
+    Kind.ODD_BLANK: "{name} in a tag looks like a space and is none for XML",
     Kind.CROWDED_END_TAG: "an end tag holds only its name, not `{text}`",
     Kind.UNCLOSED_COMMENT: "`-->` is missing at the end of a comment",
     Kind.NESTED_COMMENT: "a comment begins inside a comment",
@@ -50,7 +50,7 @@ MESSAGES = {
     Kind.TEXT_OUTSIDE_ROOT: "text before the root element",
     Kind.MALFORMED_INSTRUCTION: "`{text}` is not as XML wants it",
     Kind.ODD_VERSION: "`{text}` is not a version of XML",
-    Kind.SECOND_DECLARATION: "an XML declaration stands only once, at the start of the file",
+    Kind.SECOND_DECLARATION: "an XML declaration appears only once, at the start of the file",
     Kind.NO_ELEMENT: "there is no element",
     Kind.TOO_LONG: "the text of `{name}` is longer than parsers read (10 million characters)",
     Kind.TOO_MANY: "`{name}` has more than 1000 attributes; from here on they are not looked at",
@@ -86,7 +86,7 @@ WRITTEN = {
 }
 """What to write in place of the span where that is plain, and how to say so."""
 HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT, Kind.ODD_VERSION}
-"""What simulators read all the same, so that the file means the same after the fix."""
+"""What simulators read anyway, so that the file means the same after the fix."""
 
 
 TAKEN = frozenset(
@@ -98,17 +98,17 @@ TAKEN = frozenset(
         Kind.ODD_VERSION,
     )
 )
-READ = accepts("reads it all the same")
-"""What tinyxml2, which the readers use, makes of these."""
+READ = accepts("reads it anyway")
+"""What tinyxml2, which the consumers use, makes of these."""
 
 
 class SyntaxError(Rule):  # noqa: A001 - the name of the defect
     """The text is not well-formed XML.
 
-    Nearly all of this makes every reader refuse the whole file: libsdformat, Drake,
+    Nearly all of this makes every consumer refuse the whole file: libsdformat, Drake,
     MuJoCo and urdfdom read with tinyxml2, which stops at the first such place and often
     names another one. A `<` in a value and a `]]>` in a text are the exceptions: these
-    readers take them, and all strict XML parsers (Python's, ROS tools built on it)
+    consumers take them, and all strict XML parsers (Python's, ROS tools built on it)
     refuse the file. An odd number for the version of XML is a warning for the same
     reason. The rest of the file is checked as far as it can be made out.
     """
@@ -221,7 +221,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
 def missing_end(span: Span, text: str, name: str) -> str:
     if not text.strip():
         return f"`</{name}>` is missing here"
-    return f"`</{name}>` is missing {'before' if text.startswith('<') else 'behind'} `{text}`"
+    return f"`</{name}>` is missing {'before' if text.startswith('<') else 'after'} `{text}`"
 
 
 def fix_for(problem: problems.SyntaxDefect) -> Fix | None:

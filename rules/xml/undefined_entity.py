@@ -7,8 +7,8 @@ class UndefinedEntity(Rule):
     """An `&` begins no reference that XML knows.
 
     XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;`, `&apos;` and characters by number.
-    The simulators keep anything else as it is written; every strict XML parser refuses
-    the file.
+    libsdformat and Drake keep any other name as it is written, urdfdom 3 drops the `&`, and all of them
+    take the number of a character for the character; every strict XML parser refuses the file.
     """
 
     code = "XML006"
@@ -39,7 +39,10 @@ class UndefinedEntity(Rule):
     def check(self, problem: problems.UnknownEntity) -> Iterator[Diagnostic]:
         span, name = problem.span, problem.name
         if name.startswith("#"):
-            yield self.diagnostic(span, f"`{span.text}` is a character that XML does not allow")
+            message = f"`{span.text}` is a character that XML does not allow"
+            yield self.diagnostic(
+                span, message, affects=dict.fromkeys(Consumer, warns("reads the character"))
+            )
             return
         message = (
             f"`{span.text}` is not defined in XML" if name else "a bare `&` begins nothing that XML knows"

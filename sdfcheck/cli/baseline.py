@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sdfcheck.cli.terminal import say
+from sdfcheck.cli.parts.terminal import say
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify

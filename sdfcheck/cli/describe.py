@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from textwrap import wrap
 
 import click
 
-from sdfcheck.cli.options import formatted
-from sdfcheck.cli.terminal import emit, emit_lines, lines_of
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.completing import places
+from sdfcheck.cli.parts.options import formatted
+from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
 from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
@@ -20,8 +23,8 @@ _MANY = 3
 """From more places than this on, they are listed instead of described."""
 
 
-@click.command(name="describe")
-@click.argument("element")
+@click.command(cls=Command, name="describe")
+@click.argument("element", shell_complete=places)
 @click.option(
     "--sdf-version", metavar="VERSION", default=str(NEWEST), help=f"Of SDFormat.  [default: {NEWEST}]"
 )
@@ -78,7 +81,9 @@ def _field(item: str | Entry) -> object:
 
 def text(description: Description) -> str:
     """A page for people."""
-    lines = [f"{description.name} ({description.format})", f"  {_nature(description)}"]
+    lines = [f"{description.name} ({description.format})"]
+    lines += wrap(description.summary, 96, initial_indent="  ", subsequent_indent="  ")
+    lines.append(f"  {_nature(description)}")
     facts = (
         ("default", description.default),
         ("unit", description.unit),

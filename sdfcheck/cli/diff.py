@@ -8,15 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.descriptions import Around, around, check_arguments, described, load
-from sdfcheck.cli.options import colored, formatted, require_file
-from sdfcheck.cli.terminal import emit, emit_lines, wants_color
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
+from sdfcheck.cli.parts.options import colored, formatted, require_file
+from sdfcheck.cli.parts.terminal import emit, emit_lines, wants_color
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.convert.difference import Change
+    from sdfcheck.convert.change import Change
     from sdfcheck.convert.file_difference import FileDifference
 
 _SIGNS = {"added": "+", "removed": "-", "renamed": ">", "changed": "~"}
@@ -34,7 +35,7 @@ class Request(NamedTuple):
     color: str
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("a", type=click.Path(path_type=Path))
 @click.argument("b", type=click.Path(path_type=Path))
 @formatted("Lines to read, or JSON.  [default: text]", "text", "json")
@@ -48,13 +49,15 @@ class Request(NamedTuple):
     help="Smaller differences do not count (m, rad; relative for others).  [default: 1e-9]",
 )
 @described
-@colored("When to colour the text.")
+@colored("When to color the text.")
 def diff(**given: Any) -> int:
     """Show what changed in the robot from A to B, not in the text.
 
     A and B may be of different formats: SDFormat, URDF, xacro. What is compared are
     models, links, joints and frames: poses, masses and inertias, shapes, axes, limits,
-    dynamics, mimicking. Exit code 0: the same robot; 1: another one; 2: could not compare.
+    dynamics, mimicking; and what else they have: materials, surfaces, sensors, lights,
+    plugins, physics, custom data. A default that is written out is no difference.
+    Exit code 0: the same robot; 1: another one; 2: could not compare.
     """
     surroundings = around(given)
     request = Request(**given)
@@ -89,7 +92,12 @@ def _lines(found: FileDifference, *, color: bool) -> list[str]:
     if not found.changes:
         parts = [
             f"{count} {word}{'s' * (count != 1)}"
-            for count, word in ((found.models, "model"), (found.links, "link"), (found.joints, "joint"))
+            for count, word in (
+                (found.models, "model"),
+                (found.links, "link"),
+                (found.joints, "joint"),
+                *((count, word) for word, count in sorted(found.settings.items())),
+            )
         ]
         return [f"the same robot: {', '.join(parts)}"]
     lines: list[str] = []

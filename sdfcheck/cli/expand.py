@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.descriptions import (
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import (
     Around,
     around,
     check_arguments,
@@ -15,8 +16,8 @@ from sdfcheck.cli.descriptions import (
     described,
     expander_for,
 )
-from sdfcheck.cli.options import require_file
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.parts.options import require_file
+from sdfcheck.cli.parts.terminal import emit, say
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     from sdfcheck.xacro.expansion import Expansion
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--annotate", is_flag=True, help="Say in comments where each element was written.")
 @described
@@ -54,19 +55,20 @@ def expand(file: Path, annotate: bool, **given: Any) -> int:
 
 def _expand(file: Path, around: Around) -> tuple[Document, Expansion]:
     """Expand with what the command line and the configuration say; the command line has the last word."""
-    from sdfcheck.files.library import Library
-    from sdfcheck.files.regular import read_regular
-    from sdfcheck.source.document import read
-
     settings = around.settings_for(file)
-    try:
-        data = read_regular(file, settings.size_limit)
-    except OSError as error:
-        raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
-    document = read(data, file, Kind.XACRO)
-    document.library = Library(settings.search)
-    check_arguments(around.arguments, [file], settings)
     with expander_for(settings) as expander:
+        expander.start()
+        from sdfcheck.files.library import Library
+        from sdfcheck.files.regular import read_regular
+        from sdfcheck.source.document import read
+
+        try:
+            data = read_regular(file, settings.size_limit)
+        except OSError as error:
+            raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
+        document = read(data, file, Kind.XACRO)
+        document.library = Library(settings.search)
+        check_arguments(around.arguments, [file], settings)
         return document, expander.expand(document, chosen_arguments(file, settings, around))
 
 

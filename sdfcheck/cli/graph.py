@@ -8,9 +8,10 @@ from typing import Any
 
 import click
 
-from sdfcheck.cli.descriptions import around, described, load
-from sdfcheck.cli.options import colored, formatted, require_file
-from sdfcheck.cli.terminal import emit, emit_lines, lines_of, wants_color
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.options import colored, formatted, require_file
+from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, wants_color
 from sdfcheck.robot.graphs import text as graph_text
 from sdfcheck.robot.graphs.graph import GraphKind, graph
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -18,14 +19,14 @@ from sdfcheck.source.wrong_usage import WrongUsage
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 
 
-@click.command(name="graph")
+@click.command(cls=Command, name="graph")
 @click.argument("kind", type=click.Choice([kind.value for kind in GraphKind]))
 @click.argument("file", type=click.Path(path_type=Path))
 @formatted(
     "A tree to read, or the language of Graphviz or Mermaid.  [default: tree]", "tree", "dot", "mermaid"
 )
 @described
-@colored("When to colour the tree.")
+@colored("When to color the tree.")
 def graph_command(kind: str, file: Path, form: str, color: str, **given: Any) -> int:
     """Show what is tied to what in an SDFormat, URDF or xacro file.
 

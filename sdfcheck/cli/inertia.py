@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.descriptions import around, described, load
-from sdfcheck.cli.options import formatted, require_file
-from sdfcheck.cli.terminal import emit, emit_lines, say
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.options import formatted, require_file
+from sdfcheck.cli.parts.terminal import emit, emit_lines, say
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
@@ -21,12 +22,12 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.mass_report import LinkMass, MassReport, ModelMass
     from sdfcheck.source.document import Document
 
 _HEADER = ("", "mass", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz", "")
-_UNITS = "kg, m, kg·m²; centres of mass and axes in the model's frame, moments about the centre of mass"
+_UNITS = "kg, m, kg·m²; centers of mass and axes in the model's frame, moments about the center of mass"
 _ENDLESS = 10_000
 _ORIGINS = {
     "written": "",
@@ -45,16 +46,16 @@ class _Block(NamedTuple):
     notes: tuple[str, ...]
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("file", type=click.Path(path_type=Path))
 @formatted("A table to read, or JSON.  [default: table]", "table", "json")
 @click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
 @described
 def inertia(file: Path, form: str, name: str | None, **given: Any) -> int:
-    """Show mass, centre of mass and inertia of links and models, and of the whole file.
+    """Show mass, center of mass and inertia of links and models, and of the whole file.
 
-    Automatic inertias are computed; meshes need the extra `mesh`. Centres of mass are in
-    the frame of the model, with all joints at zero; moments are about the centre of
+    Automatic inertias are computed; meshes need the extra `mesh`. Centers of mass are in
+    the frame of the model, with all joints at zero; moments are about the center of
     mass, in axes parallel to those of the model.
     """
     require_file(file)
@@ -83,9 +84,10 @@ def measure(document: Document) -> MassReport:
     from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.motion.mass_report import mass_report
     from sdfcheck.robot.motion.poses import PoseError
+    from sdfcheck.robot.root import root_of
 
     try:
-        return mass_report(document)
+        return mass_report(root_of(document))
     except DescriptionError as error:
         line, column = error.element.span.begin
         raise WrongUsage(f"{document.path}:{line}:{column}: {error}") from None

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.descriptions import ARGUMENT, arguments_in, check_arguments, search_of, surroundings
-from sdfcheck.cli.options import PATH, colored, configured, listing, path
-from sdfcheck.cli.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
-from sdfcheck.cli.terminal import Progress, emit, emit_lines, lines_of, say, wants_color
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.completing import formats
+from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_arguments, search_of, surroundings
+from sdfcheck.cli.parts.options import PATH, colored, configured, listing, path
+from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
+from sdfcheck.cli.parts.shown import exit_code, shown, view_of
+from sdfcheck.cli.parts.terminal import Progress, emit, emit_lines, lines_of, say, wants_color
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import Level, Notice, Options, find, selected
@@ -23,6 +25,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
+    from sdfcheck.report.summary import View
 
 _KINDS = (Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG)
 _STDIN = Path("-")
@@ -39,7 +42,11 @@ class Request:
     extend_select: tuple[str, ...] | None
     ignore: tuple[str, ...] | None
     target: tuple[str, ...] | None
+    min_severity: str | None
+    max_diagnostics: int | None
+    no_fold: bool
     fail_on: str | None
+    fail_on_missing: bool
     max_warnings: int | None
     exit_zero: bool
     fix: bool
@@ -69,13 +76,13 @@ class Request:
     quiet: bool
 
 
-@click.command()
+@click.command(cls=Command)
 @click.argument("paths", nargs=-1, type=PATH)
 @listing("--select", "The rules to run: codes, names, families or ALL, separated by commas.")
 @listing("--extend-select", "Rules to run in addition to those that are selected.")
 @listing("--ignore", "Rules not to run.")
 @listing(
-    "--target", "Keep the rules that matter to these readers: gazebo, drake, urdfdom, mujoco.", "READERS"
+    "--target", "Keep the rules that matter to these consumers: gazebo, drake, urdfdom, mujoco.", "CONSUMERS"
 )
 @click.option("--fix", is_flag=True, help="Apply safe fixes; report what is left.")
 @click.option(
@@ -88,17 +95,12 @@ class Request:
 )
 @path("--baseline", "Report only what this file does not know yet.")
 @click.option("--write-baseline", is_flag=True, help="Write what is found to the file of --baseline.")
-@click.option(
-    "--fail-on",
-    type=click.Choice([severity.value for severity in Severity]),
-    help="The least severity that makes the exit code 1.  [default: warning]",
-)
-@click.option("--max-warnings", type=click.IntRange(0), metavar="N", help="Tolerate up to N warnings.")
-@click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found.")
+@shown
 @click.option(
     "--output-format",
     multiple=True,
     metavar="FORMAT[=FILE]",
+    shell_complete=formats,
     help=f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]",
 )
 @path("--output-file", "Write the report there instead of to stdout.")
@@ -160,8 +162,9 @@ def lint(**given: Any) -> int:
             return baseline.write(done, request.baseline, quiet=request.quiet)
         done = baseline.without_known(done, request.baseline, notifier)
     notifier.flush()
-    _report(request, wanted, done, aside=rewrites and options.stdin is not None)
-    return 2 if notifier.failed else _exit_code(request, done, settings.fail_on)
+    view = view_of(request, settings.fail_on)
+    _report(request, wanted, done, view, aside=rewrites and options.stdin is not None)
+    return 2 if notifier.failed else exit_code(request, done, settings.fail_on)
 
 
 def _run(request: Request, paths: Sequence[Path], options: Options, notifier: _Notifier) -> Run:
@@ -173,17 +176,12 @@ def _run(request: Request, paths: Sequence[Path], options: Options, notifier: _N
             progress.clear()
 
 
-def _exit_code(request: Request, done: Run, usual: Severity) -> int:
-    fail_on = Severity(request.fail_on) if request.fail_on else usual
-    return 0 if request.exit_zero else verdict(done, fail_on, request.max_warnings)
-
-
-def _report(request: Request, wanted: Sequence[Output], done: Run, *, aside: bool) -> None:
+def _report(request: Request, wanted: Sequence[Output], done: Run, view: View, *, aside: bool) -> None:
     """Write the reports (``aside``: to stderr, not stdout); where none is for people, sum up on stderr."""
     color = wants_color(request.color, sys.stderr if aside else sys.stdout)
     for output in wanted:
         if output.file is not None or not request.statistics:
-            write(output, done, color=color, aside=aside)
+            write(output, done, color=color, aside=aside, view=view)
     if request.statistics:
         from sdfcheck.report import statistics
 
@@ -192,17 +190,6 @@ def _report(request: Request, wanted: Sequence[Output], done: Run, *, aside: boo
         from sdfcheck.report.summary import closing_line
 
         say(closing_line(done))
-
-
-def verdict(done: Run, fail_on: Severity, max_warnings: int | None) -> int:
-    """The exit code that the diagnostics earn."""
-    if max_warnings is not None:
-        if done.count(Severity.WARNING) > max_warnings:
-            return 1
-        severities = {d.severity for d in done.diagnostics} - {Severity.WARNING}
-    else:
-        severities = {d.severity for d in done.diagnostics}
-    return int(any(severity >= fail_on for severity in severities))
 
 
 class _Notifier:
@@ -260,9 +247,10 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         variables=request.variables,
     )
     paths = tuple(path for path in paths if path != _STDIN)
-    if arguments and stdin is None:
+    if arguments:
         files = [file.path for file in find(paths, options).files]
-        check_arguments(arguments, files, options.settings_for(Path()))
+        texts = {} if stdin is None else {options.stdin_path: stdin}
+        check_arguments(arguments, files, options.settings_for(Path()), texts)
     return options, paths
 
 

@@ -15,9 +15,9 @@ from typing import NoReturn
 
 import click
 
-from sdfcheck.cli.group import LazyCommand, LazyGroup
-from sdfcheck.cli.terminal import say
-from sdfcheck.release import __version__
+from sdfcheck.cli.parts.group import LazyCommand, LazyGroup
+from sdfcheck.cli.parts.terminal import say
+from sdfcheck.release import HOME, __version__
 from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 COMMANDS = {
@@ -25,25 +25,58 @@ COMMANDS = {
     "convert": LazyCommand("sdfcheck.cli.convert.command:convert", "Convert between formats."),
     "expand": LazyCommand("sdfcheck.cli.expand:expand", "Expand a xacro file."),
     "graph": LazyCommand("sdfcheck.cli.graph:graph_command", "Show frames, poses or joints as a tree."),
-    "targets": LazyCommand("sdfcheck.cli.targets:targets_command", "Say which readers accept a file."),
+    "view": LazyCommand("sdfcheck.cli.view:view", "Show a robot in a browser."),
+    "targets": LazyCommand("sdfcheck.cli.targets:targets_command", "Say which consumers accept a file."),
     "describe": LazyCommand("sdfcheck.cli.describe:describe_command", "Say what a format allows somewhere."),
     "diff": LazyCommand("sdfcheck.cli.diff:diff", "Show what changed in the robot."),
-    "inertia": LazyCommand("sdfcheck.cli.inertia:inertia", "Show masses, centres of mass and inertias."),
+    "inertia": LazyCommand("sdfcheck.cli.inertia:inertia", "Show masses, centers of mass and inertias."),
     "print": LazyCommand("sdfcheck.cli.print:print_command", "Write a file in canonical form."),
     "schema": LazyCommand("sdfcheck.cli.schema:schema_command", "Write SDFormat as XML Schema or RELAX NG."),
+    "server": LazyCommand("sdfcheck.cli.server:server_command", "Run the language server."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
     "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
+    "init": LazyCommand("sdfcheck.cli.init:init", "Write a configuration to begin with."),
+    "config": LazyCommand("sdfcheck.cli.config:config", "List the keys of a configuration."),
+    "completion": LazyCommand("sdfcheck.cli.completion:completion", "Write the completion of a shell."),
 }
+_MEANT = {
+    **dict.fromkeys(("check", "validate", "verify", "test", "run", "analyze"), "sdfcheck lint"),
+    **dict.fromkeys(("fix", "autofix"), "sdfcheck lint --fix"),
+    **dict.fromkeys(("explain", "why", "docs", "doc", "info"), "sdfcheck rule RULE"),
+    **dict.fromkeys(("format", "fmt", "pretty", "canonical"), "sdfcheck print FILE"),
+    **dict.fromkeys(("tree", "joints", "links"), "sdfcheck graph joints FILE"),
+    **dict.fromkeys(("frames", "poses"), "sdfcheck graph frames FILE"),
+    **dict.fromkeys(("mass", "inertias", "inertial"), "sdfcheck inertia FILE"),
+    **dict.fromkeys(("compare", "cmp"), "sdfcheck diff OLD NEW"),
+    **dict.fromkeys(("xacro", "preprocess"), "sdfcheck expand FILE"),
+    **dict.fromkeys(("urdf2sdf", "urdf-to-sdf", "to-sdf"), "sdfcheck convert urdf-to-sdf FILE"),
+    **dict.fromkeys(("sdf2urdf", "sdf-to-urdf", "to-urdf"), "sdfcheck convert sdf-to-urdf FILE"),
+    **dict.fromkeys(("sdf-to-sdf", "upgrade", "migrate", "update"), "sdfcheck convert sdf-to-sdf FILE"),
+    **dict.fromkeys(("list", "list-rules"), "sdfcheck rules"),
+    **dict.fromkeys(("configure", "new"), "sdfcheck init"),
+    **dict.fromkeys(("settings", "show-settings"), "sdfcheck config"),
+    **dict.fromkeys(("consumers", "simulators", "target", "compat"), "sdfcheck targets FILE"),
+    **dict.fromkeys(("xsd", "rng"), "sdfcheck schema"),
+    **dict.fromkeys(("help", "man"), "sdfcheck --help"),
+    **dict.fromkeys(("version",), "sdfcheck --version"),
+}
+"""What people call a command → what it is here."""
 
 
 @click.group(
     cls=LazyGroup,
     lazy=COMMANDS,
+    meant=_MEANT,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog=f"Documentation: {HOME}",
 )
 @click.version_option(__version__, "-V", "--version", prog_name="sdfcheck", message="%(prog)s %(version)s")
 def sdfcheck() -> None:
-    """Linter and converter for SDFormat, URDF and xacro robot descriptions."""
+    """Linter and converter for SDFormat, URDF and xacro robot descriptions.
+
+    To begin: `sdfcheck lint` in the folder of a robot. Each finding names its rule, and
+    `sdfcheck rule NAME` explains it.
+    """
 
 
 def run() -> NoReturn:

@@ -7,9 +7,10 @@ from typing import Any
 
 import click
 
-from sdfcheck.cli.descriptions import around, described, load
-from sdfcheck.cli.options import require_file
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.options import require_file
+from sdfcheck.cli.parts.terminal import emit, say
 from sdfcheck.source.record import NamedTuple
 
 
@@ -24,7 +25,7 @@ class Request(NamedTuple):
     expand_auto_inertials: bool
 
 
-@click.command(name="print")
+@click.command(cls=Command, name="print")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option(
     "--degrees/--radians",
@@ -54,7 +55,7 @@ class Request(NamedTuple):
 def print_command(**given: Any) -> int:
     """Write a description in canonical form to stdout.
 
-    Indentation is two blanks, numbers are as short as they can be without changing,
+    Indentation is two spaces, numbers are as short as they can be without changing,
     comments stay; xacro is expanded. The version stays as it is. Unless rounding or
     snapping is asked for, the result is compared with the source, robot with robot.
     """

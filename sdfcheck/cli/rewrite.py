@@ -8,9 +8,9 @@ from functools import partial
 from pathlib import Path
 from typing import Protocol
 
-from sdfcheck.cli.terminal import emit, say
+from sdfcheck.cli.parts.terminal import emit, say
 from sdfcheck.files.overwrite import overwrite
-from sdfcheck.lint.fix.fixer import ROUNDS, Mended, mend
+from sdfcheck.lint.fix.fixer import ROUNDS, FixedFile, fix_files
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify, Options, run
 from sdfcheck.lint.wording import counted
@@ -24,7 +24,7 @@ class Work(NamedTuple):
 
     verb: str
     participle: str
-    change: Callable[[Run, Sequence[Path], Options], Iterator[Mended]]
+    change: Callable[[Run, Sequence[Path], Options], Iterator[FixedFile]]
 
 
 class Request(Protocol):
@@ -42,7 +42,7 @@ def work(request: Request) -> Work:
         WrongUsage: the reason cannot be in a comment.
     """
     if not request.add_ignore:
-        return Work("fix", "fixed", partial(mend, unsafe=request.unsafe_fixes))
+        return Work("fix", "fixed", partial(fix_files, unsafe=request.unsafe_fixes))
     from sdfcheck.lint.suppress.add_ignores import add_ignores
 
     if "--" in request.reason or request.reason.endswith("-") or not request.reason.isprintable():
@@ -70,7 +70,9 @@ class Rewriter:
         """
         fixed, silenced = 0, done.suppressed
         for _ in range(ROUNDS):
-            written = sum(mended.fixed for mended in self._mended(done) if self._write(mended))
+            written = sum(
+                fixed_file.fixed for fixed_file in self._fixed_files(done) if self._write(fixed_file)
+            )
             if not written:
                 break
             fixed += written
@@ -88,36 +90,38 @@ class Rewriter:
     def show(self, done: Run) -> int:
         """Print what would change as a unified diff; the exit code says whether there is anything."""
         fixed = 0
-        for mended in self._mended(done):
-            emit(unified_diff(mended))
-            fixed += mended.fixed
+        for fixed_file in self._fixed_files(done):
+            emit(unified_diff(fixed_file))
+            fixed += fixed_file.fixed
         if not self._quiet:
             whole, verb = counted(max(fixed, len(done.diagnostics)), "finding"), self._work.verb
             say(f"Would {verb} {fixed} of {whole}." if fixed else f"Nothing to {verb}.")
         return int(fixed > 0)
 
-    def _mended(self, done: Run) -> Iterator[Mended]:
-        for mended in self._work.change(done, self._paths, self._options):
-            if mended.path in self._given_up:
+    def _fixed_files(self, done: Run) -> Iterator[FixedFile]:
+        for fixed_file in self._work.change(done, self._paths, self._options):
+            if fixed_file.path in self._given_up:
                 continue
-            if mended.refusal:
-                self._give_up(mended.path, Level.WARNING, f"not {self._work.participle}: {mended.refusal}")
-            elif mended.fixed:
-                yield mended
+            if fixed_file.refusal:
+                self._give_up(
+                    fixed_file.path, Level.WARNING, f"not {self._work.participle}: {fixed_file.refusal}"
+                )
+            elif fixed_file.fixed:
+                yield fixed_file
 
-    def _write(self, mended: Mended) -> bool:
-        if self._options.stdin is not None and mended.path == self._options.stdin_path:
-            self._options = self._options._replace(stdin=mended.after)
+    def _write(self, fixed_file: FixedFile) -> bool:
+        if self._options.stdin is not None and fixed_file.path == self._options.stdin_path:
+            self._options = self._options._replace(stdin=fixed_file.after)
             return True
         try:
-            if mended.path.read_bytes() != mended.before:
+            if fixed_file.path.read_bytes() != fixed_file.before:
                 self._give_up(
-                    mended.path, Level.FAILURE, f"not {self._work.participle}: it has changed meanwhile"
+                    fixed_file.path, Level.FAILURE, f"not {self._work.participle}: it has changed meanwhile"
                 )
                 return False
-            overwrite(mended.path, mended.after)
+            overwrite(fixed_file.path, fixed_file.after)
         except OSError as error:
-            self._give_up(mended.path, Level.FAILURE, f"cannot be written: {error.strerror}")
+            self._give_up(fixed_file.path, Level.FAILURE, f"cannot be written: {error.strerror}")
             return False
         return True
 
@@ -126,12 +130,12 @@ class Rewriter:
         self._notify(Notice(level, f"{path}: {reason}"))
 
 
-def unified_diff(mended: Mended) -> str:
+def unified_diff(fixed_file: FixedFile) -> str:
     """What changed in a file, as ``diff -u`` says it."""
     from difflib import unified_diff as compare
 
-    name = mended.path.as_posix()
-    before, after = (_lines(data, mended.path) for data in (mended.before, mended.after))
+    name = fixed_file.path.as_posix()
+    before, after = (_lines(data, fixed_file.path) for data in (fixed_file.before, fixed_file.after))
     lines = compare(before, after, f"a/{name}", f"b/{name}")
     return "".join(
         line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines

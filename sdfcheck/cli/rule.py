@@ -7,24 +7,27 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.options import colored, configured
+from sdfcheck.cli.parts import completing
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.options import colored, configured
+from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, wants_color
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
-from sdfcheck.cli.terminal import emit, emit_lines, lines_of, wants_color
-from sdfcheck.lint.rulebook.manual import manual, record, render
+from sdfcheck.report.manual import Manuals, record, render
 
 if TYPE_CHECKING:
     from sdfcheck.lint.config.configuration import Configuration
 
 
-@click.command()
-@click.argument("selectors", nargs=-1, required=True, metavar="RULE...")
+@click.command(cls=Command)
+@click.argument("selectors", nargs=-1, shell_complete=completing.rules, required=True, metavar="RULE...")
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to explain.")
 @configured
 @colored()
 def rule(selectors: tuple[str, ...], output_format: str, configuration: Configuration, color: str) -> int:
     """Explain rules, given by code, name or family (ALL for all)."""
     index, known = loaded(configuration)
-    pages = [manual(facts, index) for facts in narrowed(known, selectors)]
+    manuals = Manuals(index)
+    pages = [manuals.of(facts) for facts in narrowed(known, selectors)]
     if output_format == "json":
         import json
 

@@ -6,23 +6,25 @@ from pathlib import Path
 
 import click
 
-from sdfcheck.cli.options import configured
-from sdfcheck.cli.terminal import emit, emit_lines, lines_of, say
+from sdfcheck.cli.parts import completing
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.options import configured
+from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, say
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.lint.rulebook.manual import facts_record, markdown
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import SILENT, covered
+from sdfcheck.report.manual import facts_record, markdown
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
 """Of the JSON that ``rules`` and ``rule`` write."""
 
 
-@click.command()
-@click.argument("selectors", nargs=-1, metavar="[RULES]...")
+@click.command(cls=Command)
+@click.argument("selectors", nargs=-1, shell_complete=completing.rules, metavar="[RULES]...")
 @click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to list.")
 @configured
 @click.option(

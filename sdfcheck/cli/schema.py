@@ -7,14 +7,15 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.describe import version
-from sdfcheck.cli.options import formatted
-from sdfcheck.cli.terminal import emit
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.options import formatted
+from sdfcheck.cli.parts.terminal import emit
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
-@click.command(name="schema")
+@click.command(cls=Command, name="schema")
 @click.option(
     "--sdf-version", metavar="VERSION", default=str(NEWEST), help=f"Of SDFormat.  [default: {NEWEST}]"
 )

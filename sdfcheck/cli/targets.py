@@ -8,9 +8,10 @@ from typing import Any
 
 import click
 
-from sdfcheck.cli.descriptions import Around, around, check_arguments, described
-from sdfcheck.cli.options import formatted, require_file
-from sdfcheck.cli.terminal import emit, emit_lines, say
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described
+from sdfcheck.cli.parts.options import formatted, require_file
+from sdfcheck.cli.parts.terminal import emit, emit_lines, say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
@@ -21,35 +22,35 @@ VERSION = 1
 """Of the JSON."""
 
 
-@click.command(name="targets")
+@click.command(cls=Command, name="targets")
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option(
     "--target",
     multiple=True,
-    type=click.Choice([reader.value for reader in Consumer]),
-    help="Ask about this reader only (may be repeated), and exit with 1 if it rejects the file.",
+    type=click.Choice([consumer.value for consumer in Consumer]),
+    help="Ask about this consumer only (may be repeated), and exit with 1 if it rejects the file.",
 )
 @formatted("How to show the verdicts.", "text", "json")
 @described
 def targets_command(file: Path, target: tuple[str, ...], form: str, **given: Any) -> int:
-    """Say which readers accept an SDFormat, URDF or xacro file, and why others do not.
+    """Say which consumers accept an SDFormat, URDF or xacro file, and why others do not.
 
     \b
     accept    it is read as it is written, as far as the rules know
     warn      it is read, but not all of it, or not as it was meant
     reject    it is not read to its end
-    not read  the reader does not know the format
+    not read  the consumer does not know the format
     """
     require_file(file)
-    readers = tuple(Consumer(name) for name in target) or tuple(Consumer)
-    rows = verdicts(file, readers, around(given))
+    consumers = tuple(Consumer(name) for name in target) or tuple(Consumer)
+    rows = verdicts(file, consumers, around(given))
     if form == "json":
         import json
 
         record_of_all = {
             "version": VERSION,
             "file": file.as_posix(),
-            "readers": [record(row) for row in rows],
+            "consumers": [record(row) for row in rows],
         }
         emit(json.dumps(record_of_all, indent=2) + "\n")
     else:
@@ -57,8 +58,8 @@ def targets_command(file: Path, target: tuple[str, ...], form: str, **given: Any
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 
-def verdicts(file: Path, readers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:
-    """Lint a file with everything that the rules know about some readers.
+def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:
+    """Lint a file with everything that the rules know about some consumers.
 
     Raises:
         WrongUsage: it cannot be read, or is no robot description.
@@ -69,7 +70,7 @@ def verdicts(file: Path, readers: Sequence[Consumer], around: Around) -> tuple[R
         if notice.level is Level.FAILURE:
             failures.append(notice.text)
 
-    asked = tuple(reader.value for reader in readers)
+    asked = tuple(consumer.value for consumer in consumers)
     check_arguments(around.arguments, [file], around.settings_for(file))
     options = Options(
         around.configuration,
@@ -83,15 +84,15 @@ def verdicts(file: Path, readers: Sequence[Consumer], around: Around) -> tuple[R
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    return matrix(done, sniff(file.read_bytes(), file), file, readers)
+    return matrix(done, sniff(file.read_bytes(), file), file, consumers)
 
 
 def lines(rows: Sequence[Row], file: Path) -> Iterator[str]:
-    """A line a reader, and below it the reasons."""
-    width = max(len(row.reader.value) for row in rows)
+    """A line a consumer, and below it the reasons."""
+    width = max(len(row.consumer.value) for row in rows)
     for row in rows:
         note = f": {row.note}" if row.note else ""
-        yield f"{row.reader.value:{width}}  {row.verdict.value}{note}"
+        yield f"{row.consumer.value:{width}}  {row.verdict.value}{note}"
         yield from (f"{'':{width}}    {line}" for line in _reasons(row, file))
 
 
@@ -122,7 +123,7 @@ def _place(reason: Reason, file: Path) -> str:
 def record(row: Row) -> dict[str, object]:
     """What JSON holds: all reasons."""
     return {
-        "reader": row.reader.value,
+        "consumer": row.consumer.value,
         "verdict": row.verdict.value,
         "note": row.note or None,
         "reasons": [_reason(reason) for reason in row.reasons],

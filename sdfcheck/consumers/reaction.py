@@ -1,8 +1,8 @@
-"""What readers of robot descriptions do about a defect.
+"""What consumers of robot descriptions do about a defect.
 
-A rule says it for each reader: ``affects = {Consumer.GAZEBO: REFUSES, Consumer.URDFDOM:
+A rule says it for each consumer: ``affects = {Consumer.GAZEBO: REFUSES, Consumer.URDFDOM:
 warns("drops the link")}``. Where it depends on the dialect, it says it for each:
-``Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")}``. A reader that a rule does
+``Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")}``. A consumer that a rule does
 not name, or not for a dialect, takes the file as it is.
 """
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Consumer(Enum):
-    """Who reads robot descriptions."""
+    """A program that reads robot descriptions."""
 
     GAZEBO = "gazebo"
     DRAKE = "drake"
@@ -38,7 +38,7 @@ READS: Mapping[Consumer, tuple[str, ...]] = {
 
 
 class Verdict(Enum):
-    """How a reader stands to a file, the worst last."""
+    """What a consumer makes of a file, the worst last."""
 
     ACCEPT = "accept"
     WARN = "warn"
@@ -50,7 +50,7 @@ class Verdict(Enum):
 
 
 class Reaction(NamedTuple):
-    """What a reader does about a defect, and its verdict on a file with the defect."""
+    """What a consumer does about a defect, and its verdict on a file with the defect."""
 
     verdict: Verdict
     words: str
@@ -59,6 +59,15 @@ class Reaction(NamedTuple):
     @property
     def is_harmless(self) -> bool:
         return self.verdict is Verdict.ACCEPT
+
+    @property
+    def severity(self) -> int:
+        """How bad it is, to be compared."""
+        return tuple(Verdict).index(self.verdict)
+
+    @property
+    def is_refusal(self) -> bool:
+        return self.verdict is Verdict.REJECT
 
     def __str__(self) -> str:
         return f"{self.verdict.value}: {self.words}"
@@ -95,21 +104,21 @@ Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
 def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
     """Reader → dialect → reaction, in full and as text: how an index holds it."""
     told = {}
-    for reader, said in sorted(affects.items(), key=lambda item: item[0].value):
-        reactions = dict.fromkeys(READS[reader], said) if isinstance(said, Reaction) else said
-        told[reader.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
+    for consumer, said in sorted(affects.items(), key=lambda item: item[0].value):
+        reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
+        told[consumer.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
     return told
 
 
 def lines(affects: Mapping[str, Mapping[str, str]]) -> Iterable[str]:
-    """What an index holds, for people: a line a reader, or one for each of its dialects."""
-    for reader, reactions in sorted(affects.items()):
-        everywhere = set(reactions) == set(READS[Consumer(reader)])
+    """What an index holds, for people: a line a consumer, or one for each of its dialects."""
+    for consumer, reactions in sorted(affects.items()):
+        everywhere = set(reactions) == set(READS[Consumer(consumer)])
         if everywhere and len(set(reactions.values())) == 1:
-            yield f"{reader}: {_words(next(iter(reactions.values())))}"
+            yield f"{consumer}: {_words(next(iter(reactions.values())))}"
         else:
             for dialect, said in sorted(reactions.items()):
-                yield f"{reader}, {dialect.upper()}: {_words(said)}"
+                yield f"{consumer}, {dialect.upper()}: {_words(said)}"
 
 
 def _words(said: str) -> str:
@@ -117,7 +126,7 @@ def _words(said: str) -> str:
 
 
 def by_effect(effect: Effect) -> Reaction:
-    """What a reader does about its own elements."""
+    """What a consumer does about its own elements."""
     outcome = effect.outcome.value
     if outcome == "read":
         return warns(f"reads `{effect.value}`")
@@ -126,5 +135,5 @@ def by_effect(effect: Effect) -> Reaction:
         "abort": refuses("aborts"),
         "crash": refuses("crashes"),
         "ignored": warns("ignores it"),
-        "accepted": accepts("takes it all the same"),
+        "accepted": accepts("takes it anyway"),
     }[outcome]

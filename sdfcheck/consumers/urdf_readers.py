@@ -1,22 +1,26 @@
-"""What the readers of URDF do about a part that cannot be read as it stands.
+"""What the consumers of URDF do about a part that cannot be read as it is.
 
 It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
-but at its material, Drake passes over controllers. Checked by taking attributes and elements
+but at its material, Drake ignores controllers. Checked by taking attributes and elements
 away, and by misspelling values, with urdfdom 3.0, libsdformat 12.3, Drake 1.51 and MuJoCo 4.0.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, refuses, warns
+from sdfcheck.formats.urdf.table import extension
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.sniff import Kind
 
+_NAMING = frozenset(("name", "link", "joint", "type", "reference", "filename"))
+_FREE = frozenset(("transmission", "gazebo", "ros2_control"))
 _UNREAD = accepts("does not read it")
 _ASIDE = frozenset(("safety_controller", "calibration"))
-_NUMBER = re.compile(r"[-+]?\.?\d\S*")
+_NUMBERS = re.compile(r"(?:[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s+)*[-+]?\.?\d\S*")
+"""Numbers, of which the last one may be followed by something else."""
 
 
 def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
@@ -26,7 +30,9 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
         return {}
     place = _place(element)
     if "gazebo" in place:
-        return {**dict.fromkeys(Consumer, _UNREAD), Consumer.GAZEBO: refuses("crashes")}
+        parent = element.parent
+        is_setting = parent is not None and parent.name == "gazebo" and element.name in extension().children
+        return {Consumer.GAZEBO: refuses("crashes")} if is_setting else {}
     urdfdom = _urdfdom(place)
     found = {Consumer.URDFDOM: urdfdom, Consumer.GAZEBO: urdfdom, Consumer.DRAKE: REFUSES}
     found[Consumer.MUJOCO] = _UNREAD if is_unread_by_mujoco(at) else REFUSES
@@ -34,8 +40,10 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
         found[Consumer.MUJOCO] = accepts("makes a ball joint of it")
     if place & _ASIDE:
         found[Consumer.DRAKE] = _UNREAD
-    elif isinstance(at, Value) and _NUMBER.fullmatch(at.text.strip()):
+    elif isinstance(at, Value) and _NUMBERS.fullmatch(at.text.strip()):
         found[Consumer.DRAKE] = warns("reads the number at its beginning")
+    if isinstance(at, Value) and "nan" in at.text.lower().split():
+        found[Consumer.MUJOCO] = warns("takes what is no number")
     return found
 
 
@@ -43,6 +51,8 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
     """Reactions to an attribute or child that is not there or empty."""
     if element.document.kind is Kind.SDF:
         return {}
+    if "gazebo" in _place(element):
+        return unreadable(element)
     if (element.name, name) == ("axis", "xyz"):
         return {Consumer.URDFDOM: warns("takes no axis"), Consumer.DRAKE: warns("takes a default")}
     found = dict(unreadable(element))
@@ -61,10 +71,36 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
 
 
 def undersized(at: Value) -> Mapping[Consumer, Reaction]:
-    """Reactions to a shape of no size; none in SDFormat, and where Drake takes a sphere for a point."""
+    """Reactions to a shape of no size; none in SDFormat."""
     if at.element.document.kind is Kind.SDF or "geometry" not in _place(at.element):
         return {}
-    return {Consumer.MUJOCO: _UNREAD if is_unread_by_mujoco(at) else REFUSES}
+    is_point = at.element.name == "sphere" and at.number == 0
+    return {
+        Consumer.GAZEBO: warns("takes another value"),
+        Consumer.DRAKE: accepts("takes the sphere for a point") if is_point else refuses("aborts"),
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: _UNREAD if is_unread_by_mujoco(at) else REFUSES,
+    }
+
+
+def unexpanded(values: Iterable[Value]) -> Mapping[Consumer, Reaction]:
+    """The worst reactions to values of URDF with expressions that xacro has yet to expand."""
+    found = dict.fromkeys(Consumer, warns("keeps it as it is written"))
+    for value in values:
+        for consumer, reaction in _unexpanded(value).items():
+            if reaction.severity > found[consumer].severity:
+                found[consumer] = reaction
+    return found
+
+
+def _unexpanded(value: Value) -> Mapping[Consumer, Reaction]:
+    if value.attribute == "filename":
+        is_texture = value.element.name == "texture"
+        mujoco = _UNREAD if is_texture or is_unread_by_mujoco(value) else REFUSES
+        return {Consumer.DRAKE: refuses("does not find the file"), Consumer.MUJOCO: mujoco}
+    if value.attribute is None or value.attribute in _NAMING or _place(value.element) & _FREE:
+        return {}
+    return unreadable(value)
 
 
 def repeating(element: Element) -> Mapping[Consumer, Reaction]:
@@ -74,7 +110,7 @@ def repeating(element: Element) -> Mapping[Consumer, Reaction]:
 
 
 def is_unread_by_mujoco(at: Element | Value) -> bool:
-    """Whether MuJoCo passes over what stands there."""
+    """Whether MuJoCo ignores what is there."""
     element = at.element if isinstance(at, Value) else at
     place = _place(element)
     if place & _ASIDE or place & {"transmission", "gazebo"}:

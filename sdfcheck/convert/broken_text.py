@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from sdfcheck.source.document import Document
-from sdfcheck.source.problems import ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep, UnknownEntity
+from sdfcheck.source.problems import (
+    ContentAfterRoot,
+    RepeatedAttribute,
+    SyntaxDefect,
+    SyntaxKind,
+    TooDeep,
+    UnknownEntity,
+)
 from sdfcheck.source.text import Span
 
 _BEYOND_REPAIR = (ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep)
@@ -20,5 +27,7 @@ def guess_in(document: Document) -> Span | None:
 
 
 def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
-    spans = (problem.span for problem in document.problems if isinstance(problem, kinds))
+    found = (problem for problem in document.problems if isinstance(problem, kinds))
+    # What version of XML a declaration names changes nothing about the text.
+    spans = (p.span for p in found if getattr(p, "kind", None) is not SyntaxKind.ODD_VERSION)
     return min(spans, key=lambda span: span.start, default=None)

@@ -8,52 +8,44 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
-from enum import Enum
+from dataclasses import replace
 from pathlib import PurePosixPath
 
 import numpy as np
 
+from sdfcheck.convert.change import Change, ChangeKind
+from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.difference import Settings
 from sdfcheck.convert.rewrite.reframing import reframed
 from sdfcheck.convert.rewrite.renaming import Names, filled, same_geometry, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
 from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
 
 _ENDLESS = 1e15
 
 
-class ChangeKind(Enum):
-    ADDED = "added"
-    REMOVED = "removed"
-    RENAMED = "renamed"
-    CHANGED = "changed"
-
-
-@dataclass(frozen=True, slots=True)
-class Change:
-    """One difference: of a ``part`` (model, link, joint, frame), and where it is changed, in ``what``."""
-
-    kind: ChangeKind
-    part: str
-    name: str
-    what: str = ""
-    before: str = ""
-    after: str = ""
-    """Of what was renamed: the old and the new name."""
-
-
 def compare(
-    a: Mechanism, b: Mechanism, *, across_formats: bool = False, tolerance: float = TOLERANCE
+    a: Mechanism,
+    b: Mechanism,
+    *,
+    contents: tuple[Contents, Contents] | None = None,
+    across_formats: bool = False,
+    tolerance: float = TOLERANCE,
 ) -> list[Change]:
-    """What changed from ``a`` to ``b``.
+    """What changed from ``a`` to ``b``, and from one of the ``contents`` to the other.
 
     ``across_formats``: what only one of the formats can say (names of shapes, frames, where
     a mesh is looked for) is not compared.
     """
     comparison = _Comparison(a, b, across_formats, tolerance)
     found = list(comparison.run())
+    if contents is not None:
+        settings = Settings(
+            contents, comparison.names, tolerance, moved=comparison.moved, across_formats=across_formats
+        )
+        found += settings.run(comparison.shapes)
     if found:
         return found
     # Nothing that is known to matter has changed; make sure that the robots also move alike.
@@ -67,6 +59,8 @@ class _Comparison:
     def __init__(self, a: Mechanism, b: Mechanism, across_formats: bool, tolerance: float) -> None:
         self.across_formats = across_formats
         self.tolerance = tolerance
+        self.shapes: list[tuple[str, Geometry, Geometry]] = []
+        """Link (of the second) and what became of each of its shapes."""
         self.names = Names.between(a, b, tolerance)
         links = self.names.links
         self.a = filled(a, b, links)
@@ -127,7 +121,7 @@ class _Comparison:
         if not self.equal(a.mass, b.mass):
             yield self.changed("link", name, "mass", *_pair((a.mass,), (b.mass,)))
         if not np.allclose(a.center, b.center, rtol=0, atol=self.tolerance):
-            yield self.changed("link", name, "centre of mass", *_pair(a.center, b.center))
+            yield self.changed("link", name, "center of mass", *_pair(a.center, b.center))
         size = max(float(np.abs(a.moments).max()), float(np.abs(b.moments).max()))
         pairs = (("ixx", 0, 0), ("iyy", 1, 1), ("izz", 2, 2), ("ixy", 0, 1), ("ixz", 0, 2), ("iyz", 1, 2))
         for what, row, column in pairs:
@@ -143,12 +137,14 @@ class _Comparison:
                 new.append(geometry)
             else:
                 gone = [g for g in gone if g is not equal]
+                self.shapes.append((b.name, equal, geometry))
         for geometry in list(gone):
             alike = (g for g in new if same_geometry(geometry, g, self.tolerance))
             other = next(alike, None) or _partner(geometry, gone, new)
             if other is not None:
                 gone = [g for g in gone if g is not geometry]
                 new = [g for g in new if g is not other]
+                self.shapes.append((b.name, geometry, other))
                 yield from self.geometry(b.name, geometry, other)
         for geometry in gone:
             yield self.changed("link", b.name, geometry.role, _title(geometry), "none")

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdfcheck.convert.difference import Change, ChangeKind, compare, pose_texts
+from sdfcheck.convert.change import Change, ChangeKind
+from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.entry import divergences
+from sdfcheck.convert.contents.of_sdf import of_model, of_world
+from sdfcheck.convert.contents.of_urdf import of_urdf
+from sdfcheck.convert.difference import compare, pose_texts
 from sdfcheck.convert.rewrite.reframing import shifted_model
 from sdfcheck.convert.rewrite.renaming import same_pose
 from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
@@ -21,9 +28,10 @@ from sdfcheck.source.sniff import Kind
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A model of a file: the robot, its 4×4 pose in the world, and whether it stands still."""
+    """A model of a file: the robot, its settings, its 4×4 pose in the world, and whether it stands still."""
 
     robot: Mechanism
+    contents: Contents
     pose: Array
     is_static: bool = False
 
@@ -36,6 +44,8 @@ class FileDifference:
     models: int
     links: int
     joints: int
+    settings: Mapping[str, int]
+    """How many sensors, plugins and the like were compared."""
 
 
 def placed_models(document: Document) -> dict[str, Placed]:
@@ -44,8 +54,9 @@ def placed_models(document: Document) -> dict[str, Placed]:
     Raises DescriptionError or PoseError where one cannot be read.
     """
     if document.kind is Kind.URDF:
-        robot = _as_sdf_has_it(mechanism_of(root_of(document).models[0]))
-        return {robot.name: Placed(robot, *_stand(document))}
+        model = root_of(document).models[0]
+        robot = _as_sdf_has_it(mechanism_of(model, vendors=True))
+        return {robot.name: Placed(robot, of_urdf(model), *_stand(document))}
     if needs_writing_out(document):
         document, _ = written_out(document)
     found: dict[str, Placed] = {}
@@ -82,17 +93,36 @@ def compare_files(
             changes.append((names[name], tuple(found)))
     kept = set(names.values())
     changes += [(name, (Change(ChangeKind.ADDED, "model", name),)) for name in after if name not in kept]
+    changes += _worlds(a, b)
     robots = [placed.robot for placed in after.values()]
     links, joints = sum(len(robot.links) for robot in robots), sum(len(robot.joints) for robot in robots)
-    return FileDifference(tuple(changes), len(robots), links, joints)
+    settings: Counter[str] = Counter()
+    for placed in after.values():
+        settings.update(placed.contents.count())
+    return FileDifference(tuple(changes), len(robots), links, joints, settings)
+
+
+def _worlds(a: Document, b: Document) -> list[tuple[str, tuple[Change, ...]]]:
+    """What changed in the worlds themselves, where both files have one."""
+    found = []
+    for before, after in zip(root_of(a).worlds, root_of(b).worlds, strict=False):
+        apart = divergences(of_world(before), of_world(after))
+        changes = [
+            Change(ChangeKind.CHANGED, "world", after.name, one.path, one.before, one.after) for one in apart
+        ]
+        if before.name != after.name:
+            changes.insert(0, Change(ChangeKind.RENAMED, "world", after.name, "", before.name, after.name))
+        if changes:
+            found.append((after.name, tuple(changes)))
+    return found
 
 
 def _placed(scope: Model, pose: Array) -> Placed:
-    robot = mechanism_of(scope)
+    robot = mechanism_of(scope, vendors=True)
     if scope.is_static:  # what stands still needs no joint to stand
         anchors = {j.name for j in robot.joints.values() if j.kind == "fixed" and j.parent == "world"}
         robot.joints = {name: joint for name, joint in robot.joints.items() if name not in anchors}
-    return Placed(robot, pose, scope.is_static)
+    return Placed(robot, of_model(scope), pose, scope.is_static)
 
 
 def _as_sdf_has_it(robot: Mechanism) -> Mechanism:
@@ -132,11 +162,12 @@ def _compare(name: str, a: Placed, other: str, b: Placed, across: bool, toleranc
     if a.is_static is not b.is_static:
         texts = ("true" if placed.is_static else "false" for placed in (a, b))
         changes.append(Change(ChangeKind.CHANGED, "model", other, "static", *texts))
-    found = compare(a.robot, b.robot, across_formats=across, tolerance=tolerance)
+    both = (a.contents, b.contents)
+    found = compare(a.robot, b.robot, contents=both, across_formats=across, tolerance=tolerance)
     if same_pose(a.pose, b.pose, tolerance):
         return changes + found
     moved = [Change(ChangeKind.CHANGED, "model", other, "pose", *pose_texts(a.pose, b.pose)), *found]
     # Perhaps only the model's frame has moved, and the robot is where it was.
     in_place = shifted_model(b.robot, inverse(a.pose) @ b.pose)
-    stayed = compare(a.robot, in_place, across_formats=across, tolerance=tolerance)
+    stayed = compare(a.robot, in_place, contents=both, across_formats=across, tolerance=tolerance)
     return changes + min(moved, stayed, key=len)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sdfcheck.convert.verify import Difference
+from sdfcheck.convert.verification import Difference
 from sdfcheck.robot.motion.kinematics import link_poses
 from sdfcheck.robot.motion.rotations import Array, angle_between, inverse
 from sdfcheck.source.sniff import Kind

@@ -2,26 +2,35 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from sdfcheck.convert.broken_text import guess_in
+from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.verification import Settings
 from sdfcheck.convert.loss import Loss
-from sdfcheck.convert.verify import Correspondence, Verification, verify
+from sdfcheck.convert.verification import Verification
+from sdfcheck.convert.verify import Correspondence, verify
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.source.document import Document
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """The two robots, each read from its own text by its format's reader, and what became of what."""
+    """The two robots, each read from its own text by the parser of its format, and what became of what."""
 
     source: Mechanism
     result: Mechanism
     correspondence: Correspondence
+    contents: tuple[Contents, Contents] | None = None
+    """What else is in the texts: sensors, plugins, materials."""
 
-    def verify(self) -> Verification:
-        return verify(self.source, self.result, self.correspondence)
+    def verify(self, losses: Sequence[Loss] = ()) -> Verification:
+        """Compare them; what is reported as a loss need not be equal."""
+        settings = Settings(*self.contents, losses) if self.contents is not None else None
+        return verify(self.source, self.result, self.correspondence, settings=settings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +60,7 @@ class Conversion:
             max(one.angle for one in done),
             max(one.inertia for one in done),
             tuple(difference for one in done for difference in one.differences),
+            dict(sum((Counter(one.counts) for one in done), Counter())),
         )
 
 
@@ -70,7 +80,7 @@ def conversion(
         losses, key=lambda loss: (loss.span.source.path.as_posix(), loss.span.start, loss.message)
     )
     done = (
-        tuple(comparison.verify() for comparison in comparisons)
+        tuple(comparison.verify(losses) for comparison in comparisons)
         if verified and guess_in(source) is None
         else ()
     )

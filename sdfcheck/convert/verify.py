@@ -1,7 +1,7 @@
 """Proof that two descriptions are one robot.
 
-Both are read by their own readers into :class:`~sdfcheck.robot.motion.mechanism.Robot`; at random
-joint positions the poses of all links and the mass, centre of mass and inertia of the
+Both are read by their own parsers into :class:`~sdfcheck.robot.motion.mechanism.Robot`; at random
+joint positions the poses of all links and the mass, center of mass and inertia of the
 whole are compared, then those of each link, the links' geometry and the joints' limits.
 """
 
@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from sdfcheck.convert.contents.verification import Counterparts, Settings
+from sdfcheck.convert.verification import Difference, Verification
 from sdfcheck.robot.motion.kinematics import (
     Bodies,
     Positions,
@@ -21,7 +23,7 @@ from sdfcheck.robot.motion.kinematics import (
     total_body,
     with_followers,
 )
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Mechanism
 from sdfcheck.robot.motion.rotations import Array, angles_between, inverse
 
@@ -69,47 +71,18 @@ class Correspondence:
         return (parts[number], 0) if parts else (self.joint(name), number)
 
 
-@dataclass(frozen=True, slots=True)
-class Difference:
-    """One thing in which source and result are not equal."""
-
-    what: str
-    name: str
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
-class Verification:
-    """What was compared, and the largest differences that were met (m, rad, relative for the mass)."""
-
-    links: int
-    configurations: int
-    position: float
-    angle: float
-    inertia: float
-    differences: tuple[Difference, ...]
-
-    @property
-    def is_equal(self) -> bool:
-        return not self.differences
-
-    def __str__(self) -> str:
-        links = f"{self.links} link{'s' * (self.links != 1)}"
-        largest = max(self.position, self.angle)
-        times = f"{self.configurations} configuration{'s' * (self.configurations != 1)}"
-        return f"{links}, {times}, max pose error {largest:.0e} m"
-
-
 def verify(
     source: Mechanism,
     result: Mechanism,
     correspondence: Correspondence | None = None,
     *,
+    settings: Settings | None = None,
     configurations: int = CONFIGURATIONS,
     tolerance: float = TOLERANCE,
 ) -> Verification:
-    """Compare two robots; the positions are random, and the same at every call."""
-    return _Comparison(source, result, correspondence or Correspondence(), tolerance).run(configurations)
+    """Compare two robots and their settings; the positions are random, and the same at every call."""
+    comparison = _Comparison(source, result, correspondence or Correspondence(), tolerance)
+    return comparison.run(configurations, settings)
 
 
 class _Comparison:
@@ -123,8 +96,9 @@ class _Comparison:
         self.found: dict[tuple[str, str], Difference] = {}
         self.position = self.angle = self.inertia = 0.0
         self.compared = [name for name in source.links if name not in correspondence.dropped_links]
+        self.shapes: list[Counterparts] = []
 
-    def run(self, configurations: int) -> Verification:
+    def run(self, configurations: int, settings: Settings | None) -> Verification:
         missing = [name for name in self.compared if self.to.link(name).link not in self.result.links]
         for name in missing:
             self.differ("link", name, "is missing")
@@ -136,6 +110,8 @@ class _Comparison:
             self.compare_bodies()
         self.compare_joints()
         self.compare_geometries()
+        if settings is not None:
+            self.compare_settings(settings)
         return Verification(
             len(self.compared),
             configurations,
@@ -143,7 +119,22 @@ class _Comparison:
             self.angle,
             self.inertia,
             tuple(self.found.values()),
+            self.counts(settings),
         )
+
+    def counts(self, settings: Settings | None) -> dict[str, int]:
+        """What was compared in addition to links."""
+        joints = sum(name not in self.to.dropped_joints for name in self.source.joints)
+        others = settings.source.count() if settings is not None else {}
+        return {"joint": joints, "shape": len(self.shapes), **dict(sorted(others.items()))}
+
+    def compare_settings(self, settings: Settings) -> None:
+        links = {name: self.to.link(name).link for name in self.compared}
+        joints = {
+            name: self.to.joint(name) for name in self.source.joints if name not in self.to.dropped_joints
+        }
+        for name, one in settings.unequal(links, joints, self.shapes):
+            self.differ(one.path, name, f"was {one.before} and is {one.after}")
 
     def draw(self, configurations: int) -> Positions:
         """Random configurations; the first is the one in which the file places the links."""
@@ -218,7 +209,7 @@ class _Comparison:
         moments = max(float(np.abs(a.moments).max()), 1e-9)
         errors = {
             "mass": abs(a.mass - b.mass) / max(abs(a.mass), 1e-9),
-            "centre of mass": float(np.abs(a.centres - b.centres).max()) if a.mass else 0.0,
+            "center of mass": float(np.abs(a.centers - b.centers).max()) if a.mass else 0.0,
             "inertia": float(np.abs(a.moments - b.moments).max()) / moments,
         }
         for what, error in errors.items():
@@ -258,11 +249,12 @@ class _Comparison:
             ]
             there = list(self.result.links[counterpart.link].geometries)
             for geometry in wanted:
-                match = next((g for g in there if self.same(geometry, g, counterpart.offset)), None)
-                if match is None:
+                equal = [g for g in there if self.same(geometry, g, counterpart.offset)]
+                if not equal:
                     self.differ(geometry.role, name, f"{geometry.kind} has no equal in the result")
                 else:
-                    there = [g for g in there if g is not match]
+                    there = [g for g in there if g is not equal[0]]
+                    self.shapes.append(Counterparts(name, geometry, equal))
 
     def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
         if (mine.role, mine.kind, len(mine.size)) != (theirs.role, theirs.kind, len(theirs.size)):

@@ -1,4 +1,4 @@
-"""XML as people write it: two blanks a level, attributes in order, numbers as their author spelled them."""
+"""XML as people write it: two spaces a level, attributes in order, numbers as their author spelled them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 INDENT = "  "
 _NOISE = 1e-15
-"""Smaller numbers in a computed vector are what is left of rounding."""
+"""Smaller numbers in a computed vector, or beside numbers of its scale, are what is left of rounding."""
 
 
 class Comment:
@@ -24,8 +24,17 @@ class Comment:
         self.text = text
 
 
+class Words:
+    """A text between elements; an element that holds one is written without a space of ours."""
+
+    __slots__ = ("text",)
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+
 class Node:
-    """An element to be written. It holds text or children, in order; comments are children."""
+    """An element to be written. It holds text or children, in order; comments and words are children."""
 
     __slots__ = ("attributes", "children", "name", "text")
 
@@ -33,7 +42,7 @@ class Node:
         self.name = name
         self.text = text
         self.attributes: dict[str, str] = attributes
-        self.children: list[Node | Comment] = []
+        self.children: list[Node | Comment | Words] = []
 
     def add(self, name: str, text: str | None = None, /, **attributes: str) -> Node:
         """Append a child element and return it."""
@@ -42,6 +51,12 @@ class Node:
     def append(self, node: Node) -> Node:
         self.children.append(node)
         return node
+
+    def say(self, text: str) -> None:
+        """Have another value, and of the attributes the custom ones only."""
+        self.text = text
+        self.attributes = {name: value for name, value in self.attributes.items() if ":" in name}
+        self.children = [child for child in self.children if not isinstance(child, Words)]
 
     def comment(self, text: str) -> None:
         self.children.append(Comment(text))
@@ -61,7 +76,7 @@ class Node:
 def render(root: Node, before: Sequence[Comment] = (), after: Sequence[Comment] = ()) -> str:
     """The text of a file: declaration, comments, root, comments."""
     lines = ['<?xml version="1.0"?>']
-    nodes: list[Node | Comment] = [*before, root, *after]
+    nodes: list[Node | Comment | Words] = [*before, root, *after]
     for node in nodes:
         _write(node, "", lines)
     return "\n".join(lines) + "\n"
@@ -73,11 +88,14 @@ def with_line_ends(text: str, source: str) -> str:
     return text.replace("\n", "\r\n") if end and line.endswith("\r") else text
 
 
-def _write(node: Node | Comment, indent: str, lines: list[str]) -> None:
-    if isinstance(node, Comment):
-        lines.append(f"{indent}<!--{_harmless(node.text)}-->")
+def _write(node: Node | Comment | Words, indent: str, lines: list[str]) -> None:
+    if not isinstance(node, Node):
+        lines.append(f"{indent}{_inline(node)}")
         return
-    start = "".join((indent, "<", node.name, *(f' {k}="{_quoted(v)}"' for k, v in node.attributes.items())))
+    if any(isinstance(child, Words) for child in node.children):
+        lines.append(f"{indent}{_inline(node)}")
+        return
+    start = f"{indent}{_start(node)}"
     if node.children:
         lines.append(f"{start}>")
         if node.text and node.text.strip():
@@ -89,6 +107,20 @@ def _write(node: Node | Comment, indent: str, lines: list[str]) -> None:
         lines.append(f"{start}>{_escaped(node.text)}</{node.name}>")
     else:
         lines.append(f"{start}/>")
+
+
+def _start(node: Node) -> str:
+    return "".join(("<", node.name, *(f' {k}="{_quoted(v)}"' for k, v in node.attributes.items())))
+
+
+def _inline(node: Node | Comment | Words) -> str:
+    """A node without lines and spaces but its own."""
+    if isinstance(node, Words):
+        return _escaped(node.text)
+    if isinstance(node, Comment):
+        return f"<!--{_harmless(node.text)}-->"
+    inner = _escaped(node.text or "") + "".join(map(_inline, node.children))
+    return f"{_start(node)}>{inner}</{node.name}>" if inner else f"{_start(node)}/>"
 
 
 def _harmless(comment: str) -> str:
@@ -106,18 +138,49 @@ def _quoted(text: str) -> str:
     return escaped.replace("\n", "&#10;").replace("\t", "&#9;").replace("\r", "&#13;")
 
 
-def copied(element: Element) -> Node:
-    """An element of a document with all that is in it, comments too, names as written."""
+def copied(element: Element, *, verbatim: bool = False) -> Node:
+    """An element of a document with all that is in it, comments too, names as written.
+
+    Words between elements, and all in an element that says so (``xml:space``), keep every blank.
+    """
     node = Node(element.name)
     node.attributes.update(declared_prefixes(element))
     node.attributes.update(element.attributes)
-    node.text = element.content or None
+    verbatim = (verbatim or has_mixed_content(element)) and not _gives_up_blanks(element)
+    if verbatim and element.text:
+        node.children.append(Words(element.text))
+    elif not verbatim:
+        node.text = element.content or None
     for child in element:
         if (comment := comment_of(child)) is not None:
             node.children.append(comment)
         elif isinstance(child.tag, str):
-            node.children.append(copied(child))
+            node.children.append(copied(child, verbatim=verbatim))
+        if verbatim and child.tail:
+            node.children.append(Words(child.tail))
     return node
+
+
+_SPACE = "{http://www.w3.org/XML/1998/namespace}space"
+
+
+def keeps_blanks(element: Element) -> bool:
+    """Does an element say itself that its spaces matter?"""
+    return element.attrib.get(_SPACE) == "preserve"
+
+
+def has_mixed_content(element: Element) -> bool:
+    """Are there words between the elements in an element, or does it keep its spaces?"""
+    if keeps_blanks(element):
+        return True
+    words = sum(
+        bool(text and not text.isspace()) for text in (element.text, *(node.tail for node in element))
+    )
+    return words > 1 or (words == 1 and any(True for _ in element.children()))
+
+
+def _gives_up_blanks(element: Element) -> bool:
+    return element.attrib.get(_SPACE) == "default" and not has_mixed_content(element)
 
 
 def comment_of(node: object) -> Comment | None:
@@ -138,9 +201,9 @@ def declared_prefixes(element: Element) -> dict[str, str]:
     }
 
 
-def undeclared_prefixes(node: Node | Comment) -> set[str]:
+def undeclared_prefixes(node: Node | Comment | Words) -> set[str]:
     """The prefixes of names below a node that nothing declares there."""
-    if isinstance(node, Comment):
+    if not isinstance(node, Node):
         return set()
     words = [node.name, *(name for name in node.attributes if not name.startswith("xmlns"))]
     found = {word.partition(":")[0] for word in words if ":" in word}
@@ -158,12 +221,17 @@ def number(value: float) -> str:
 
 
 def numbers(values: Iterable[float]) -> str:
-    """Computed numbers, separated by blanks; the dust of rounding is swept to 0."""
-    return " ".join(number(0.0 if abs(value) < _NOISE else float(value)) for value in values)
+    """Computed numbers, separated by spaces; the dust of rounding is swept to 0."""
+    return " ".join(number(settled(float(value))) for value in values)
+
+
+def settled(value: float, scale: float = 1.0) -> float:
+    """A computed number; 0 if it is what is left of rounding beside numbers of a scale."""
+    return 0.0 if abs(value) < _NOISE * scale else value
 
 
 def spaced(text: str) -> str:
-    """An author's numbers as they are, separated by single blanks."""
+    """An author's numbers as they are, separated by single spaces."""
     return " ".join(text.split())
 
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from sdfcheck.files.git import Listing
     from sdfcheck.files.gitignore import Ignores
 
-SUFFIXES = (".sdf", ".urdf", ".world", ".xacro")
+SUFFIXES = (".sdf", ".srdf", ".urdf", ".world", ".xacro")
 MODEL_CONFIG = "model.config"
 
 # Folders that never hold the sources of a robot, in addition to all hidden ones.

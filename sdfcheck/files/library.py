@@ -126,6 +126,22 @@ class Library:
             self._projects[key] = view(packages)
         return cast(T, self._projects[key])
 
+    def forget(self) -> None:
+        """Read files anew when they are asked for next; what packages there are is remembered."""
+        self.disk = Disk()
+        self._documents.clear()
+        self._hashes.clear()
+        self._unseen.clear()
+        self._projects.clear()
+
+    def documents(self) -> tuple[Document, ...]:
+        """The documents that were read."""
+        return tuple(document for document in self._documents.values() if document is not None)
+
+    def holds(self, path: Path) -> bool:
+        """Did something refer to a file?"""
+        return self.disk.real(path) in self._documents
+
     def _read(self, path: Path, key: str, kind: Kind | None) -> Document | None:
         from sdfcheck.source.document import read
 

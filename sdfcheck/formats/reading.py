@@ -38,7 +38,7 @@ class Cause(Enum):
     NOT_A_BOOLEAN = "neither true nor false"
     EXPRESSION = "an expression that nothing has expanded"
     COMMA = "a comma"
-    TRAILING = "text behind the number"
+    TRAILING = "text after the number"
     EXTRA = "more than one number"
     GLUED = "no space between numbers"
     HEXADECIMAL = "a hexadecimal number"
@@ -49,7 +49,7 @@ class Cause(Enum):
     TOO_LARGE = "too large for its type"
     TOO_SMALL = "too near to zero for its type"
     NOT_FINITE = "infinity or nan"
-    BLANK = "a blank other than the spaces between numbers"
+    BLANK = "a space other than the spaces between numbers"
 
 
 class Reading(NamedTuple):

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def suggest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate that a misspelt name was meant to be, or None when nothing is near.
+    """The candidate that a misspelled name was meant to be, or None when nothing is near.
 
     The same letters in another case come first. Otherwise one misspelling (a letter missing,
     added, wrong, or two swapped) is forgiven, two in a name of six letters or more, three from

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -52,6 +53,22 @@ class Origin(NamedTuple):
     text: str
 
 
+class MissingKind(Enum):
+    """What is missing; the value is its noun."""
+
+    PACKAGE = "package"
+    MODEL = "model"
+    REMOTE = "address on the network"
+
+
+class Missing(NamedTuple):
+    """Something that is not on this computer, and may be on another, with how often it is needed."""
+
+    kind: MissingKind
+    name: str
+    uses: int = 1
+
+
 class Diagnostic(NamedTuple):
     """One defect, at the smallest place that a person would edit.
 
@@ -69,12 +86,20 @@ class Diagnostic(NamedTuple):
     help: str | None = None
     origins: tuple[Origin, ...] = ()
     affects: tuple[tuple[str, Reaction], ...] = ()
-    """What each reader that is concerned does, sorted by reader."""
+    """What each consumer that is concerned does, sorted by consumer."""
+    missing: Missing | None = None
+    """Given where the finding is about this computer, and the file may be sound."""
 
     @property
     def concerned(self) -> frozenset[str]:
-        """The readers that do not take the file as it is meant."""
-        return frozenset(reader for reader, reaction in self.affects if not reaction.is_harmless)
+        """The consumers that do not take the file as it is meant."""
+        return frozenset(consumer for consumer, reaction in self.affects if not reaction.is_harmless)
+
+    def for_targets(self, targets: Collection[str]) -> Diagnostic:
+        """The same for those who ask about some consumers: an error if one of them refuses the file."""
+        if any(consumer in targets and reaction.is_refusal for consumer, reaction in self.affects):
+            return self._replace(severity=Severity.ERROR)
+        return self
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:

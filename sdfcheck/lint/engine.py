@@ -10,19 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rulebook.packs import RuleIndex
-from sdfcheck.lint.run import RuleFacts, reactions
+from sdfcheck.lint.run import EXTENSION, RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.lint.subjects import subjects
-from sdfcheck.source.document import Document, read
+from sdfcheck.lint.subjects import OF_VENDORS, is_extension, subjects
+from sdfcheck.source.document import Document
 from sdfcheck.source.document import problems as text_problems
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Span
-from sdfcheck.xacro.fragment import is_fragment
 
 if TYPE_CHECKING:
-    from sdfcheck.files.library import Library
-    from sdfcheck.lint.suppress.comments import Comment
     from sdfcheck.robot.part import Part
     from sdfcheck.xacro.expansion import Expander
 
@@ -40,7 +36,7 @@ INTERNAL_ERROR = RuleFacts(
     __name__,
 )
 
-_ANALYSES_OF_ALL = ("sdfcheck.source.document:problems", "sdfcheck.formats.namespaces:problems")
+_ANALYSES_OF_ALL = ("sdfcheck.source.document:problems",)
 _ANALYSES = {
     Kind.SDF: (
         "sdfcheck.formats.sdf.survey:problems",
@@ -50,18 +46,10 @@ _ANALYSES = {
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",
         "sdfcheck.formats.urdf.names:problems",
-        "sdfcheck.consumers.gazebo:problems",
+        "sdfcheck.formats.urdf.extensions:problems",
     ),
 }
 """Where the analyses of each kind of document are; a run loads those that it needs."""
-
-
-class FileResult(NamedTuple):
-    diagnostics: list[Diagnostic]
-    comments: Sequence[Comment] = ()
-    """Those that speak to sdfcheck."""
-    outward: Sequence[Span] = ()
-    """Where comments may be for what other files bring out."""
 
 
 class Xacro(NamedTuple):
@@ -78,7 +66,7 @@ class Dispatch:
         self.index = index
         self.severities = active.severities
         self.targets = active.targets
-        # The readers that somebody asks about: as a target, or by a rule that is off by default.
+        # The consumers that somebody asks about: as a target, or by a rule that is off by default.
         asked = active.targets.union(*(facts.affects for facts in active.facts if not facts.default))
         self.by_problem: dict[str, list[RuleFacts]] = {}
         self.by_subject: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
@@ -86,39 +74,12 @@ class Dispatch:
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
-            # A rule about a reader's own elements judges the others for those who ask about the reader.
-            if (facts.looks_at or facts.selects) and not (facts.explains and asked.isdisjoint(facts.affects)):
-                self.by_subject.setdefault((facts.looks_at, facts.selects), []).append(facts)
-
-
-def lint_source(
-    data: bytes,
-    path: Path,
-    kind: Kind | None,
-    dispatch: Dispatch,
-    library: Library | None = None,
-    xacro: Xacro | None = None,
-) -> FileResult:
-    """Read and lint one file's bytes. Whatever they hold, the result is diagnostics.
-
-    What the file refers to is taken from the library; without one nothing is looked up.
-    """
-    document = library.known(data, path) if library is not None else None
-    if document is None or document.kind is not (kind or document.kind):
-        document = read(data, path, kind)
-    document.library, document.included_by = library, ()
-    if document.kind is Kind.URDF and library is not None and is_fragment(document):
-        document = read(data, path, Kind.XACRO)
-        document.library = library
-    if document.kind is Kind.XACRO:
-        from sdfcheck.lint.expanded import lint_xacro
-        from sdfcheck.xacro.static.definitions import is_robot
-
-        expander, sets = xacro or Xacro(None)
-        # Who includes the file calls its macros, and brings out what is wrong in them.
-        is_open = expander is None or not is_robot(document)
-        return result(lint_xacro(document, dispatch, expander, sets), document, open=is_open)
-    return result(lint_document(document, dispatch), document)
+            if facts.looks_at or facts.selects:
+                looked_at = (facts.looks_at, facts.selects)
+                # A rule about a consumer's own elements judges the others for those who ask about the consumer.
+                if asked.isdisjoint(facts.affects) and not OF_VENDORS.keys().isdisjoint(facts.looks_at):
+                    looked_at = (tuple(name for name in facts.looks_at if name in OF_VENDORS), ())
+                self.by_subject.setdefault(looked_at, []).append(facts)
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
@@ -128,12 +89,9 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     for analysis in analyses(document):
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
-    if tables := _tables(document, dispatch):
-        from sdfcheck.robot.naming.vendor_references import problems
-
-        found += explain(problems(document, tables), document, dispatch)
+    tables = _tables(document, dispatch)
     for (looks_at, selects), rules in dispatch.by_subject.items():
-        if seen := subjects(document, looks_at, selects):
+        if seen := subjects(document, looks_at, selects, tables):
             for rule in rules:
                 found += _check(rule, _applying(rule, seen, dispatch), document, dispatch)
     # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
@@ -168,18 +126,6 @@ def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) 
             yield from _check(rule, (problem,), document, dispatch)
 
 
-def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = False) -> FileResult:
-    """The diagnostics with what the document's comments tell; all of it if it is ``open`` to others."""
-    source = document.source
-    if "sdfcheck:" not in source.text or document.root is None:
-        return FileResult(diagnostics)
-    from sdfcheck.lint.suppress.comments import comments, includes
-
-    whole = [source.span(0, len(source.text))]
-    outward = whole if open else includes(source, document.scan)
-    return FileResult(diagnostics, comments(source, document.scan), outward)
-
-
 def look_at(parts: Sequence[Part], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
     """What the rules have to say about some parts of the robot that a document describes."""
     for (looks_at, _), rules in dispatch.by_subject.items():
@@ -199,18 +145,24 @@ def _check(
     """Run one rule up to its first failure, which must not hide what the others report."""
     diagnostics: list[Diagnostic] = []
     failure: list[Diagnostic] = []
+    extended: list[Diagnostic] = []
     try:
         for subject in subjects:
-            diagnostics += dispatch.index.rule(facts).check(subject)
+            found = extended if is_extension(subject, document) else diagnostics
+            found += dispatch.index.rule(facts).check(subject)
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # also `sys.exit`
         failure.append(_internal_error(facts, error, document))
-    return [*_adapted(diagnostics, facts, document, dispatch), *failure]
+    dialect = "sdf" if document.kind in (Kind.SDF, Kind.MODEL_CONFIG) else "urdf"
+    adapted = _adapted(diagnostics, facts, dialect, dispatch)
+    if extended:
+        adapted += _adapted(extended, facts, EXTENSION, dispatch)
+    return [*adapted, *failure]
 
 
 def _adapted(
-    diagnostics: list[Diagnostic], facts: RuleFacts, document: Document, dispatch: Dispatch
+    diagnostics: list[Diagnostic], facts: RuleFacts, dialect: str, dispatch: Dispatch
 ) -> list[Diagnostic]:
     """A rule's diagnostics as the configuration and the targets want them."""
     if not diagnostics:
@@ -219,10 +171,12 @@ def _adapted(
     if severity is not None:
         diagnostics = [diagnostic._replace(severity=severity) for diagnostic in diagnostics]
     if facts.affects:
-        dialect = "sdf" if document.kind in (Kind.SDF, Kind.MODEL_CONFIG) else "urdf"
+        if dialect == EXTENSION and "gazebo" not in facts.affects:
+            return []  # nobody concerned reads it
         diagnostics = [d._replace(affects=reactions(facts, dialect, d.affects)) for d in diagnostics]
-        if dispatch.targets:
-            return [d for d in diagnostics if dispatch.targets.intersection(d.concerned)]
+        if targets := dispatch.targets:
+            concerned = [d for d in diagnostics if targets.intersection(d.concerned)]
+            return concerned if severity is not None else [d.for_targets(targets) for d in concerned]
     return diagnostics
 
 

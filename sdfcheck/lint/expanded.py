@@ -29,10 +29,10 @@ def lint_xacro(
     shown = (*prepared.documents, *prepared.partial)
     found += _lint_pieces(document, unexpanded(document, shown), dispatch)
     for expanded in prepared.documents:
-        found += settle(lint_document(expanded, dispatch), expanded)
+        found += settle(lint_document(expanded, dispatch), expanded, document)
     for expanded in prepared.partial:
         if expanded.root is not None:
-            found += settle(_lint_pieces(expanded, [expanded.root], dispatch), expanded)
+            found += settle(_lint_pieces(expanded, [expanded.root], dispatch), expanded, document)
     return fold(found)
 
 

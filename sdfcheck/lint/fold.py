@@ -11,11 +11,12 @@ from sdfcheck.lint.fix.fix import Fix
 from sdfcheck.source.text import Source, Span
 
 if TYPE_CHECKING:
+    from sdfcheck.source.document import Document
     from sdfcheck.xacro.origins import ExpandedDocument
 
 
-def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument) -> list[Diagnostic]:
-    """Move what points into the expanded text to where that was written, and add how it got there.
+def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument, file: Document) -> list[Diagnostic]:
+    """Move what points into the expanded text to where that was written in a xacro file, and add how it got there.
 
     A fix stays if it edits the linted file alone, and no expression in it.
     """
@@ -23,17 +24,48 @@ def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument) -> lis
     for diagnostic in diagnostics:
         span = document.written(diagnostic.span)
         origins = tuple(Origin(*step) for step in document.origins_at(span))
-        labels = tuple(Label(document.written(label.span), label.text) for label in diagnostic.labels)
+        labels = tuple(_label(document.written(label.span), label.text, span) for label in diagnostic.labels)
         fix = diagnostic.fix
-        settled.append(
-            diagnostic._replace(
-                span=span,
-                labels=tuple(label for label in labels if label.span != span),
-                origins=diagnostic.origins or origins,
-                fix=fix if fix is not None and _holds(fix, document.top) else None,
-            )
+        moved = diagnostic._replace(
+            span=span,
+            labels=tuple(label for label in labels if label.span != span),
+            origins=diagnostic.origins or origins,
+            fix=fix if fix is not None and _holds(fix, document.top) else None,
         )
+        settled.append(_with_values(moved, file))
     return settled
+
+
+def _label(place: Span, text: str, span: Span) -> Label:
+    """A label; where it is the place of the diagnostic itself, reached in another way, the step that differs."""
+    if Span(*place) == Span(*span):
+        own, other = reversed(getattr(span, "origins", ())), reversed(getattr(place, "origins", ()))
+        for here, there in zip(own, other, strict=False):
+            if here.span != there.span:
+                return Label(Span(*there.span), f"{text}, from here")
+    return Label(place, text)
+
+
+def _with_values(diagnostic: Diagnostic, file: Document) -> Diagnostic:
+    """The diagnostic with the value of the expression that it is about, and where that value comes from."""
+    span = diagnostic.span
+    value: str | None = getattr(span, "value", None)
+    if value is None:
+        return diagnostic
+    from sdfcheck.xacro.givers import givers
+
+    found = givers(span, getattr(span, "origins", ()), file)
+    message, code = diagnostic.message.replace(span.text, value), f"`{span.text}`"
+    if found:
+        name, text, place = found[0]
+        at = f"line {place.begin.line}"
+        if place.source.path != span.source.path:
+            at = f"{place.source.path.name}:{place.begin.line}"
+        given = f"`{text}`" if "$" in text else text
+        code += f", set at {at}" if name == span.text else f", with `{name}` = {given} set at {at}"
+    known = {label.span for label in diagnostic.labels}
+    labels = [Label(each.span, f"`{each.name}` is set here") for each in found if each.span not in known]
+    return diagnostic._replace(message=f"{message} ({code})", labels=(*diagnostic.labels, *labels))
 
 
 def _holds(fix: Fix, top: Source) -> bool:
@@ -72,7 +104,7 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
 
 
 def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Those of a run without what a file is told of itself, and of the files that include it once more."""
+    """Those of a run without what a file is reported itself, and of the files that include it once more."""
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins]
     if not foreign:
         return list(diagnostics)

@@ -1,9 +1,10 @@
-"""Which errors stop a conversion: those for which the format's own reader refuses the file.
+"""Which errors stop a conversion: those for which the format's own parser refuses the file.
 
-The own reader is urdfdom for URDF and xacro, libsdformat (Gazebo's) for SDFormat. What it
+The own parser is urdfdom for URDF and xacro, libsdformat (Gazebo's) for SDFormat, and Drake for a
+URDF file with joints that Drake alone reads. What it
 refuses is no robot yet, and a converter would have to guess which one was meant. What it
 reads is one, whatever else is wrong with it: a mesh that is not there, an inertia
-that no body has, something that another reader cannot do.
+that no body has, something that another consumer cannot do.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from collections.abc import Iterable, Mapping
 
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
 OWN_READER: Mapping[Kind, Consumer] = {
@@ -21,23 +23,30 @@ OWN_READER: Mapping[Kind, Consumer] = {
 }
 
 
+def own_reader(document: Document) -> Consumer | None:
+    """Whose file it is."""
+    root = document.root
+    if document.kind is Kind.URDF and root is not None and root.has("drake:joint"):
+        return Consumer.DRAKE
+    return OWN_READER.get(document.kind)
+
+
 def obstacles(
-    found: Iterable[Diagnostic], kind: Kind, elsewhere: frozenset[str] = frozenset()
+    found: Iterable[Diagnostic], consumer: Consumer | None, elsewhere: frozenset[str] = frozenset()
 ) -> list[Diagnostic]:
-    """The errors among ``found`` that stop a conversion from a kind of file.
+    """The errors among ``found`` that stop a conversion of a file that has an own parser.
 
     Those of the families ``elsewhere`` do not: they are about other files.
     """
-    reader = OWN_READER.get(kind)
     return [
         diagnostic
         for diagnostic in found
         if diagnostic.severity is Severity.ERROR
         and diagnostic.code.rstrip("0123456789") not in elsewhere
-        and (reader is None or _refused(diagnostic, reader))
+        and (consumer is None or _refused(diagnostic, consumer))
     ]
 
 
-def _refused(diagnostic: Diagnostic, reader: Consumer) -> bool:
-    reaction = dict(diagnostic.affects).get(reader.value)
+def _refused(diagnostic: Diagnostic, consumer: Consumer) -> bool:
+    reaction = dict(diagnostic.affects).get(consumer.value)
     return reaction is not None and reaction.verdict is Verdict.REJECT

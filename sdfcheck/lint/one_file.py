@@ -1,4 +1,4 @@
-"""Lint one file of a run, with what it refers to at hand, and silence what is to be silenced."""
+"""Lint one file of a run, with what it refers to available, and silence what is to be silenced."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from sdfcheck.source.sniff import Kind
 if TYPE_CHECKING:
     from sdfcheck.lint.config.reading import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
-    from sdfcheck.lint.engine import FileResult, Xacro
+    from sdfcheck.lint.engine import Xacro
+    from sdfcheck.lint.source_file import FileResult
     from sdfcheck.lint.suppress.comments import Comment
     from sdfcheck.source.document import Document
-    from sdfcheck.xacro.expansion import Expander
+    from sdfcheck.xacro.expansion import Expander, Surroundings
 
 _INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
 
@@ -31,7 +32,7 @@ class Selected(NamedTuple):
     kind: Kind
 
 
-class Shelves:
+class Caches:
     """The libraries and expanders of a run: one for all files that have the same search paths."""
 
     __slots__ = ("_arguments", "_expand", "_expanders", "_libraries")
@@ -42,7 +43,7 @@ class Shelves:
         self._libraries: dict[SearchPaths, Library] = {}
         self._expanders: dict[tuple[SearchPaths, tuple[str, ...]], Expander] = {}
 
-    def __enter__(self) -> Shelves:
+    def __enter__(self) -> Caches:
         return self
 
     def __exit__(self, *raised: object) -> None:
@@ -59,17 +60,21 @@ class Shelves:
             from sdfcheck.lint.engine import Xacro
 
             return Xacro(None, ())
-        from sdfcheck.xacro.expansion import Expander, Surroundings
+        from sdfcheck.xacro.expansion import Expander
 
         key = settings.search, settings.env
         if key not in self._expanders:
-            around = Surroundings(dict(settings.packages), settings.package_paths, settings.env)
-            self._expanders[key] = Expander(around)
+            self._expanders[key] = Expander(self._surroundings(settings))
             self._expanders[key].start()
         from sdfcheck.lint.engine import Xacro
 
         sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
         return Xacro(self._expanders[key], tuple(dict(given) for given in sets))
+
+    def _surroundings(self, settings: Settings) -> Surroundings:
+        from sdfcheck.xacro.expansion import Surroundings
+
+        return Surroundings(dict(settings.packages), settings.package_paths, settings.env)
 
     def library(self, settings: Settings) -> Library:
         search = settings.search
@@ -92,16 +97,16 @@ class Shelves:
 
 
 def lint_file(
-    file: Selected, book: RuleBook, settings: Settings, shelves: Shelves
+    file: Selected, book: RuleBook, settings: Settings, caches: Caches
 ) -> tuple[Sequence[Diagnostic], int]:
     """The diagnostics of one file, and how many were silenced."""
     # The parser tells what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
     # What expands gets ready in its process while the rest is loaded here.
-    xacro = shelves.xacro(settings, file.path) if kind is Kind.XACRO else None
-    from sdfcheck.lint.engine import lint_source
+    xacro = caches.xacro(settings, file.path) if kind in {Kind.XACRO, Kind.SRDF} else None
+    from sdfcheck.lint.source_file import lint_source
 
-    dispatch, library = book.dispatch(settings, file.path), shelves.library(settings)
+    dispatch, library = book.dispatch(settings, file.path), caches.library(settings)
     result = lint_source(file.data, file.path, kind, dispatch, library, xacro)
     return _silence(result, book, settings, file.path)
 
@@ -111,10 +116,11 @@ def lint_included(
 ) -> tuple[Sequence[Diagnostic], int]:
     """The errors of a file that only an include leads to, each with the way there.
 
-    It is somebody else's file: its warnings are theirs, and it is not mended.
+    It is somebody else's file: its warnings are theirs, and it is not fixed.
     """
     from sdfcheck.lint.diagnostic import Origin, Severity
-    from sdfcheck.lint.engine import lint_document, result
+    from sdfcheck.lint.engine import lint_document
+    from sdfcheck.lint.source_file import result
 
     path = document.path
     settings = configuration.settings_for(path)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar, Protocol
 
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
-from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
 from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
 from sdfcheck.source.text import Span
@@ -42,9 +42,13 @@ class Rule:
     """The elements that are looked at, or where the objects of the classes in ``looks_at`` have to be."""
     explains: ClassVar[tuple[type, ...]] = ()
     affects: ClassVar[Affects] = {}
-    """Which readers are concerned, and what they do; empty: none, the file itself is at fault."""
+    """Which consumers are concerned, and what they do; empty: none, the file itself is at fault."""
     default: ClassVar[bool] = True
     """False: runs only when selected."""
+    since: ClassVar[str] = ""
+    """The first version that has the rule; empty for the first release."""
+    sources: ClassVar[tuple[str, ...]] = ()
+    """Addresses of what the rule follows, where the ``SOURCES`` of its family's package are not enough."""
     scaffold: ClassVar[str] = "{}"
     bad: ClassVar[tuple[Bad, ...]]
     good: ClassVar[tuple[Good, ...]]
@@ -73,11 +77,13 @@ class Rule:
         severity: Severity | None = None,
         origins: tuple[Origin, ...] = (),
         affects: Mapping[Consumer, Reaction] | None = None,
+        missing: Missing | None = None,
     ) -> Diagnostic:
         """A diagnostic of this rule; ``labels`` are further targets and what they have to do with it.
 
-        ``severity`` is given only where it depends on the case; so is what readers do in
-        ``affects``, for some of those that the rule names.
+        ``severity`` is given only where it depends on the case; so is what consumers do in
+        ``affects``, for some of those that the rule names. ``missing`` is what may be on
+        another computer: such findings are reported together, and fail no run.
         """
         return Diagnostic(
             self.code,
@@ -89,7 +95,8 @@ class Rule:
             fix,
             help,
             origins,
-            tuple((reader.value, reaction) for reader, reaction in (affects or {}).items()),
+            tuple((consumer.value, reaction) for consumer, reaction in (affects or {}).items()),
+            missing,
         )
 
 

@@ -7,10 +7,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.release import rule_page
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.consumers.reaction import Reaction
+
+
+BUILT_IN = "sdfcheck_rules"
+"""The package of the built-in rules."""
+EXTENSION = "extension"
+"""The dialect of what is SDFormat in a URDF file, which nobody but Gazebo reads."""
 
 
 class RuleFacts(NamedTuple):
@@ -37,16 +44,29 @@ class RuleFacts(NamedTuple):
     looks_at: tuple[str, ...] = ()
     """Names of the classes of the robot that the rule looks at."""
 
+    @property
+    def is_built_in(self) -> bool:
+        """Whether the rule comes with sdfcheck."""
+        return self.module.partition(".")[0] in {BUILT_IN, "sdfcheck"}
+
+    @property
+    def page(self) -> str | None:
+        """The address of the page about the rule; rules of packs have none."""
+        return rule_page(self.name) if self.is_built_in else None
+
 
 def reactions(
     facts: RuleFacts, dialect: str, special: Iterable[tuple[str, Reaction]] = ()
 ) -> tuple[tuple[str, Reaction], ...]:
-    """What each reader does about a rule's defect in a document, sorted by reader; ``special`` comes first."""
+    """What each consumer does about a rule's defect in a document, sorted by consumer; ``special`` comes first."""
     from sdfcheck.consumers.reaction import READS, Consumer, Reaction
 
-    told = {reader: by[dialect] for reader, by in facts.affects.items() if dialect in by}
-    found = {reader: Reaction.of(said) for reader, said in told.items()}
-    found.update((reader, said) for reader, said in special if dialect in READS[Consumer(reader)])
+    if dialect == EXTENSION:
+        known = reactions(facts, "sdf", special)
+        return tuple((consumer, said) for consumer, said in known if consumer == Consumer.GAZEBO.value)
+    told = {consumer: by[dialect] for consumer, by in facts.affects.items() if dialect in by}
+    found = {consumer: Reaction.of(said) for consumer, said in told.items()}
+    found.update((consumer, said) for consumer, said in special if dialect in READS[Consumer(consumer)])
     return tuple(sorted(found.items(), key=lambda item: item[0]))
 
 
@@ -65,6 +85,11 @@ class Run(NamedTuple):
     fixed: int = 0
     rules: tuple[RuleFacts, ...] = ()
     """Facts of every rule that was selected, sorted by code."""
+
+    @property
+    def pages(self) -> Mapping[str, str]:
+        """Code → the address of the page about the rule."""
+        return {facts.code: facts.page for facts in self.rules if facts.page}
 
     def count(self, severity: Severity) -> int:
         return sum(d.severity is severity for d in self.diagnostics)

@@ -44,7 +44,7 @@ SILENT = Choice()
 class ActiveRules(NamedTuple):
     """The rules that run on a file, sorted by code.
 
-    ``severities`` holds only what the configuration changed; ``targets`` the readers
+    ``severities`` holds only what the configuration changed; ``targets`` the consumers
     that were asked for (empty: all). Files with the same rules share one value.
     """
 
@@ -85,8 +85,8 @@ def select(
     """The rules that a configuration and the command line choose; a severity of None turns a rule off.
 
     A rule that is off by default runs without being selected if ``targets`` names a
-    reader that it is about. A rule stays if it affects one of the targets, or names no
-    reader at all.
+    consumer that it is about. A rule stays if it affects one of the targets, or names no
+    consumer at all.
     """
     severity = tuple(severity)
     wanted = frozenset(targets)
@@ -112,7 +112,7 @@ def without(active: ActiveRules, selectors: Iterable[str], rules: Sequence[RuleF
 
 
 def check_targets(targets: Iterable[str]) -> None:
-    """Refuse names of readers that nobody has heard of.
+    """Refuse names of consumers that nobody has heard of.
 
     Raises:
         WrongUsage: there is one.

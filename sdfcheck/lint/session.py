@@ -15,7 +15,7 @@ from sdfcheck.files.library import SearchPaths
 from sdfcheck.files.regular import open_regular, read_on
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.fold import said_once
-from sdfcheck.lint.one_file import Selected, Shelves, lint_file, lint_included
+from sdfcheck.lint.one_file import Caches, Selected, lint_file, lint_included
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import SILENT, ActiveRules, Choice
@@ -116,7 +116,7 @@ def run(
 
     Raises:
         WrongUsage: a path does not exist, or the configuration is faulty.
-        InternalError: a bug, if nobody is notified; otherwise the other files are linted all the same.
+        InternalError: a bug, if nobody is notified; otherwise the other files are linted anyway.
     """
     with Linter(options) as linter:
         return joined([linter.lint(find(paths, options), progress=progress, notify=notify)])
@@ -125,18 +125,18 @@ def run(
 class Linter:
     """Lints the files of a run, all at once or by parts; what some of them include is read once for all."""
 
-    __slots__ = ("_book", "_options", "_shelves")
+    __slots__ = ("_book", "_caches", "_options")
 
     def __init__(self, options: Options, book: RuleBook | None = None) -> None:
         self._options = options
         self._book = book or RuleBook(options.choice, options.target)
-        self._shelves = Shelves(expand=options.expand, arguments=options.arguments)
+        self._caches = Caches(expand=options.expand, arguments=options.arguments)
 
     def __enter__(self) -> Linter:
         return self
 
     def __exit__(self, *raised: object) -> None:
-        self._shelves.close()
+        self._caches.close()
 
     def lint(self, found: Found, *, progress: Progress | None = None, notify: Notify | None = None) -> Part:
         """Lint files that were found, and what they include first; raises as :func:`run` does."""
@@ -150,14 +150,14 @@ class Linter:
             if active is not seen:
                 _tell_faults(book.faults(settings), notify)
             with _surviving(file.path, part.skipped, notify):
-                kept, silenced = lint_file(file, book, settings, self._shelves)
+                kept, silenced = lint_file(file, book, settings, self._caches)
                 part.files.append(file.path)
                 part.diagnostics.extend(kept)
                 suppressed += silenced
                 if active is not seen:
                     part.rules.update((facts.code, facts) for facts in active.facts)
                     seen = active
-        for document in self._shelves.included(part.files):
+        for document in self._caches.included(part.files):
             with _surviving(document.path, part.skipped, notify):
                 told = lint_included(document, book, options.configuration)
                 part.foreign[os.path.realpath(document.path)] = told
@@ -196,7 +196,7 @@ def joined(parts: Sequence[Part]) -> Run:
 
 @contextmanager
 def _surviving(path: Path, skipped: list[tuple[Path, str]], notify: Notify | None) -> Iterator[None]:
-    """A bug that is met on a file is told of, and the file passed over; where nobody listens, it is raised."""
+    """A bug that is met on a file is reported, and the file ignored; where nobody listens, it is raised."""
     try:
         yield
     except WrongUsage:

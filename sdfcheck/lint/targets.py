@@ -1,4 +1,4 @@
-"""Which reader accepts a file: what the diagnostics say of readers, turned around."""
+"""Which consumer accepts a file: what the diagnostics say of consumers, turned around."""
 
 from __future__ import annotations
 
@@ -21,45 +21,46 @@ class Reason(NamedTuple):
 
 
 class Row(NamedTuple):
-    """One reader's verdict, and the reasons for it, the weightiest first."""
+    """One consumer's verdict, and the reasons for it, the weightiest first."""
 
-    reader: Consumer
+    consumer: Consumer
     verdict: Verdict
     reasons: tuple[Reason, ...]
     note: str = ""
-    """Why the reader does not read the file at all."""
+    """Why the consumer does not read the file at all."""
 
 
 def matrix(
-    run: Run, kind: Kind, path: Path, readers: Iterable[Consumer] = tuple(Consumer)
+    run: Run, kind: Kind, path: Path, consumers: Iterable[Consumer] = tuple(Consumer)
 ) -> tuple[Row, ...]:
-    """The readers' verdicts on a file that was linted, sorted by reader.
+    """The consumers' verdicts on a file that was linted, sorted by consumer.
 
-    The run must have asked for the rules of all ``readers``.
+    The run must have asked for the rules of all ``consumers``.
     """
     return tuple(
-        _row(run, kind, path, reader) for reader in sorted(set(readers), key=lambda reader: reader.value)
+        _row(run, kind, path, consumer)
+        for consumer in sorted(set(consumers), key=lambda consumer: consumer.value)
     )
 
 
-def _row(run: Run, kind: Kind, path: Path, reader: Consumer) -> Row:
-    if unread := _unread(kind, path, reader):
-        return Row(reader, Verdict.UNREAD, (), unread)
+def _row(run: Run, kind: Kind, path: Path, consumer: Consumer) -> Row:
+    if unread := _unread(kind, path, consumer):
+        return Row(consumer, Verdict.UNREAD, (), unread)
     reasons = [
         Reason(reaction, diagnostic)
         for diagnostic in run.diagnostics
         for name, reaction in diagnostic.affects
-        if name == reader.value and not reaction.is_harmless
+        if name == consumer.value and not reaction.is_harmless
     ]
     reasons.sort(key=lambda reason: (_rank(reason), reason.diagnostic.sort_key))
-    return Row(reader, reasons[0].reaction.verdict if reasons else Verdict.ACCEPT, tuple(reasons))
+    return Row(consumer, reasons[0].reaction.verdict if reasons else Verdict.ACCEPT, tuple(reasons))
 
 
-def _unread(kind: Kind, path: Path, reader: Consumer) -> str:
-    """Why a reader does not even open a file; of xacro, what counts is what it expands to."""
-    if kind is Kind.SDF and "sdf" not in READS[reader]:
+def _unread(kind: Kind, path: Path, consumer: Consumer) -> str:
+    """Why a consumer does not even open a file; of xacro, what counts is what it expands to."""
+    if kind is Kind.SDF and "sdf" not in READS[consumer]:
         return "it does not know SDFormat"
-    if reader is Consumer.DRAKE and kind is not Kind.XACRO and path.suffix.lower() not in _DRAKE_ENDINGS:
+    if consumer is Consumer.DRAKE and kind is not Kind.XACRO and path.suffix.lower() not in _DRAKE_ENDINGS:
         return "it goes by the name of the file, which must end in .sdf or .urdf"
     return ""
 

@@ -1,4 +1,4 @@
-"""Reports: one module per format, each with a ``render`` that turns a run into text."""
+"""Reports: one module of ``formats`` for each, with a ``render`` that turns a run into text."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from sdfcheck.lint.run import Run
+    from sdfcheck.report.summary import View
 
 
 class OutputFormat(Enum):
@@ -27,13 +28,15 @@ class OutputFormat(Enum):
 
     @property
     def is_text(self) -> bool:
-        """Made for people: may have colours, ends with a closing line."""
+        """Made for people: may have colors, ends with a closing line."""
         return self in {OutputFormat.FULL, OutputFormat.CONCISE}
 
 
-def render(format: OutputFormat, run: Run, *, color: bool = False) -> str:
-    """The report of a run. Unless empty it ends with a line end; only text formats know colours."""
+def render(format: OutputFormat, run: Run, *, color: bool = False, view: View | None = None) -> str:
+    """The report of a run. Unless empty it ends with a line end; only text formats know colors and views."""
     from importlib import import_module
 
-    renderer: Callable[..., str] = import_module(f"sdfcheck.report.{format.value}").render
-    return renderer(run, color=color) if format.is_text else renderer(run)
+    renderer: Callable[..., str] = import_module(f"sdfcheck.report.formats.{format.value}").render
+    if not format.is_text:
+        return renderer(run)
+    return renderer(run, color=color) if view is None else renderer(run, color=color, view=view)

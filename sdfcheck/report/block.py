@@ -15,8 +15,10 @@ from sdfcheck.source.visible import visible
 _HINT_COLUMN = 53
 
 
-def block(diagnostic: Diagnostic, is_explained: bool, paths: Paths, paint: Paint) -> Iterator[str]:
-    """The lines of one diagnostic; ``is_explained``: there is a rule to read about."""
+def block(
+    diagnostic: Diagnostic, is_explained: bool, paths: Paths, paint: Paint, others: str = ""
+) -> Iterator[str]:
+    """The lines of one diagnostic, which may stand for ``others``; ``is_explained``: there is a rule to read about."""
     ink = INK_OF[diagnostic.severity]
     frames = list(_frames(diagnostic))
     gutter = len(str(max(mark.span.begin.line for marks in frames for mark in marks)))
@@ -27,7 +29,10 @@ def block(diagnostic: Diagnostic, is_explained: bool, paths: Paths, paint: Paint
         yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span))}"
         yield from frame(marks, gutter, paint, ink)
     hint = f"sdfcheck rule {diagnostic.name}" if is_explained else ""
-    yield from _notes(list(_remarks(diagnostic, paths)), hint, f"{'':{gutter}} ", paint)
+    remarks = list(_remarks(diagnostic, paths))
+    if others:
+        remarks.append(("and", others))
+    yield from _notes(remarks, hint, f"{'':{gutter}} ", paint)
 
 
 def _frames(diagnostic: Diagnostic) -> Iterator[list[Mark]]:

@@ -1,4 +1,4 @@
-"""Colours of the text formats: a handful of ANSI codes."""
+"""Colors of the text formats: a handful of ANSI codes."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ def _stroke(mark: Mark, start: int, end: int) -> _Stroke:
     first = min(mark.span.start, end)
     last = min(mark.span.end, end)
     if mark.span.end > end:
-        # Blanks before a line end that the span runs over are not worth a line.
+        # Spaces before a line end that the span runs over are not worth a line.
         while last > first and mark.span.source.text[last - 1].isspace():
             last -= 1
     return _Stroke(first - start, max(last, first + 1) - start, mark)

@@ -8,6 +8,7 @@ from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.part import Part
 
 if TYPE_CHECKING:
+    from sdfcheck.formats.topology import Displaced
     from sdfcheck.source.element import Element, Value
 
 
@@ -18,6 +19,7 @@ class Custom(Part):
     """
 
     __slots__ = ("own_value",)
+    is_custom = True
 
     def __init__(self, holder: Part, element: Element | None, attribute: Value | None = None) -> None:
         super().__init__(holder, element)
@@ -41,9 +43,15 @@ class Custom(Part):
         return self.tag.partition(":")[0]
 
     @property
-    def displaced(self) -> tuple[Element, ...]:
+    def displaced(self) -> tuple[Displaced, ...]:
         """The standard elements in it that belong beside it, where simulators look for them."""
-        return () if self.is_attribute else survey(self.document).displaced.get(self.element, ())
+        if self.is_attribute:
+            return ()
+        if self.is_urdf:
+            from sdfcheck.formats.urdf.survey import survey as urdf_survey
+
+            return urdf_survey(self.document).displaced.get(self.element, ())
+        return survey(self.document).displaced.get(self.element, ())
 
     @property
     def replaced(self) -> tuple[str, ...]:
@@ -54,19 +62,3 @@ class Custom(Part):
     def text(self) -> str:
         """Its text, or the value of the attribute."""
         return self.own_value.text if self.own_value is not None else ""
-
-
-def customs(part: Part) -> dict[str, Custom]:
-    """The custom attributes and elements of a part by name, the first of each."""
-    found: dict[str, Custom] = {}
-    if not part.is_given:
-        return found
-    for name in part.element.attributes:
-        if ":" in name and not name.startswith(("xmlns:", "xml:")):
-            found[name] = Custom(part, part.element, part.element.attribute(name))
-    for child in part.children():
-        if child.is_custom:
-            made = part.part(child)
-            if isinstance(made, Custom):
-                found.setdefault(child.name, made)
-    return found

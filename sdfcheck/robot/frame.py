@@ -54,8 +54,8 @@ class MergedFrame(Frame):
     @lazy
     def apart(self) -> Model:
         """The model as it is by itself, not merged."""
+        from sdfcheck.robot.includes.brought import included_model
         from sdfcheck.robot.includes.included import included
-        from sdfcheck.robot.model import included_model
 
         model = included_model(cast("Scope", self.model.holder), included(self.document, self.element))
         return self.model if model is None else model

@@ -37,7 +37,7 @@ _HOMES = {
     "plugin": "parts.plugin:Plugin",
     "pose": "parts.placement:Placement",
     "robot": "model:Model",
-    "ros2_control": "parts.actuation:Ros2Control",
+    "ros2_control": "parts.control:Ros2Control",
     "sensor": "parts.sensor:Sensor",
     "state": "parts.physics:State",
     "surface": "parts.shape:Surface",
@@ -47,13 +47,25 @@ _HOMES = {
 }
 """Element → where the class of its part is; all others make a :class:`Setting`, prefixed ones a :class:`Custom`."""
 
+_OF_CONTROL = {
+    "command_interface": "parts.control_component:ControlInterface",
+    "gpio": "parts.control_component:ControlComponent",
+    "joint": "parts.control_component:ControlComponent",
+    "sensor": "parts.control_component:ControlComponent",
+    "state_interface": "parts.control_component:ControlInterface",
+    "transmission": "parts.control:ControlTransmission",
+}
+"""Names that mean this in a ``ros2_control`` block only → where the class is."""
+
+_CONTROL = frozenset(("ros2_control", "component"))
+
 _ELSEWHERE = {
     "contact": frozenset(("sensor", "audio_source")),
     "inertial": frozenset(("link",)),
     "link": frozenset(("model", "robot", "gazebo")),
     "model": frozenset(("sdf", "world", "model", "gazebo")),
     "joint": frozenset(("model", "world", "robot", "gazebo")),
-    "frame": frozenset(("model", "world")),
+    "frame": frozenset(("model", "world", "gazebo")),
     "gazebo": frozenset(("robot",)),
     "material": frozenset(("visual", "robot", "collision")),
     "physics": frozenset(("world",)),
@@ -76,8 +88,10 @@ CLASSES = {
     name: home
     for home in {
         *_HOMES.values(),
+        *_OF_CONTROL.values(),
         "custom:Custom",
         "part:Part",
+        "parts.extended_model:ExtendedModel",
         "parts.resource:Resource",
         "parts.setting:Setting",
         "root:Root",
@@ -115,6 +129,8 @@ def _place(holder: Part) -> str:
 
 @lru_cache(maxsize=1000)
 def _class_in(holder: str, kind: str, name: str) -> type[Part]:
+    if kind in _CONTROL and name in _OF_CONTROL:
+        return class_named(_OF_CONTROL[name].partition(":")[2])
     home = _HOMES.get(name)
     if home is not None:
         wanted = _OF_JOINTS.get(name)

@@ -9,16 +9,16 @@ from sdfcheck.robot.scope import Scope
 from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.includes.included import Included
     from sdfcheck.robot.motion.lumping import Lumping
-    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.naming.link_names import LinkNames
     from sdfcheck.robot.naming.material_names import MaterialNames
     from sdfcheck.robot.naming.unresolved import Unresolved
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
-    from sdfcheck.robot.parts.actuation import Ros2Control, Transmission
+    from sdfcheck.robot.parts.actuation import Transmission
+    from sdfcheck.robot.parts.control import Ros2Control
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
@@ -26,9 +26,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.source.element import Element, Value
 
-MOST_MODELS = 10_000
-"""So many included models are looked into: includes of includes can multiply without end."""
-DEEPEST = 50
 _BOOLEANS = frozenset({"", "true", "1", "false", "0"})
 
 
@@ -46,8 +43,7 @@ class Model(Scope):
         super().__init__(holder, element, name)
         self.include: Element | None = None
         """The ``include`` that brought it, if one did."""
-        self.is_readable = True
-        """Could its content be read?"""
+        self.is_readable = True  # its content could be read
         self.is_urdf = self.element.name == "robot"
 
     @property
@@ -99,6 +95,13 @@ class Model(Scope):
         for block in self.gazebo_blocks:
             found.setdefault(block.reference, []).append(block)
         return found
+
+    @lazy
+    def extended(self) -> Model:
+        """The same robot with what its ``<gazebo>`` blocks add, as Gazebo has it."""
+        from sdfcheck.robot.kinds import class_named
+
+        return cast("Model", class_named("ExtendedModel")(self, self.element))
 
     # What it is
 
@@ -161,10 +164,8 @@ class Model(Scope):
 
     @property
     def attachment(self) -> Node | None:
-        if not self.is_complete:
-            return None
-        if self.canonical_link_name:
-            return self.resolve(self.canonical_link_name)
+        if not self.is_complete or self.canonical_link_name:
+            return self.resolve(self.canonical_link_name) if self.is_complete else None
         first = next((node for node in self.nodes.values() if node.kind == "link"), None)
         if first is not None:
             return first
@@ -263,31 +264,3 @@ class Model(Scope):
     def all_joints(self) -> Iterator[Joint]:
         """The joints of the model and of all models in it."""
         return (cast("Joint", node) for _, node in self.all_nodes() if node.kind == "joint")
-
-
-def included_model(source: Scope, found: Included) -> Model | None:
-    """The model that an include brings; without content where the file cannot be read or leads in a ring.
-
-    None where not even its name is known.
-    """
-    chain, inside = source.chain, found.document
-    root = source.root
-    is_readable = (
-        found.model is not None and inside is not None and inside not in chain and len(chain) <= DEEPEST
-    )
-    if is_readable:
-        root.included += 1
-        is_readable = root.included <= MOST_MODELS
-    if found.name is None and not is_readable:
-        return None
-    model = Model(source, found.model if is_readable else found.include, found.name or "")
-    model.registry = {}
-    model.include, model.is_readable = found.include, is_readable
-    if is_readable and inside is not None:
-        model.chain = (*chain, inside)
-        model.via = found.include
-        if model.alterations is None and found.include.has("experimental:params"):
-            from sdfcheck.robot.includes.parameters import parameters
-
-            model.alterations = parameters(found).alterations
-    return model

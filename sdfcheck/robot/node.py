@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.part import Part
+from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
@@ -47,6 +48,8 @@ class Node(Part):
     @property
     def scope(self) -> Scope:
         """The model or world in which its name is known."""
+        if self.holder is not None and self.holder.kind == "gazebo":
+            return cast("Node", self.holder).scope
         return cast("Scope", self.holder)
 
     @property
@@ -55,6 +58,11 @@ class Node(Part):
         scope: Part | None = self.holder
         outer = scope.scoped_name if isinstance(scope, Node) and scope.kind == "model" else ""
         return f"{outer}::{self.name}" if outer else self.name
+
+    @property
+    def apart(self) -> Node:
+        """It as it is by itself, where an include merged it into another model."""
+        return self
 
     # What it moves with
 
@@ -107,11 +115,12 @@ class Node(Part):
 
     def look_up(self, reference: str) -> Node | None:
         """What a reference written in this part names."""
-        from sdfcheck.robot.scope import MODEL_FRAME, Scope
-
         if reference == MODEL_FRAME and self.merged is not None:
             return self.merged
-        return self.scope.resolve(reference) if isinstance(self.holder, Scope) else None
+        around: Part | None = self.holder
+        if around is not None and around.kind == "gazebo":
+            return self.scope.resolve(reference)
+        return None if self.scope_around is None else self.scope_around.resolve(reference)
 
     def pose(self, relative_to: str | Node | None = None) -> Pose:
         """Where it is with all joints at zero.

@@ -9,9 +9,9 @@ False.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, cast, overload
 
-from sdfcheck.robot.kinds import part_class
+from sdfcheck.robot.kinds import class_named, part_class
 from sdfcheck.robot.values import Flag, Number, Text, Vector
 from sdfcheck.source.sniff import Kind
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.custom import Custom
     from sdfcheck.robot.motion.pose import Pose
     from sdfcheck.robot.root import Root
+    from sdfcheck.robot.scope import Scope
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Span
@@ -39,6 +40,10 @@ class Part:
 
     kind: ClassVar[str] = ""
     """The name of its element in SDFormat."""
+    is_scope: ClassVar[bool] = False
+    """Is it a model or world?"""
+    is_custom: ClassVar[bool] = False
+    """Is it data with a prefix?"""
 
     holder: Part | None
     root: Root
@@ -65,7 +70,7 @@ class Part:
 
     @property
     def name(self) -> str:
-        """Its name, without blanks around it; empty where it has none."""
+        """Its name, without spaces around it; empty where it has none."""
         return (self._text("name") or "").strip()
 
     @property
@@ -94,6 +99,11 @@ class Part:
         while at is not None and not isinstance(at, cls):
             at = at.holder
         return at
+
+    @property
+    def scope_around(self) -> Scope | None:
+        """The model or world that it is directly in."""
+        return cast("Scope", self.holder) if self.holder is not None and self.holder.is_scope else None
 
     # What is written
 
@@ -212,9 +222,17 @@ class Part:
     @property
     def custom(self) -> dict[str, Custom]:
         """Prefixed attributes and elements by their names, the first of each."""
-        from sdfcheck.robot.custom import customs
-
-        return customs(self)
+        found: dict[str, Custom] = {}
+        if not self.is_given:
+            return found
+        for name in self.element.attributes:
+            if ":" in name and not name.startswith(("xmlns:", "xml:")):
+                made: Any = class_named("Custom")
+                found[name] = made(self, self.element, self.element.attribute(name))
+        for child in self.children():
+            if child.is_custom and (part := self.part(child)).is_custom:
+                found.setdefault(child.name, cast("Custom", part))
+        return found
 
     # For the parts themselves
 

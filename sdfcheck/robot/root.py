@@ -9,18 +9,20 @@ from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.robot.kinds import ELEMENTS, class_named
 from sdfcheck.robot.node import Node, Outside
 from sdfcheck.robot.part import Part, Registry
-from sdfcheck.robot.scope import WORLD_FRAME, Scope
+from sdfcheck.robot.reserved import WORLD_FRAME
+from sdfcheck.robot.scope import Scope
 from sdfcheck.robot.special import SPECIAL
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
     from sdfcheck.robot.model import Model
-    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.poses import Poses
     from sdfcheck.robot.naming.frame_reference import FrameReference
     from sdfcheck.robot.naming.names import Names
     from sdfcheck.robot.naming.rings import Ring
+    from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.include import Include
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.light import Light
@@ -50,8 +52,7 @@ class Root(Part):
         self._each: dict[str, tuple[Part, ...]] = {}
         self.is_given = True
         self.is_urdf = element.name == "robot"
-        self.included = 0
-        """How many included models were looked into."""
+        self.included = 0  # included models that were looked into
 
     def __repr__(self) -> str:
         return f"Root({str(self.document.path)!r})"
@@ -125,6 +126,8 @@ class Root(Part):
         parent = element.parent
         part = None if parent is None else self.part_of(parent)
         while part is not None and not isinstance(part, Scope):
+            if part.kind == "gazebo":
+                return cast("GazeboBlock", part).scope
             part = part.holder
         return part
 
@@ -184,7 +187,7 @@ class Root(Part):
     @lazy
     def frame_references(self) -> tuple[FrameReference, ...]:
         """The references to frames that the file writes, resolved or not."""
-        if self.is_urdf:
+        if self.is_urdf and not self.elements.get("gazebo"):
             return ()
         from sdfcheck.robot.naming.frame_reference import frame_references
 
@@ -201,9 +204,8 @@ class Root(Part):
 
     @lazy
     def parent_joints(self) -> dict[Link, list[Joint]]:
-        """Link → the joints of this file that carry it, whichever world or model they are in."""
-        joints = list(self.each("Joint"))
-        if not joints:
+        """Link → the joints of this file that carry it, wherever they are; without those that only Gazebo adds."""
+        if not (joints := [joint for joint in self.each("Joint") if joint.holder.kind != "gazebo"]):
             return {}
         from sdfcheck.robot.motion.tree import parents_in
 
@@ -255,7 +257,6 @@ class Root(Part):
             from sdfcheck.robot.parts.gazebo_blocks import with_extensions
 
             return with_extensions(index)
-
         return self._survey.index
 
     @property
@@ -273,12 +274,11 @@ class Root(Part):
     def mass_properties(self) -> MassProperties | None:
         """Mass (kg), center of mass (m) and inertia (kg·m²) of everything that is not static, all joints at zero.
 
-        In the frame of the world, or of the model where there is only one; None where nothing has
-        mass. Raises DescriptionError for numbers that cannot be read.
+        In the frame of the world, or of the only model; None without mass. Raises DescriptionError.
         """
         from sdfcheck.robot.motion.mass_report import mass_report
 
-        return mass_report(self.document).total
+        return mass_report(self).total
 
     # Parts by name
 

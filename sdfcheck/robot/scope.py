@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, TypeVar, cast
 
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.node import Node
+from sdfcheck.robot.reserved import MODEL_FRAME, NODES
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
@@ -31,12 +32,9 @@ if TYPE_CHECKING:
 
 N = TypeVar("N", bound=Node)
 
-MODEL_FRAME = "__model__"
-WORLD_FRAME = "world"
 NEVER_A_REFERENCE = "__root__"
 
 _SEVEN = Version(1, 7)
-NODES = frozenset({"link", "joint", "frame", "model"})
 _LOADED = ("model", "link", "joint", "frame")
 """The order in which libsdformat takes them in."""
 
@@ -55,6 +53,7 @@ class Scope(Node):
 
     __slots__ = ("_unread", "alterations", "chain", "stand_in", "via")
 
+    is_scope = True
     own_name = MODEL_FRAME
     """The name of the scope's own frame, as references in it write it."""
 
@@ -238,7 +237,7 @@ class Scope(Node):
         """Bring in an included model: as a nested one, or its parts where it is merged."""
         if found.kind not in {"model", None}:
             return  # lights and actors make no frames
-        from sdfcheck.robot.model import included_model
+        from sdfcheck.robot.includes.brought import included_model
 
         model = included_model(source, found)
         if not found.merge:

@@ -50,7 +50,7 @@ class _Placed:
 
     @property
     def text(self) -> str:
-        """The text as written, without blanks around it; empty where it is not."""
+        """The text as written, without spaces around it; empty where it is not."""
         return self.value.text.strip() if self.value is not None else ""
 
     @property
@@ -106,7 +106,7 @@ class Vector(_Placed, tuple[float, ...]):
 
     @classmethod
     def of(cls, value: Value | None, element: Element, default: Iterable[float]) -> Vector:
-        """The numbers of a text, separated by blanks."""
+        """The numbers of a text, separated by spaces."""
         if value is None or not value.text.strip():
             numbers, value = cls(default), None
         else:
@@ -142,7 +142,7 @@ class Flag(_Placed, int):
 
 
 class Text(_Placed, str):
-    """A text with its place, without blanks around it."""
+    """A text with its place, without spaces around it."""
 
     value: Value | None
     element: Element

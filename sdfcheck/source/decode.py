@@ -6,7 +6,7 @@ import codecs
 import re
 from pathlib import Path
 
-from sdfcheck.source.problems import EncodingDefect, EncodingKind
+from sdfcheck.source.encoding_defect import EncodingDefect, EncodingKind
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
 

@@ -11,7 +11,7 @@ from lxml import etree
 
 from sdfcheck.source.decode import decode
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT
+from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT, COLON
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step
 
@@ -25,7 +25,7 @@ T = TypeVar("T")
 _TAIL = re.compile(r"\s*>(?:\s|<!--(?:(?!-->)[\s\S])*-->)*")
 _DEFAULT_NAMESPACE = re.compile(r"xmlns\s*=")
 
-_LINTED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG))
+_LINTED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG, Kind.SRDF))
 _KINDS = {"sdf": Kind.SDF, "robot": Kind.URDF, "model": Kind.MODEL_CONFIG}
 
 
@@ -128,11 +128,17 @@ class Document:
             self._views[compute] = compute(self)
         return self._views[compute]  # type: ignore[no-any-return]
 
+    def release(self) -> None:
+        """Let go of the tree and of what was worked out about it, which refer to one another; the text is left."""
+        self._views.clear()
+        self.root = self._spans = self._scan = self.library = None
+        self.problems, self.included_by = [], ()
+
     def _parse(self) -> Element | None:
         text = self.source.text
         fault: etree._LogEntry | None = None
         # What a strict parser reads well but not as the simulators do is written anew.
-        if "<!DOCTYPE" not in text and not _DEFAULT_NAMESPACE.search(text):
+        if "<!DOCTYPE" not in text and COLON not in text and not _DEFAULT_NAMESPACE.search(text):
             root, fault = self._parse_strictly(text)
             if root is not None:
                 return root

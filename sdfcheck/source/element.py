@@ -55,7 +55,7 @@ class Value:
 
     @property
     def span(self) -> Span:
-        """The value without its quotes or surrounding blanks; the name where it is empty."""
+        """The value without its quotes or surrounding spaces; the name where it is empty."""
         spans = self.element.document.spans
         if self.attribute is not None:
             return spans.attribute_value(self.element, self.attribute)

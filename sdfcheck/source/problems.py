@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from enum import Enum
 
+from sdfcheck.source.encoding_defect import EncodingDefect
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 
@@ -27,7 +28,7 @@ class SyntaxKind(Enum):
     CROWDED_END_TAG = "crowded end tag"
     UNCLOSED_COMMENT = "unclosed comment"
     NESTED_COMMENT = "nested comment"
-    MISSPELT_MARK = "misspelt mark"
+    MISSPELT_MARK = "misspelled mark"
     COMMENT_IN_TAG = "comment in tag"
     UNCLOSED_SECTION = "unclosed section"
     UNCLOSED_VALUE = "unclosed value"
@@ -86,25 +87,6 @@ class LateDeclaration(Record):
 
     span: Span
     declaration: Span
-
-
-class EncodingKind(Enum):
-    UNDECODABLE = "undecodable"
-    UNKNOWN_ENCODING = "unknown encoding"
-    DISAGREEMENT = "disagreement"
-    WIDE = "wide"
-
-
-class EncodingDefect(Record):
-    """The bytes are not what the declaration (or XML's default, UTF-8) says.
-
-    ``actual`` is what they seem to be; empty if nobody can tell.
-    """
-
-    span: Span
-    kind: EncodingKind
-    declared: str
-    actual: str
 
 
 class UnknownEntity(Record):

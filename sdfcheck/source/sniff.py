@@ -26,7 +26,7 @@ class Kind(Enum):
     SDF_SPECIFICATION = "sdf-specification"
     SRDF = "srdf"
     MJCF = "mjcf"
-    MISSPELT_ROOT = "misspelt-root"
+    MISSPELT_ROOT = "misspelled-root"
     OTHER_XML = "other-xml"
     BROKEN_XML = "broken-xml"
     CHEMISTRY = "chemistry"
@@ -50,7 +50,7 @@ _DESCRIPTIONS: Mapping[Kind, str] = {
     Kind.SDF_SPECIFICATION: "a part of the SDFormat specification itself",
     Kind.SRDF: "SRDF (MoveIt semantics)",
     Kind.MJCF: "MJCF (MuJoCo)",
-    Kind.MISSPELT_ROOT: "a robot description with a misspelt root element",
+    Kind.MISSPELT_ROOT: "a robot description with a misspelled root element",
     Kind.OTHER_XML: "XML of another kind",
     Kind.BROKEN_XML: "broken XML",
     Kind.CHEMISTRY: "a chemical structure-data file",
@@ -83,7 +83,7 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
     Kind.XACRO: (Treatment.LINT, Treatment.LINT),
     Kind.MODEL_CONFIG: (Treatment.LINT, Treatment.LINT),
     Kind.SDF_SPECIFICATION: (Treatment.SKIP, Treatment.NOTICE),
-    Kind.SRDF: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.SRDF: (Treatment.LINT, Treatment.LINT),
     Kind.MJCF: (Treatment.SKIP, Treatment.NOTICE),
     Kind.MISSPELT_ROOT: (Treatment.LINT, Treatment.LINT),
     Kind.OTHER_XML: (Treatment.SKIP, Treatment.NOTICE),
@@ -166,7 +166,7 @@ def _text(head: bytes) -> str:
 
 
 def _content_start(text: str) -> int:
-    """Where the root element should start: after blanks, declarations and comments."""
+    """Where the root element should start: after spaces, declarations and comments."""
     place = 0
     while True:
         while place < len(text) and text[place] in " \t\r\n":

@@ -85,7 +85,7 @@ class Spans:
         return self.span(element, place.value_start, place.value_end)
 
     def attribute_whole(self, element: etree.ElementBase, name: str) -> Span:
-        """Name, equals sign and quoted value, with the blanks before them: what deleting it takes."""
+        """Name, equals sign and quoted value, with the spaces before them: what deleting it takes."""
         place = self._attribute(element, name)
         if place is None:
             return self.name(element)
@@ -99,7 +99,7 @@ class Spans:
         return self.span(element, start, end)
 
     def text(self, element: etree.ElementBase) -> Span:
-        """The text that simulators read, without blanks around it; the element's name if there is none."""
+        """The text that simulators read, without spaces around it; the element's name if there is none."""
         scan, index = self.found(element)
         for piece in _PIECE.finditer(self.home(element).text, *scan.inside(index, self.start_tag(element))):
             if piece["markup"]:

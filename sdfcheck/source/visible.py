@@ -13,7 +13,10 @@ _COLOR = re.compile(r"(\x1b\[[0-9;]*m)")
 _COMMAND = re.compile(r"##(?=[a-z]*\[)")
 """What CI systems take for a command anywhere in a line, such as ``##vso[``."""
 _COMMAND_MARK = "::"
-"""What GitHub takes for a command at the start of a line, blanks before it or not."""
+"""What GitHub takes for a command at the start of a line, spaces before it or not."""
+
+_OTHER_FILE = "::: "
+"""Before the name of another file in a report; its third colon keeps it from being a command."""
 
 
 def visible(text: str) -> str:
@@ -34,7 +37,7 @@ def harmless(line: str, *, color: bool = False) -> str:
         return "".join(piece if at % 2 else visible(piece) for at, piece in enumerate(pieces))
     text = visible(line)
     rest = text.lstrip()
-    if not rest.startswith(_COMMAND_MARK):
+    if not rest.startswith(_COMMAND_MARK) or rest.startswith(_OTHER_FILE):
         return text
     return text[: len(text) - len(rest)] + _code(rest[0]) + rest[1:]
 

@@ -36,7 +36,8 @@ class Surroundings(NamedTuple):
 
     ``packages`` maps names to folders; below ``package_paths`` packages are looked for;
     ``variables`` names environment variables to pass on. ``root`` is the project, below
-    which files may be read; it is worked out for each file if it is not given.
+    which files may be read; it is worked out for each file if it is not given. ``texts``
+    are taken in place of what the files at those (absolute) paths hold.
     """
 
     packages: Mapping[str, Path] = {}
@@ -44,6 +45,7 @@ class Surroundings(NamedTuple):
     variables: tuple[str, ...] = ()
     root: Path | None = None
     limits: Limits = Limits()
+    texts: Mapping[str, str] = {}
 
     @property
     def environment(self) -> dict[str, str]:
@@ -110,14 +112,12 @@ class Expander:
         others = missing_arguments(document, {*lacking, *(arguments or {})})
         return done._replace(problems=(*done.problems, *others))
 
-    def expand_partly(
-        self, document: Document, arguments: Mapping[str, str] | None = None
-    ) -> ExpandedDocument | None:
-        """Expand a document without the packages that are not found; None if the rest needs them.
+    def expand_partly(self, document: Document, arguments: Mapping[str, str] | None = None) -> Expansion:
+        """Expand a document without the packages that are not found, as far as the rest does not need them.
 
         Includes from them, and calls of macros that nothing else defines, stay in it as they are.
         """
-        return self._expand(document, arguments, is_partial=True).document
+        return self._expand(document, arguments, is_partial=True)
 
     def _expand(
         self, document: Document, arguments: Mapping[str, str] | None, *, is_partial: bool
@@ -133,12 +133,13 @@ class Expander:
             "environment": packages.environment,
             "cwd": os.getcwd(),
             "partial": is_partial,
+            "texts": dict(self.surroundings.texts),
         }
         answer = self._worker.ask(request, self.surroundings.limits)
         try:
-            return _expansion(answer or _UNANSWERED, document, packages)
+            return _expansion(answer or _UNANSWERED, document, packages, self.surroundings.texts)
         except (KeyError, IndexError, TypeError, ValueError):
-            return _expansion(_UNANSWERED, document, packages)
+            return _expansion(_UNANSWERED, document, packages, {})
 
 
 _UNANSWERED: Mapping[str, Any] = {
@@ -167,10 +168,12 @@ def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
     return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
 
 
-def _expansion(answer: Mapping[str, Any], document: Document, packages: Packages) -> Expansion:
+def _expansion(
+    answer: Mapping[str, Any], document: Document, packages: Packages, texts: Mapping[str, str]
+) -> Expansion:
     files: Sequence[str] = answer["files"]
     calls = [Call(*row) for row in answer["steps"]]
-    sources = Sources(document.source)
+    sources = Sources(document.source, texts)
     read_files = tuple(dict.fromkeys(shown(Path(name)) for name in (*files, *answer.get("others", ()))))
     if "failure" in answer:
         provenance = Provenance(sources, files, calls, [])

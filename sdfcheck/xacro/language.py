@@ -130,6 +130,20 @@ BUILT_IN = frozenset(
     ]
 )
 
+DEPRECATED: Mapping[str, str] = {
+    "abs_filename": "xacro",
+    "dotify": "xacro",
+    "load_yaml": "xacro",
+    "range": "python",
+    "sorted": "python",
+}
+"""Functions that xacro warns about if they are called without their module → the module."""
+
+ONLY_IN_MODULE = frozenset(
+    ["arg", "error", "fatal", "fma", "message", "print_location", "sumprod", "tokenize", "warning"]
+)
+"""Functions that a property may be called after: they are known with their module only, or not everywhere."""
+
 _EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")
 """An expression or a substitution; a doubled dollar sign escapes it."""
 _OPENING = re.compile(r"(\$+)([{(])?")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from lxml import etree
@@ -32,6 +32,8 @@ class OriginSpan(Span):
     """
 
     origins: tuple[Step, ...] = ()
+    value: str | None = None
+    """What the text there, where it has expressions, came to in the expansion."""
 
     def __eq__(self, other: object) -> bool:
         return tuple.__eq__(self, other) is True and self.origins == getattr(other, "origins", ())
@@ -49,6 +51,16 @@ class OriginSpan(Span):
         placed.origins = origins
         return placed
 
+    @classmethod
+    def with_value(cls, span: Span, value: str | None) -> Span:
+        """The same place with the value of its expressions; a place without any as it is."""
+        if value is None or "$" not in span.text:
+            return span
+        placed = cls(*span)
+        placed.origins = getattr(span, "origins", ())
+        placed.value = value
+        return placed
+
 
 class Call(NamedTuple):
     """A macro call or include as the expansion reports it; ``outer`` is the row of the one around it."""
@@ -62,11 +74,12 @@ class Call(NamedTuple):
 
 
 class Sources:
-    """The files that took part, read once; ``top`` is read already."""
+    """The files that took part, read once; ``top`` is read already, as are the ``texts`` by their paths."""
 
-    def __init__(self, top: Source) -> None:
+    def __init__(self, top: Source, texts: Mapping[str, str] | None = None) -> None:
         self.top = top
-        self._known = {_key(top.path): top}
+        self._known = {path: Source(shown(Path(path)), text) for path, text in (texts or {}).items()}
+        self._known[_key(top.path)] = top
         self._scans: dict[int, Scan] = {}
         self._kept: list[Source] = []
 
@@ -187,6 +200,12 @@ class OriginSpans(Spans):
     def origins(self, element: Element) -> tuple[Step, ...]:
         return self.provenance.chain(self._numbers[element])
 
+    def attribute_value(self, element: etree.ElementBase, name: str) -> Span:
+        return OriginSpan.with_value(super().attribute_value(element, name), element.get(name))
+
+    def text(self, element: etree.ElementBase) -> Span:
+        return OriginSpan.with_value(super().text(element), (element.text or "").strip())
+
     def found(self, element: etree.ElementBase) -> tuple[Scan, int]:
         number = self._numbers[element]
         scan = self.provenance.sources.scan(self.provenance.source(number))
@@ -207,7 +226,9 @@ class OriginSpans(Spans):
             return span
         start = span.start + words[index].start()
         part = span.source.span(start, start + len(words[index][0]))
-        return OriginSpan.of(part, getattr(span, "origins", ()))
+        values = (getattr(span, "value", None) or "").split()
+        value = values[index] if len(values) == len(words) else None
+        return OriginSpan.with_value(OriginSpan.of(part, getattr(span, "origins", ())), value)
 
 
 def _elements(document: Document) -> list[Element]:

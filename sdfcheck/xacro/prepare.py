@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
@@ -11,6 +13,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion
 from sdfcheck.xacro.fragment import lacks_links
 from sdfcheck.xacro.origins import ExpandedDocument
+from sdfcheck.xacro.oversights import OddParameter
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
@@ -23,13 +26,16 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
     UnevaluatedExpression,
     UnknownPackage,
+    WrongMacroArguments,
     WrongXacroAttribute,
     dormant,
 )
 from sdfcheck.xacro.static import analysis
 from sdfcheck.xacro.static.definitions import is_robot
 from sdfcheck.xacro.static.project import is_included
+from sdfcheck.xacro.static.reasons import with_reason
 
+_AT = re.compile(r" \(line (\d+), column (\d+)\)$")
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
 
@@ -58,21 +64,52 @@ def prepare(
         return Prepared((), ())
     found: list[Problem] = list(analysis.problems(document))
     if expander is None or any(isinstance(each, _MISLEADING) for each in found) or not is_robot(document):
-        return Prepared(tuple(_merged(found)), ())
+        return Prepared(tuple(with_reason(problem, document) for problem in _merged(found)), ())
     sets = list(argument_sets) or [{}]
     expansions = [expander.expand(document, arguments) for arguments in sets]
     if all(expansion.document is not None for expansion in expansions):
         found = [dormant(problem) for problem in found]
     elif not any(map(_stops, found)):
         failures = [problem for expansion in expansions for problem in expansion.problems]
-        found += [p for p in failures if not (_needs_includer(p) and is_included(document))]
+        wanted = [p for p in failures if not (_needs_includer(p) and is_included(document))]
+        found += [p for p in map(partial(_placed, document), wanted) if not _is_known(p, found)]
     documents = tuple(_documents(expansions, document))
-    partial = [
+    parts = [
         expander.expand_partly(document, arguments)
         for arguments, expansion in zip(sets, expansions, strict=True)
         if any(isinstance(problem, UnknownPackage) for problem in expansion.problems)
     ]
-    return Prepared(tuple(_merged(found)), documents, tuple(filter(None, partial)))
+    found += [problem for part in parts for problem in part.problems if _is_certain(problem)]
+    shown = tuple(part.document for part in parts if part.document is not None)
+    explained = [with_reason(problem, document) for problem in _merged(found)]
+    return Prepared(tuple(explained), documents, shown)
+
+
+def _placed(document: Document, problem: Problem) -> Problem:
+    """A problem of the text of the file itself at its line and column, which the words name."""
+    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.SYNTAX:
+        return problem
+    match = _AT.search(problem.detail)
+    if match is None or problem.span.source is not document.source or problem.origins:
+        return problem
+    start = document.source.offset(int(match[1]), int(match[2]))
+    span = document.source.span(start, start + 1)
+    return ExpansionFailure(span, Failure.TEXT, problem.detail[: match.start()])
+
+
+def _is_known(problem: Problem, found: Sequence[Problem]) -> bool:
+    """Is broken text the text of an expression that is reported for itself?"""
+    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.TEXT:
+        return False
+    line = problem.span.begin.line
+    return any(isinstance(each, ExpansionFailure) and each.span.begin.line == line for each in found)
+
+
+def _is_certain(problem: Problem) -> bool:
+    """Would xacro stop there whatever the packages hold that are not found?"""
+    if isinstance(problem, ExpansionFailure):
+        return problem.kind not in {Failure.LIMIT, Failure.REFUSED}
+    return isinstance(problem, WrongMacroArguments)
 
 
 def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[ExpandedDocument]:
@@ -90,6 +127,8 @@ def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[
 def _stops(problem: Problem) -> bool:
     """Whether an expansion that reaches a problem fails for it, in words that do not say so."""
     if isinstance(problem, WrongXacroAttribute):
+        return problem.is_fatal
+    if isinstance(problem, OddParameter):
         return problem.is_fatal
     return isinstance(problem, UndefinedArgument | UndefinedBlock)
 
@@ -109,7 +148,8 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
             yield problem
     for first, *others in names.values():
         places = tuple(other.span for other in others)
-        yield type(first)(first.span, first.name, first.near, first.origins, places, first.is_dormant)
+        values = {field: getattr(first, field) for field in first._fields}
+        yield type(first)(**{**values, "others": places})
 
 
 def is_complete(document: Document) -> bool:

@@ -12,6 +12,7 @@ from enum import Enum
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span, Step
 from sdfcheck.xacro.language import PREFIX, REQUIRED
+from sdfcheck.xacro.oversights import Oversight
 
 
 class Failure(Enum):
@@ -23,10 +24,19 @@ class Failure(Enum):
     WITHHELD = "withheld"
     FILE = "file"
     SYNTAX = "syntax"
+    TEXT = "text"
     PATTERN = "pattern"
     RECURSION = "recursion"
     LIMIT = "limit"
     REFUSED = "refused"
+
+
+class Reason(Record):
+    """Why xacro stops at something, in words, and a place that has to do with it."""
+
+    words: str
+    place: Span | None = None
+    label: str = ""
 
 
 class ExpansionFailure(Record):
@@ -38,6 +48,7 @@ class ExpansionFailure(Record):
     expression: str = ""
     origins: tuple[Step, ...] = ()
     is_dormant: bool = False
+    reason: Reason | None = None
 
 
 class UndeclaredXacroPrefix(Record):
@@ -58,6 +69,7 @@ class UndefinedName(Record):
     others: tuple[Span, ...] = ()
     """Further uses, where they are reported with this one."""
     is_dormant: bool = False
+    reason: Reason | None = None
 
 
 class UndefinedMacro(UndefinedName):
@@ -203,6 +215,7 @@ Problem = (
     | XacroIncludeCycle
     | UnknownPackage
     | WrongMacroArguments
+    | Oversight
 )
 
 CanBeDormant = (

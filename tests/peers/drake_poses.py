@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[2]
 Frames = dict[str, list[list[float]]]
 """Scoped name → the 4×4 pose in the frame of the model that the name begins with."""
 Bodies = dict[str, list[list[float]]]
-"""Name of a body → (mass), centre of mass, rows of the inertia about the origin; all in the body's frame."""
+"""Name of a body → (mass), center of mass, rows of the inertia about the origin; all in the body's frame."""
 
 
 def is_installed() -> bool:
@@ -52,7 +52,7 @@ def _ask(what: str, paths: Sequence[Path], timeout: float) -> dict[Path, dict[st
         for name, answer in answers:
             if answer is not None:
                 found[Path(name)] = answer
-        # What has no answer ended the process: go on behind it.
+        # What has no answer ended the process: go on after it.
         waiting = waiting[len(answers) + 1 :]
     return found
 

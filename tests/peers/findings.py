@@ -11,7 +11,7 @@ from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.session import InternalError, Level, Notice, Options, run
 
 SHARED = Path(__file__).parents[3] / "shared"
-"""Real files and the verdicts of other readers; absent outside the workshop."""
+"""Real files and the verdicts of other consumers; absent outside the workshop."""
 
 NOT_RUN, CRASHED = "(not run)", "(crashed)"
 """What stands for a code where no rule has spoken."""

@@ -1,4 +1,4 @@
-"""How far sdfcheck agrees with other readers, on small cases and on real files."""
+"""How far sdfcheck agrees with other consumers, on small cases and on real files."""
 
 from __future__ import annotations
 
@@ -46,14 +46,14 @@ OF_OTHER_READERS = {
     "unreferenced-extension": "libsdformat drops the block",
     "unresolved-include": "the file is not part of the collection",
 }
-"""Errors that are none for one reader, but for another: no false alarms."""
+"""Errors that are none for one consumer, but for another: no false alarms."""
 
 FORGIVEN = {
     "URI_LOOKUP": "remote includes, which nobody fetches here",
     "PARSING_ERROR": "siblings of one name that make no frames: only the peer's check refuses them",
     "MODEL_WITHOUT_LINK": "URDF whose root libsdformat drops: a warning",
 }
-"""First errors of a reader on files that we find sound, and why."""
+"""First errors of a consumer on files that we find sound, and why."""
 
 
 @pytest.mark.parametrize("expected", Expected, ids=lambda expected: expected.value)
@@ -64,10 +64,10 @@ def test_small_cases(expected: Expected) -> None:
     assert not [o for o in differing if o.case.path.name not in ARGUED], "\n".join(cases.show(found))
 
 
-@pytest.mark.parametrize("reader", ["libsdformat", "drake"])
+@pytest.mark.parametrize("consumer", ["libsdformat", "drake"])
 @pytest.mark.parametrize("kind", ["sdf", "urdf"])
-def test_real_files(reader: str, kind: str) -> None:
-    compared = verdicts.compare(reader, kind)
+def test_real_files(consumer: str, kind: str) -> None:
+    compared = verdicts.compare(consumer, kind)
     alarms = [
         c for c in compared if c.is_false_alarm and {e.name for e in c.errors} - OF_OTHER_READERS.keys()
     ]
@@ -76,4 +76,4 @@ def test_real_files(reader: str, kind: str) -> None:
     report = "\n".join(verdicts.show(compared))
     assert not alarms, report
     # Drake's verdicts name no error; the two that are missed are limits that it has on request.
-    assert len(missed) <= (1 if reader == "drake" else 0), report
+    assert len(missed) <= (1 if consumer == "drake" else 0), report

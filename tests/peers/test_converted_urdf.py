@@ -1,4 +1,4 @@
-"""URDF converted to SDFormat: the readers that are installed take the results, and see the same robots in them."""
+"""URDF converted to SDFormat: the consumers that are installed take the results, and see the same robots in them."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_libsdformat_accepts_the_results(converted: list[Converted]) -> None:
 NOT_SDFORMAT = {"valkyrie.urdf"}
 """Robots whose <gazebo> blocks have elements that are not SDFormat's, where Drake wants only those."""
 WEIGHTY_WORLD = {"Pendulum.urdf"}
-"""Robots whose link `world` has a mass: for Drake it is the world all the same."""
+"""Robots whose link `world` has a mass: for Drake it is the world anyway."""
 
 
 @pytest.mark.skipif(not drake_poses.is_installed(), reason="Drake is not installed")

@@ -1,4 +1,4 @@
-"""What we say of Drake's elements against Drake itself, and against files that it loads without a word."""
+"""What we say of Drake's elements against Drake itself, and against files that it loads in silence."""
 
 from __future__ import annotations
 
@@ -8,16 +8,15 @@ from tempfile import TemporaryDirectory
 
 import pytest
 
-from sdfcheck.formats.vendor.files import BUILT_IN
-from sdfcheck.formats.vendor.problems import TagProblem, TooNewTag
+from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.session import Options, run
-from sdfcheck.robot.naming.vendor_references import problems
 from sdfcheck.source.document import read
 from tests.peers import drake
 from tests.peers.findings import SHARED
 from tests.vendor_documents import FILES, Case, cases
+from tests.vendor_rules import reported
 
 pytestmark = pytest.mark.peers
 
@@ -25,14 +24,14 @@ EVERY = 6
 """Every so many documents: all of them take most of a minute (``python -m tests.peers.test_drake``)."""
 
 SHAPELESS = ("drake:capsule", "drake:ellipsoid")
-"""Misspelt in URDF, these leave a geometry without shape: that is told as such."""
+"""Misspelled in URDF, these leave a geometry without shape: that is reported as such."""
 
 ARGUED = {
     "hydroelastic.sdf": {"DRK005"},
     "atlas_with_fixed_joints.urdf": {"DRK010"},
     "duplicate_but_same_materials_with_texture.urdf": {"DRK013"},
 }
-"""File → rules that rightly speak up: Drake warns, too, or holds a limit that no other reader does."""
+"""File → rules that rightly speak up: Drake warns, too, or holds a limit that no other consumer does."""
 
 LATER = {"massless-leaf", "unsupported-mesh-format"}
 """What goes wrong only in the simulation, or where there is a scene graph: the verdicts are about loading."""
@@ -48,14 +47,15 @@ def disagreements(chosen: list[Case], folder: Path) -> list[str]:
     verdicts = drake.loads(paths)
     found = []
     for path, case in zip(paths, chosen, strict=True):
-        tags = [p for p in problems(read(path.read_bytes(), path), BUILT_IN) if isinstance(p, TagProblem)]
-        is_new = any(isinstance(problem, TooNewTag) for problem in tags)
+        tags = reported(read(path.read_bytes(), path))
+        is_new = any(diagnostic.name == "too-new-drake-tag" for diagnostic in tags)
         shapeless = (
             case.name.startswith(tuple(f"urdf {tag} " for tag in SHAPELESS)) and "misspelt" in case.name
         )
         if is_new or shapeless:
             continue
-        if any(problem.effect.refused for problem in tags) == verdicts[path]:
+        reactions = [dict(diagnostic.affects)[Consumer.DRAKE.value] for diagnostic in tags]
+        if any(reaction.verdict is Verdict.REJECT for reaction in reactions) == verdicts[path]:
             found.append(f"{case.name}: Drake {'loads' if verdicts[path] else 'refuses'} it")
     return found
 

@@ -14,6 +14,7 @@ import pytest
 
 from sdfcheck.files.library import Library
 from sdfcheck.robot.motion.mass_report import ModelMass, mass_report
+from sdfcheck.robot.root import root_of
 
 pytestmark = pytest.mark.peers
 ROOT = Path(__file__).parents[2]
@@ -34,13 +35,13 @@ def top_model(path: Path) -> ModelMass | None:
         return None
     if "drake:deformable_properties" in document.source.text:
         return None  # no rigid body to Drake
-    report = mass_report(document)
+    report = mass_report(root_of(document))
     sound = len(report.models) == 1 and document.root.has("model") and report.is_complete
     return report.models[0] if sound and not report.models[0].models else None
 
 
 def drake_total(path: Path) -> dict[str, Any] | None:
-    """Mass, centre of mass and moments by Drake; None if it does not load the file."""
+    """Mass, center of mass and moments by Drake; None if it does not load the file."""
     child = subprocess.run(
         [sys.executable, "-m", "tests.peers.test_inertia", str(path)],
         capture_output=True,
@@ -63,7 +64,7 @@ def test_drake_finds_the_same_total(path: Path) -> None:
     if theirs is None:
         pytest.skip("Drake does not load it")
     assert model.total.mass == pytest.approx(theirs["mass"], rel=1e-9)
-    assert model.total.center == pytest.approx(np.array(theirs["centre"]), abs=1e-9)
+    assert model.total.center == pytest.approx(np.array(theirs["center"]), abs=1e-9)
     scale = float(np.abs(model.total.moments).max())
     assert model.total.moments == pytest.approx(np.array(theirs["moments"]), abs=1e-9 * max(scale, 1.0))
 
@@ -82,7 +83,7 @@ def _ask(path: str) -> None:
     about = inertia.Shift(inertia.get_com()).CalcRotationalInertia()
     answer = {
         "mass": inertia.get_mass(),
-        "centre": list(inertia.get_com()),
+        "center": list(inertia.get_com()),
         "moments": about.CopyToFullMatrix3().tolist(),
     }
     print(json.dumps(answer))

@@ -1,4 +1,4 @@
-"""The correct sample robots are correct: the readers that are installed accept them."""
+"""The correct sample robots are correct: the consumers that are installed accept them."""
 
 from __future__ import annotations
 

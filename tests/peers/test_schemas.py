@@ -22,7 +22,7 @@ OF_SHAPE = ("SCH", "NS", "XML", "NAM", "GAZ")
 """The families whose findings a schema may share."""
 
 ARGUED = {
-    "mimic_fast_slow_pendulums_world.sdf": "text in a CDATA section, which readers pass over",
+    "mimic_fast_slow_pendulums_world.sdf": "text in a CDATA section, which consumers ignore",
     "shapes.sdf": "the same",
     "attribute_missing_plugin_filename.sdf": "told of by the family of files",
 }

@@ -1,4 +1,4 @@
-"""Real SDF models as URDF: other readers accept them and place links where we do, and they come back the same."""
+"""Real SDF models as URDF: other consumers accept them and place links where we do, and they come back the same."""
 
 from __future__ import annotations
 

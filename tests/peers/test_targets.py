@@ -1,4 +1,4 @@
-"""The verdicts told for readers against those that the readers gave."""
+"""The verdicts told for consumers against those that the consumers gave."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from sdfcheck.cli.descriptions import Around
+from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -18,20 +18,20 @@ pytestmark = [
     pytest.mark.skipif(not SHARED.is_dir(), reason="the files to compare on are not here"),
 ]
 
-READERS = {Consumer.GAZEBO: "libsdformat", Consumer.DRAKE: "drake"}
+CONSUMERS = {Consumer.GAZEBO: "libsdformat", Consumer.DRAKE: "drake"}
 ALLOWED = {Consumer.GAZEBO: 2, Consumer.DRAKE: 8}
 """How many accepted files may be called rejected."""
 UNASKED = {Consumer.GAZEBO: frozenset[str](), Consumer.DRAKE: frozenset({"DRK009", "RES001"})}
-"""What the readers were not asked: Drake read the files without their meshes."""
+"""What the consumers were not asked: Drake read the files without their meshes."""
 
 
 def test_real_files() -> None:
     counts: Counter[tuple[Consumer, bool, bool]] = Counter()
     corpus = SHARED / "corpus"
     for known in json.loads((corpus / "verdicts.json").read_text("utf-8")):
-        rows = verdicts(corpus / known["file"], tuple(READERS), Around(Configuration(isolated=True)))
+        rows = verdicts(corpus / known["file"], tuple(CONSUMERS), Around(Configuration(isolated=True)))
         for row in rows:
-            opinion = known.get(READERS[row.reader])
+            opinion = known.get(CONSUMERS[row.consumer])
             # Remote includes are fetched by nobody.
             if isinstance(opinion, dict) and opinion.get("first") not in {"URI_LOOKUP", "PARSING_ERROR"}:
                 rejects = {
@@ -39,9 +39,9 @@ def test_real_files() -> None:
                     for reason in row.reasons
                     if reason.reaction.verdict is Verdict.REJECT
                 }
-                counts[row.reader, opinion["ok"], bool(rejects - UNASKED[row.reader])] += 1
-    for reader, allowed in ALLOWED.items():
-        assert counts[reader, True, False] > 150
-        assert counts[reader, True, True] <= allowed
-        assert counts[reader, False, True] > 15
-        assert counts[reader, False, False] <= 1
+                counts[row.consumer, opinion["ok"], bool(rejects - UNASKED[row.consumer])] += 1
+    for consumer, allowed in ALLOWED.items():
+        assert counts[consumer, True, False] > 150
+        assert counts[consumer, True, True] <= allowed
+        assert counts[consumer, False, True] > 15
+        assert counts[consumer, False, False] <= 1

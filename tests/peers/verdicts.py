@@ -1,8 +1,8 @@
-"""Compares sdfcheck's verdicts on real files with another reader's.
+"""Compares sdfcheck's verdicts on real files with another consumer's.
 
-``python -m tests.peers.verdicts [--reader R] [--kind sdf|urdf|all] [--families XML,NS] [--all]``
-lists the files where the two disagree. Errors on a file that the reader takes without a
-word are false alarms until somebody shows otherwise; a file that the reader rejects and
+``python -m tests.peers.verdicts [--consumer R] [--kind sdf|urdf|all] [--families XML,NS] [--all]``
+lists the files where the two disagree. Errors on a file that the consumer takes without a
+word are false alarms until somebody shows otherwise; a file that the consumer rejects and
 we accept is a miss.
 """
 
@@ -22,7 +22,7 @@ CORPUS = SHARED / "corpus"
 
 
 class Verdict(NamedTuple):
-    """What a reader says of a file: does it load, with how many warnings, which error comes first."""
+    """What a consumer says of a file: does it load, with how many warnings, which error comes first."""
 
     path: Path
     accepted: bool
@@ -47,22 +47,24 @@ class Comparison(NamedTuple):
         return not self.verdict.accepted and not self.errors
 
 
-def verdicts(reader: str = "libsdformat", kind: str = "sdf") -> Iterator[Verdict]:
-    """The stored verdicts of one reader on the files of one kind."""
+def verdicts(consumer: str = "libsdformat", kind: str = "sdf") -> Iterator[Verdict]:
+    """The stored verdicts of one consumer on the files of one kind."""
     for entry in json.loads((CORPUS / "verdicts.json").read_text(encoding="utf-8")):
-        said, path = entry.get(reader), CORPUS / entry["file"]
+        said, path = entry.get(consumer), CORPUS / entry["file"]
         if said and path.is_file() and kind in ("all", path.suffix[1:]):
             yield Verdict(path, said["ok"], said.get("warnings", 0), said.get("first") or "")
 
 
-def compare(reader: str = "libsdformat", kind: str = "sdf", families: Sequence[str] = ()) -> list[Comparison]:
-    return [Comparison(verdict, findings(verdict.path, families)) for verdict in verdicts(reader, kind)]
+def compare(
+    consumer: str = "libsdformat", kind: str = "sdf", families: Sequence[str] = ()
+) -> list[Comparison]:
+    return [Comparison(verdict, findings(verdict.path, families)) for verdict in verdicts(consumer, kind)]
 
 
 def show(comparisons: Sequence[Comparison], *, everything: bool = False) -> Iterator[str]:
-    """The report: false alarms by rule, misses by the reader's first error, counts."""
+    """The report: false alarms by rule, misses by the consumer's first error, counts."""
     alarms = [comparison for comparison in comparisons if comparison.is_false_alarm]
-    yield f"## Accepted without a word, but we report errors: {len(alarms)} files"
+    yield f"## Accepted in silence, but we report errors: {len(alarms)} files"
     yield from _by_rule([(alarm, alarm.errors) for alarm in alarms], everything)
     misses = [comparison for comparison in comparisons if comparison.is_miss]
     yield f"\n## Rejected, but we report no error: {len(misses)} files"
@@ -77,7 +79,7 @@ def show(comparisons: Sequence[Comparison], *, everything: bool = False) -> Iter
     counts = Counter((comparison.verdict.accepted, not comparison.errors) for comparison in comparisons)
     yield "             we accept  we reject"
     for accepted, word in ((True, "accepts"), (False, "rejects")):
-        yield f"reader {word}  {counts[accepted, True]:7}  {counts[accepted, False]:9}"
+        yield f"consumer {word}  {counts[accepted, True]:7}  {counts[accepted, False]:9}"
 
 
 def _by_rule(files: Sequence[tuple[Comparison, list[Finding]]], everything: bool) -> Iterator[str]:
@@ -100,14 +102,14 @@ def _name(comparison: Comparison) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description="Compare sdfcheck's verdicts with another reader's.")
-    parser.add_argument("--reader", choices=("libsdformat", "drake"), default="libsdformat")
+    parser = argparse.ArgumentParser(description="Compare sdfcheck's verdicts with another consumer's.")
+    parser.add_argument("--consumer", choices=("libsdformat", "drake"), default="libsdformat")
     parser.add_argument("--kind", choices=("sdf", "urdf", "all"), default="sdf")
     parser.add_argument("--families", default="", help="count only the findings of these, as in XML,NS")
     parser.add_argument("--all", action="store_true", help="every finding, not one sample a rule")
     options = parser.parse_args()
     families = [family for family in options.families.split(",") if family]
-    for line in show(compare(options.reader, options.kind, families), everything=options.all):
+    for line in show(compare(options.consumer, options.kind, families), everything=options.all):
         print(line)
 
 

@@ -7,13 +7,15 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-from sdfcheck.cli.descriptions import Around, chosen_arguments, expander_for
+from sdfcheck.cli.convert.places import Source
+from sdfcheck.cli.parts.descriptions import Around, chosen_arguments, expander_for
+from sdfcheck.convert.soundness import ELSEWHERE, means_another_robot, new_errors
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
-from sdfcheck.lint.obstacles import obstacles
+from sdfcheck.lint.obstacles import obstacles, own_reader
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.select import SILENT
 from sdfcheck.source.record import NamedTuple
@@ -21,29 +23,43 @@ from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
+    from sdfcheck.convert.loss import Loss
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander
 
-_ELSEWHERE = frozenset({"RES"})
-"""Families whose errors are about other files, which a conversion can do without."""
-
 
 class Input(NamedTuple):
-    """A file as it was read, and the errors in it; if they stop the conversion, ``is_sound`` is false."""
+    """A file as it was read, its errors, and the warnings for which the result means another robot to its consumers.
+
+    If the errors stop the conversion, ``is_sound`` is false.
+    """
 
     file: Path
     document: Document | None
     errors: Sequence[Diagnostic] = ()
     is_sound: bool = True
+    encoding: str = ""
+    """What its bytes are in, if that is not plain UTF-8."""
+    found: Sequence[Diagnostic] | None = None
+    """All that the configured rules find in it; None if nobody has looked."""
+
+
+class OtherKind(WrongUsage):
+    """A file is of a kind that is not converted."""
+
+    def __init__(self, text: str, kind: Kind) -> None:
+        super().__init__(text)
+        self.kind = kind
 
 
 class Reader:
     """Reads the inputs of one run. Use it as a context manager: it may start a process to expand xacro."""
 
-    def __init__(self, around: Around, *, lint: bool = True) -> None:
+    def __init__(self, around: Around, *, lint: bool = True, expand: bool = True) -> None:
         self._book = RuleBook(SILENT, None)
         self._around = around
         self._lint = lint
+        self._expands = expand
         self._libraries: dict[SearchPaths, Library] = {}
         self._expander: Expander | None = None
 
@@ -56,21 +72,25 @@ class Reader:
         if self._expander is not None:
             self._expander.close()
 
-    def read(self, file: Path, kinds: Mapping[Kind, str]) -> Input:
-        """Read a file that must be of one of ``kinds``.
+    def read(self, source: Source, kinds: Mapping[Kind, str]) -> Input:
+        """Read a file that must be of one of ``kinds``, or what stdin has given.
 
         Raises:
-            WrongUsage: it does not exist, cannot be read, is of another kind or brings too many models.
+            OtherKind: it is of another kind.
+            WrongUsage: it does not exist, cannot be read or brings too many models.
         """
+        file = source.path
         settings = self._around.settings_for(file)
         search = settings.search
         # Shared, so that what lies around the files is looked up once.
         library = self._libraries.setdefault(search, Library(search, settings.size_limit))
         try:
-            data = read_regular(file, settings.size_limit)
+            data = read_regular(file, settings.size_limit) if source.data is None else source.data
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         kind = sniff(data, file)
+        if kind is Kind.XACRO and not self._expands:
+            kind = Kind.URDF
         from sdfcheck.robot.includes.multiplied import refuse_too_many
         from sdfcheck.source.document import read
 
@@ -84,9 +104,13 @@ class Reader:
             document = expanded
         if document.kind not in kinds or document.root is None:
             names = " or ".join(kinds.values())
-            raise WrongUsage(f"{file} looks like {document.kind.description}, not like {names}")
+            text = f"{file} looks like {document.kind.description}, not like {names}"
+            raise OtherKind(text, document.kind)
+        if not source.named and document.kind is Kind.URDF and not document.root.has("link"):
+            raise OtherKind(f"{file} has no link", Kind.XACRO)
         refuse_too_many(document)
-        return self._judged(document, settings) if self._lint else Input(file, document)
+        given = self._judged(document, settings) if self._lint else Input(file, document)
+        return given._replace(encoding=spelled(data))
 
     def _expand(self, document: Document, settings: Settings) -> tuple[Document | None, Sequence[object]]:
         if self._expander is None:
@@ -100,6 +124,29 @@ class Reader:
         """A document with the errors that the configured rules find in it."""
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file))
-        errors = [one for one in found if one.severity is Severity.ERROR]
-        stopping = obstacles(errors, document.kind, _ELSEWHERE)
-        return Input(file, document, errors, not stopping)
+        shown = [one for one in found if one.severity is Severity.ERROR or means_another_robot(one)]
+        stopping = obstacles(found, own_reader(document), ELSEWHERE)
+        return Input(file, document, shown, not stopping, found=found)
+
+    def judge(self, given: Input, text: str, kind: Kind) -> list[Loss]:
+        """The errors of a result that its source does not have; none if nobody has looked at the source."""
+        source = given.document
+        if given.found is None or source is None:
+            return []
+        from sdfcheck.source.document import read
+
+        result = read(text.encode("utf-8", "surrogateescape"), given.file.with_suffix(f".{kind.value}"), kind)
+        result.library = source.library
+        after = lint_document(result, self._book.dispatch(self._around.settings_for(given.file), given.file))
+        return new_errors(source, given.found, result, after)
+
+
+def spelled(data: bytes) -> str:
+    """How the bytes of a file spell its text; empty for UTF-8 without a byte order mark."""
+    from sdfcheck.source.decode import encoding_of
+
+    encoding = encoding_of(data)
+    name = "" if encoding.codec == "utf-8" else encoding.codec.upper()
+    if encoding.mark and not name:
+        return "UTF-8 with a byte order mark"
+    return name

@@ -6,8 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.convert.command import common, common_options, convert_files
+from sdfcheck.cli.convert.command import convert_files
+from sdfcheck.cli.convert.options import common, common_options
+from sdfcheck.cli.parts.command import Command
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.convert.result import Conversion
@@ -16,7 +19,7 @@ if TYPE_CHECKING:
 _TARGETS = tuple(f"1.{minor}" for minor in range(12, 3, -1))
 
 
-@click.command(name="sdf-to-sdf")
+@click.command(cls=Command, name="sdf-to-sdf")
 @click.option(
     "--to",
     "--sdf-version",
@@ -29,7 +32,7 @@ _TARGETS = tuple(f"1.{minor}" for minor in range(12, 3, -1))
 @click.option("--keep-unknown", is_flag=True, help="Keep what the version does not have.")
 @common_options
 def sdf_to_sdf(version: str, keep_unknown: bool, **given: Any) -> int:
-    """Write SDFormat for the readers of another version, newer or older.
+    """Write SDFormat for the consumers of another version, newer or older.
 
     Comments, layout and elements of your own stay as they are.
     """
@@ -42,4 +45,9 @@ def sdf_to_sdf(version: str, keep_unknown: bool, **given: Any) -> int:
     def convert(document: Document, verified: bool) -> Conversion:
         return migrate(document, target, keep_unknown=keep_unknown, verified=verified)
 
-    return convert_files(common(given), {Kind.SDF: "SDFormat"}, ".sdf", convert)
+    request = common(given)
+    if request.verify_with is not None:
+        raise WrongUsage(
+            f"--verify-with {request.verify_with} reads URDF, and neither the source nor the result is URDF"
+        )
+    return convert_files(request, {Kind.SDF: "SDFormat"}, ".sdf", convert)

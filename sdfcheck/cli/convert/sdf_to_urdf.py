@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.convert.command import common, common_options, convert_files
+from sdfcheck.cli.convert.command import convert_files
+from sdfcheck.cli.convert.options import common, common_options
+from sdfcheck.cli.parts.command import Command
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
@@ -16,11 +18,9 @@ if TYPE_CHECKING:
 _POLICIES = click.Choice(["floating", "fixed", "error"])
 
 
-@click.command(name="sdf-to-urdf")
+@click.command(cls=Command, name="sdf-to-urdf")
 @click.option("--model", default="", metavar="NAME", help="The model to convert, if there are several.")
-@click.option(
-    "--keep-link-frames", is_flag=True, help="Keep link frames; massless links stand at the joints."
-)
+@click.option("--keep-link-frames", is_flag=True, help="Keep link frames; massless links are at the joints.")
 @click.option("--frames", is_flag=True, help="Make frames massless links.")
 @click.option(
     "--ball", type=_POLICIES, default="floating", help="What a ball joint becomes.  [default: floating]"
@@ -60,9 +60,8 @@ def sdf_to_urdf(**given: Any) -> int:
     request = common(given)
     kinds = {"ball": Unsupported, "forest": Unsupported, "loops": Loops, "planes": Planes}
     options = Options(**{**given, **{name: kind(given[name]) for name, kind in kinds.items()}})
-    target = request.output_dir or (request.output.parent if request.output is not None else None)
 
     def convert(document: Document, verified: bool) -> Conversion:
-        return convert_model(document, options, folder=target, verified=verified)
+        return convert_model(document, options, verified=verified)
 
     return convert_files(request, {Kind.SDF: "an SDF model"}, ".urdf", convert)

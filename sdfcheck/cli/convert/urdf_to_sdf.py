@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.convert.command import common, common_options, convert_files
+from sdfcheck.cli.convert.command import convert_files
+from sdfcheck.cli.convert.options import common, common_options
+from sdfcheck.cli.parts.command import Command
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.sniff import Kind
@@ -29,10 +31,15 @@ def _choice(
     return click.option(flag, type=choices, default=default.value, help=shown)
 
 
-@click.command(name="urdf-to-sdf")
+@click.command(cls=Command, name="urdf-to-sdf")
 @common_options
 @click.option(
-    "--sdf-version", default=str(NEWEST), metavar="V", help=f"1.4 to {NEWEST}.  [default: {NEWEST}]"
+    "--to",
+    "--sdf-version",
+    "sdf_version",
+    default=str(NEWEST),
+    metavar="VERSION",
+    help=f"The version to write: 1.4 to {NEWEST}.  [default: {NEWEST}]",
 )
 @_choice("--fixed-joints", FixedJoints, FixedJoints.KEEP, "Keep them, or make one link of what they join.")
 @_choice("--massless", Massless, Massless.MERGE, "What becomes of links without mass.")

@@ -17,7 +17,7 @@ from sdfcheck.formats.sdf.version import NEWEST, Version
 _ALIKE = frozenset({"lower", "upper", "effort", "velocity", "topic", "dt"})
 """Their defaults are spelled differently and mean the same: no limit, no topic."""
 _UNWRITABLE = {("mu", "-1"): "1e16", ("mu2", "-1"): "1e16"}
-"""Old defaults that newer readers refuse, and what means the same to them."""
+"""Old defaults that newer consumers refuse, and what means the same to them."""
 
 
 def write_defaults(migration: Migration) -> None:
@@ -40,7 +40,7 @@ def write_defaults(migration: Migration) -> None:
 
 
 def drop_dead(migration: Migration) -> None:
-    """Take out what no reader of the source regards and a reader of the target would."""
+    """Take out what no consumer of the source regards and a consumer of the target would."""
     for node, definition in list(defined(migration.root, migration.source)):
         now = schema(NEWEST).at(definition.place)
         then = schema(migration.target).at(definition.place)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
+from sdfcheck.convert.migrate.balance import custom_names
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
 from sdfcheck.convert.rewrite.tidy_tree import text_of
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.robot.includes.included import included
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
@@ -46,13 +47,19 @@ def _write_out(migration: Migration, include: Node, *, keeps_models: bool) -> st
     branches = expansion.replacement(element)
     if not branches:
         return expansion.notes[-1].partition(": the include stays: ")[2]
-    migration.losses += expansion.losses
+    migration.losses.extend(expansion.losses)
     nodes = [node for branch in branches for node in _nodes(text_of(branch))]
     for node in nodes:
         node.origin = include.origin
     name = included(element.document, element).name
     text = f"what {title(include)} of {name} brings is written out: {migration.target} does not include it so"
     migration.note(include, text, LossKind.EXPANDED_INCLUDE)
+    migration.enter(include)
+    migration.enter_alone(include)
+    if include.place is not None:
+        migration.brought.append((include.place, custom_names(nodes)))
+    for parameters in element.children(PARAMETERS) if include.source is not None else ():
+        migration.ledger.take_whole(parameters)
     include.replace(nodes)
     return ""
 

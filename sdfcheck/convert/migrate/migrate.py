@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sdfcheck.convert.loss import refusal
+from sdfcheck.convert.migrate.balance import close
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
 from sdfcheck.convert.migrate.down.axes import express_axes
 from sdfcheck.convert.migrate.down.capsules import split_capsules
@@ -46,13 +47,14 @@ TARGETS = tuple(Version(1, minor) for minor in range(NEWEST.minor, LOWEST.minor 
 def sdf_to_sdf(
     document: Document, target: Version, *, keep_unknown: bool = False, verified: bool = True
 ) -> Conversion:
-    """Write a document for the readers of another version.
+    """Write a document for the consumers of another version.
 
     What is not touched stays as it is, to the byte. Raises NotConvertible where no
     result could be right.
     """
     migration = migrated(document, target, keep_unknown=keep_unknown)
     compared = comparisons(migration) if verified else []
+    close(migration)
     return conversion(document, migration.draft.text(), migration.losses, compared, verified=verified)
 
 
@@ -85,7 +87,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
     if target > migration.source:
         go_up(migration)
         write_out_merges(migration)
-        # A file may use what is newer than the version that it declares: readers let it.
+        # A file may use what is newer than the version that it declares: consumers let it.
         _say_in_older_words(migration)
     elif target < migration.source:
         _go_down(migration)

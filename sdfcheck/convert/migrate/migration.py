@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from lxml import etree
+
+from sdfcheck.convert.ledger import Ledger
+from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.rewrite.include_expansion import ToSdf
@@ -10,6 +13,7 @@ from sdfcheck.convert.verify import Counterpart
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 
 
 class Migration:
@@ -28,14 +32,20 @@ class Migration:
         self.target = target
         self.to_sdf = to_sdf
         self.keep_unknown = keep_unknown
-        self.losses: list[Loss] = []
+        self.ledger = Ledger(None, f"SDFormat {target}")
         self.renamed_joints: dict[str, str] = {}
         self.moved_links: dict[str, Counterpart] = {}
         self.dropped_joints: set[str] = set()
         self.dropped_shapes: set[str] = set()
         self.kept: set[Node] = set()
+        self.brought: list[tuple[Element, frozenset[str]]] = []
+        """The includes that were written out, and the names of the custom data in what takes their place."""
         self.lost_mimics = False
         self.changed_bodies = False
+
+    @property
+    def losses(self) -> list[Loss]:
+        return self.ledger.losses
 
     @property
     def root(self) -> Node:
@@ -48,15 +58,40 @@ class Migration:
     def lose(self, node: Node, message: str, kind: LossKind, severity: Severity = Severity.WARNING) -> None:
         place = node.place
         if place is not None:
-            self.losses.append(loss_at(place, kind, message, severity))
+            self.ledger.note(kind, place, message, severity)
 
     def note(self, node: Node, message: str, kind: LossKind) -> None:
         """Say of something that it is written in another way and means the same."""
         self.lose(node, message, kind, Severity.INFO)
 
-    def drop(self, node: Node, message: str, kind: LossKind = LossKind.DROPPED_ELEMENT) -> None:
-        self.lose(node, message, kind)
+    def drop(
+        self,
+        node: Node,
+        message: str,
+        kind: LossKind = LossKind.DROPPED_ELEMENT,
+        severity: Severity = Severity.WARNING,
+    ) -> None:
+        self.lose(node, message, kind, severity)
+        if node.source is not None:
+            self.ledger.drop(node.source)
         node.remove()
+
+    def merge(self, node: Node) -> None:
+        """Take out a node that is said elsewhere."""
+        self.enter(node)
+        node.remove()
+
+    def enter_alone(self, node: Node) -> None:
+        """A node is going to be said elsewhere, and its comments; what is in it is entered apart."""
+        if node.source is not None and node.source.document is self.draft.source:
+            self.ledger.take(node.source)
+            for part in node.source.iterchildren(etree.Comment):
+                self.ledger.take_comment(part)
+
+    def enter(self, node: Node) -> None:
+        """A node is going to be said elsewhere."""
+        if node.source is not None and node.source.document is self.draft.source:
+            self.ledger.take_all(node.source)
 
 
 def title(node: Node) -> str:

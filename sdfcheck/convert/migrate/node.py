@@ -1,6 +1,6 @@
 """Elements that can be changed, with every character of the file that is not.
 
-What no step touches is written back as it was: blanks, quotes, comments, entities.
+What no step touches is written back as it was: spaces, quotes, comments, entities.
 """
 
 from __future__ import annotations
@@ -24,10 +24,11 @@ _DEFAULT_INDENT = "  "
 class Node:
     """An element of a draft: its tags as written, and between them texts and nodes.
 
-    ``origin`` is the element of the source that it comes from, None for one that a step made.
+    ``origin`` is the element of the source that it comes from, None for one that a step made. ``source`` is the
+    element whose text it is, and ``written`` its start tag there.
     """
 
-    __slots__ = ("closing", "name", "opening", "origin", "parent", "parts")
+    __slots__ = ("closing", "name", "opening", "origin", "parent", "parts", "source", "written")
 
     def __init__(
         self, name: str, opening: str = "", closing: str | None = None, origin: Element | None = None
@@ -36,6 +37,8 @@ class Node:
         self.opening = opening or f"<{name}>"
         self.closing = f"</{name}>" if closing is None else closing
         self.origin = origin
+        self.source = origin
+        self.written = self.opening
         self.parent: Node | None = None
         self.parts: list[str | Node] = []
 
@@ -122,6 +125,7 @@ class Node:
         self.opening = f"{kept} {name}={_quoted(value)}{self.opening[len(kept) :]}"
 
     def unset(self, name: str) -> None:
+        """Take an attribute out; what it says must be said elsewhere."""
         for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
             if match[2] == name:
                 self.opening = self.opening[: match.start()] + self.opening[match.end() :]
@@ -140,7 +144,7 @@ class Node:
         self.name = name
 
     def write(self, text: str) -> None:
-        """Replace the content; blanks and comments around it stay."""
+        """Replace the content; spaces and comments around it stay."""
         self._open()
         written = escape(text)
         for number, part in enumerate(self.parts):
@@ -158,6 +162,7 @@ class Node:
     def copy(self) -> Node:
         """The same once more, standing nowhere."""
         other = Node(self.name, self.opening, self.closing, self.origin)
+        other.written = self.written
         for part in self.parts:
             other.parts.append(part if isinstance(part, str) else part.copy())
             if isinstance(inner := other.parts[-1], Node):
@@ -231,7 +236,7 @@ class Node:
 
     @property
     def indent(self) -> str:
-        """The blanks before the node on its line; empty if something else is there."""
+        """The spaces before the node on its line; empty if something else is there."""
         if self.parent is None:
             return ""
         at = self.parent.parts.index(self)

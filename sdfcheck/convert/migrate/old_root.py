@@ -29,7 +29,7 @@ def with_newer_root(document: Document) -> Document:
 
 
 def tidy_root(root: Node) -> None:
-    """Take out the blanks that kept the places."""
+    """Take out the spaces that kept the places."""
     blanks = " " * _SURPLUS
     root.opening = re.sub(rf"^<{_NEW}{blanks}(?=[\s>/])", f"<{_NEW}", root.opening)
     root.closing = root.closing.replace(f"</{_NEW}{blanks}>", f"</{_NEW}>")

@@ -12,8 +12,9 @@ from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.node import Node as RobotNode
 from sdfcheck.robot.parts.placement import reference_of
+from sdfcheck.robot.reserved import MODEL_FRAME, WORLD_FRAME
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.scope import MODEL_FRAME, WORLD_FRAME, Scope
+from sdfcheck.robot.scope import Scope
 from sdfcheck.source.element import Element
 
 _HOLDERS = frozenset({"link", "joint"})

@@ -1,7 +1,7 @@
-"""What plugins say of links and joints that get another name.
+"""What plugins and custom elements say of links and joints that get another name.
 
-No format says what the elements of a plugin mean. One that is called after a kind of thing
-(``joint_name``, ``link``) and holds the name of one means it; others are reported.
+A vendor's table says what its elements mean. Nobody says it of those of a plugin, or of other custom ones: one
+that is called after a kind of thing (``joint_name``, ``link``) and holds the name of one means it; others are reported.
 """
 
 from __future__ import annotations
@@ -11,15 +11,19 @@ from collections.abc import Iterator, Mapping
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
+from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor.table import vendor
 
 _WORDS = {"joint": ("joint",), "link": ("link", "body", "frame"), "model": ("model",)}
 
 
 def rename_in_plugins(migration: Migration, model: Node, names: Mapping[tuple[str, str], str]) -> None:
-    """Follow new names in the plugins of a model; ``names`` are new ones by kind and old name."""
+    """Follow new names in the plugins and custom elements of a model; ``names`` are new ones by kind and old name."""
     for plugin in _plugins(model):
         for node in plugin.walk():
-            for attribute, text in node.attributes().items() if node is not plugin else ():
+            for attribute, text in node.attributes().items():
+                if node is plugin and (not node.is_custom or attribute == "name"):
+                    continue
                 found = _meant(migration, plugin, node, f"{node.name}/{attribute}", text, names)
                 if found is not None:
                     node.set(attribute, found)
@@ -29,11 +33,26 @@ def rename_in_plugins(migration: Migration, model: Node, names: Mapping[tuple[st
                 node.write(found)
 
 
+def _named_kinds(tag: str, attribute: str) -> list[str]:
+    """The kinds of thing that a vendor's tag names in an attribute, or in its text; none if no table knows it."""
+    for table in BUILT_IN:
+        if tag.startswith(f"{prefix_of(table)}:"):
+            found = vendor(table, "sdf").tags.get(tag)
+            slots = [place.slot for place in found.places] if found is not None else []
+            slot = (
+                found.attributes.get(attribute)
+                if found is not None and attribute
+                else next(iter(slots), None)
+            )
+            return list(slot.references) if slot is not None else []
+    return []
+
+
 def _plugins(node: Node) -> Iterator[Node]:
     for child in node.children():
-        if child.name == "plugin":
+        if child.name == "plugin" or child.is_custom:
             yield child
-        elif child.name != "model" and not child.is_custom:
+        elif child.name != "model":
             yield from _plugins(child)
 
 
@@ -49,7 +68,11 @@ def _meant(
     new = {kind: names[kind, text] for kind in _WORDS if (kind, text) in names}
     if not new:
         return None
-    kinds = [kind for kind, words in _WORDS.items() if any(word in called.lower() for word in words)]
+    kinds = _named_kinds(node.name, called.partition("/")[2]) or [
+        kind for kind, words in _WORDS.items() if any(word in called.lower() for word in words)
+    ]
+    if not kinds and "::" in text and len(new) == 1:
+        kinds = list(new)  # nothing else is called so
     for kind in kinds:
         if kind in new:
             say = f"`{text}` in {title(plugin)} is written as `{new[kind]}`, as the {kind} is called now"

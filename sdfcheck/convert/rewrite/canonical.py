@@ -16,7 +16,8 @@ from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.motion.mass import MassProperties, automatic
+from sdfcheck.robot.motion.mass import automatic
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
@@ -163,10 +164,10 @@ def _write_inertial(inertial: Branch, body: MassProperties) -> None:
     for name, row, column in pairs:
         inertia.parts.append(Branch(name, _clean(float(body.moments[row, column]), largest)))
     size = float(np.abs(body.center).max())
-    centre = " ".join(_clean(float(value), max(size, 1.0)) for value in body.center)
+    center = " ".join(_clean(float(value), max(size, 1.0)) for value in body.center)
     computed: list[Branch] = [Branch("mass", number(body.mass)), inertia]
     if size > _DUST:
-        computed.insert(0, Branch("pose", f"{centre} 0 0 0"))
+        computed.insert(0, Branch("pose", f"{center} 0 0 0"))
     inertial.parts += computed
 
 

@@ -10,19 +10,19 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 
-from sdfcheck.convert.loss import Loss, NotConvertible
+from sdfcheck.convert.loss import Loss, LossKind, NotConvertible, loss_at
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.rewrite.include_parameters import apply_parameters
 from sdfcheck.convert.rewrite.relocation import relocated
 from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of
 from sdfcheck.convert.writer import numbers
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.includes.included import Included, included, included_element
-from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
+from sdfcheck.robot.includes.parameters import parameters
 from sdfcheck.robot.motion.rotations import to_rpy
+from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.scope import MODEL_FRAME
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import SyntaxDefect
@@ -91,6 +91,7 @@ class IncludeExpansion:
             for branch in brought.walk():  # its places are in no file
                 branch.origin = include.origin
         self.expanded.append(include.origin)
+        self._report_root(model)
         apply_parameters(brought, include)
         _relocate(brought, found, document)
         _declare(brought, model, include.origin)
@@ -101,6 +102,20 @@ class IncludeExpansion:
         parts = _merged(brought, include, found, parent) if found.merge else [_whole(brought, include, found)]
         parts[0].after_gap = include.after_gap and not result
         return [*result, *parts]
+
+    def _report_root(self, model: Element) -> None:
+        """Custom data of an included file that is not in its model stays there."""
+        at = model.parent
+        while at is not None:
+            custom = [child for child in at.children() if child.is_custom and child is not model]
+            names = [name for name in at.attributes if ":" in name]
+            for child in custom:
+                text = f"`{child.name}` in `{at.name}` of the included file is left out"
+                self.losses.append(loss_at(child, LossKind.DROPPED_ELEMENT, text))
+            for name in names:
+                text = f"attribute `{name}` of `{at.name}` in the included file is left out"
+                self.losses.append(loss_at(at, LossKind.DROPPED_ELEMENT, text))
+            at = at.parent
 
     def _in_version(self, found: Included, version: Version) -> Element | None:
         """What an include brings, in the version of the file that includes it; None if it cannot be had."""
@@ -171,7 +186,16 @@ def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
     if placement is not None and placement.text:
         brought.attributes["placement_frame"] = placement.text
     brought.parts += [child for child in include.children if child.name == "plugin" or _is_custom(child)]
+    _give_custom(brought, include)
     return brought
+
+
+def _give_custom(branch: Branch, *others: Branch) -> None:
+    """Hand on the custom attributes of what a branch stands for."""
+    for other in others:
+        for name, text in other.attributes.items():
+            if ":" in name and not name.startswith("xmlns:"):
+                branch.attributes.setdefault(name, text)
 
 
 def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -> list[Branch]:
@@ -190,10 +214,12 @@ def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -
     if (placement is not None and placement.text) or brought.attributes.get("placement_frame", "").strip():
         pose = _placed(found, name)
     frame.parts.append(pose)
+    _give_custom(frame, include, brought)
     parts = [child for child in brought.children if child.name in _MERGED or ":" in child.name]
     prefixes = {key: uri for key, uri in brought.attributes.items() if key.startswith("xmlns:")}
-    for part in parts:
-        _settle(part, name)
+    for part in (frame, *parts):
+        if part is not frame:
+            _settle(part, name)
         used = _prefixes(part)
         part.attributes.update({key: uri for key, uri in prefixes.items() if key[6:] in used})
     given = [child for child in include.children if child.name == "plugin" or _is_custom(child)]
@@ -201,7 +227,7 @@ def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -
 
 
 def _is_custom(child: Branch) -> bool:
-    """Is it someone's own, and not an order to the reader of the include?"""
+    """Is it someone's own, and not an order to the consumer of the include?"""
     return ":" in child.name and child.name != PARAMETERS
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark
-from sdfcheck.robot.includes.parameters import PARAMETERS
+from sdfcheck.formats.sdf.survey import PARAMETERS
 
 _OWN = frozenset({"element_id", "action"})
 

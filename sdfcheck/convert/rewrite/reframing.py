@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from sdfcheck.convert.rewrite.renaming import Names, same_geometry, same_pose, seat
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 

@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator
 from xml.sax.saxutils import escape
 
-from sdfcheck.convert.writer import INDENT, declared_prefixes
+from sdfcheck.convert.writer import INDENT, declared_prefixes, has_mixed_content, keeps_blanks
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
@@ -37,10 +37,10 @@ class Remark:
 class Branch:
     """An element that can be changed; ``origin`` is what it was read from.
 
-    ``parts`` are elements, remarks and texts, in order.
+    ``parts`` are elements, remarks and texts, in order. ``verbatim``: every blank in it is its author's.
     """
 
-    __slots__ = ("after_gap", "attributes", "name", "origin", "parts")
+    __slots__ = ("after_gap", "attributes", "name", "origin", "parts", "verbatim")
 
     def __init__(self, name: str, /, *texts: str, **attributes: str) -> None:
         self.name = name
@@ -48,6 +48,7 @@ class Branch:
         self.parts: list[Branch | Remark | str] = list(texts)
         self.origin: Element | None = None
         self.after_gap = False
+        self.verbatim = False
 
     def __repr__(self) -> str:
         return f"Branch({self.name})"
@@ -94,23 +95,44 @@ class Branch:
             yield from child.walk()
 
 
-def branch_of(element: Element) -> Branch:
-    """A copy of an element and all in it."""
+def branch_of(element: Element, *, is_free: bool = False) -> Branch:
+    """A copy of an element and all in it; ``is_free``: it is in a plugin or custom element.
+
+    Words between elements there, and all in an element that says so (``xml:space``), keep every blank.
+    """
     branch = Branch(element.name)
     branch.origin = element
     branch.attributes = {**element.attributes, **declared_prefixes(element)}
+    is_free = is_free or element.is_custom or element.name == "plugin"
+    if keeps_blanks(element) or (is_free and has_mixed_content(element)):
+        return _verbatim(branch, element)
     before = element.text or ""
     for child in element:
         if before.strip():
             branch.parts.append(before.strip())
         blanks = before[len(before.rstrip()) :]
-        part = _part(child, "\n" not in blanks)
+        part = _part(child, "\n" not in blanks, is_free=is_free)
         if part is not None:
             part.after_gap = blanks.count("\n") > 1
             branch.parts.append(part)
         before = child.tail or ""
     if before.strip():
         branch.parts.append(before.strip())
+    return branch
+
+
+def _verbatim(branch: Branch, element: Element) -> Branch:
+    branch.verbatim = True
+    branch.parts += [element.text] if element.text else []
+    for child in element:
+        if isinstance(child.tag, str):
+            inner = Branch(child.name)
+            inner.origin = child
+            inner.attributes = {**child.attributes, **declared_prefixes(child)}
+            branch.parts.append(_verbatim(inner, child))
+        elif (part := _part(child, False)) is not None:
+            branch.parts.append(part)
+        branch.parts += [child.tail] if child.tail else []
     return branch
 
 
@@ -133,20 +155,21 @@ def text_of(branch: Branch) -> str:
     return "\n".join(lines)
 
 
-def _part(node: object, beside: bool) -> Branch | Remark | None:
+def _part(node: object, beside: bool, *, is_free: bool = False) -> Branch | Remark | None:
     from lxml import etree
 
     if isinstance(node, Element):
-        return branch_of(node)
+        return branch_of(node, is_free=is_free)
     if isinstance(node, etree._ProcessingInstruction):
         return Remark(node.text or "", target=str(node.target), beside=beside)
     return Remark(node.text or "", beside=beside) if isinstance(node, etree._Comment) else None
 
 
 def _write(branch: Branch, indent: str, lines: list[str]) -> None:
-    attributes = "".join(f' {key}="{escape(value, _IN_QUOTES)}"' for key, value in branch.attributes.items())
-    start = f"{indent}<{branch.name}{attributes}"
-    parts = branch.parts
+    if branch.verbatim:
+        lines.append(f"{indent}{_inline(branch)}")
+        return
+    start, parts = f"{indent}{_start(branch)}", branch.parts
     if not parts:
         lines.append(f"{start}/>")
         return
@@ -164,3 +187,18 @@ def _write(branch: Branch, indent: str, lines: list[str]) -> None:
         else:
             lines.append(f"{indent}{INDENT}{escape(part) if isinstance(part, str) else part}")
     lines.append(f"{indent}</{branch.name}>")
+
+
+def _start(branch: Branch) -> str:
+    attributes = "".join(f' {key}="{escape(value, _IN_QUOTES)}"' for key, value in branch.attributes.items())
+    return f"<{branch.name}{attributes}"
+
+
+def _inline(part: Branch | Remark | str) -> str:
+    """A part with the spaces that it has, and no others."""
+    if isinstance(part, str):
+        return escape(part)
+    if isinstance(part, Remark):
+        return str(part)
+    inner = "".join(map(_inline, part.parts))
+    return f"{_start(part)}>{inner}</{part.name}>" if inner else f"{_start(part)}/>"

@@ -7,8 +7,8 @@ from lxml import etree
 from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.rewrite.include_expansion import expanded
 from sdfcheck.convert.rewrite.tidy_tree import Branch, render
+from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.robot.includes.included import included, includes_of
-from sdfcheck.robot.includes.parameters import PARAMETERS
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.spans import Spans

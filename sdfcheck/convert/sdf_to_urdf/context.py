@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
+from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.options import Options
 from sdfcheck.convert.sdf_to_urdf.plan.arrange import Arrangement
 from sdfcheck.convert.sdf_to_urdf.plan.layout import Layout
@@ -54,8 +54,14 @@ class Context:
     """Source joints whose positions have no equal in the result."""
     unmimicked: set[str] = field(default_factory=set)
     """Source joints that follow another, which URDF cannot say."""
+    natives: frozenset[str] = frozenset()
+    """Shapes that only Drake has, and that the description is written for."""
+    actuators: dict[str, list[Node]] = field(default_factory=dict)
+    """Joint of the URDF → what vendors say of its actuator."""
+    drake_frames: dict[str, str] = field(default_factory=dict)
+    """Source link or frame → the frame that is written for Drake."""
     colors: dict[str, str] = field(default_factory=dict)
-    """Colour → the material that has it."""
+    """Color → the material that has it."""
 
     def link_name(self, name: str) -> str:
         return self.links.get(name, name)

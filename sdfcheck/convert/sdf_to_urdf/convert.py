@@ -7,25 +7,33 @@ from pathlib import Path
 
 import numpy as np
 
+from sdfcheck.convert.contents.of_sdf import of_model
+from sdfcheck.convert.contents.of_urdf import of_urdf
+from sdfcheck.convert.empty_shapes import without_empty_shapes
+from sdfcheck.convert.ledger import TEXT, Ledger
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion
 from sdfcheck.convert.rewrite.written_out import WrittenOut, needs_writing_out, written_out
+from sdfcheck.convert.sdf_to_urdf.closing import close
 from sdfcheck.convert.sdf_to_urdf.comments import around_root
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.custom import namespace_of
 from sdfcheck.convert.sdf_to_urdf.extensions import keep_base, keep_place, keep_static
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
 from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
-from sdfcheck.convert.sdf_to_urdf.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.links import add_link
 from sdfcheck.convert.sdf_to_urdf.materials import define_colors
 from sdfcheck.convert.sdf_to_urdf.models import add_frames, enter_models, include_title
 from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.sdf_to_urdf.plan.arrange import WORLD, arrange
-from sdfcheck.convert.sdf_to_urdf.plan.choose import choose, others
+from sdfcheck.convert.sdf_to_urdf.plan.choose import choose
 from sdfcheck.convert.sdf_to_urdf.plan.layout import is_same, lay_out, tidy
 from sdfcheck.convert.sdf_to_urdf.plan.meaning import coupling, understood
 from sdfcheck.convert.sdf_to_urdf.plan.naming import named
+from sdfcheck.convert.sdf_to_urdf.shapes import DRAKE_SHAPES, HELD
+from sdfcheck.convert.sdf_to_urdf.vendor_tags import write_actuators
+from sdfcheck.convert.sdf_to_urdf.words import WORDS
+from sdfcheck.convert.vendor.spelling import uses
 from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, render, undeclared_prefixes, with_line_ends
 from sdfcheck.lint.diagnostic import Severity
@@ -61,17 +69,15 @@ def convert(
     except (DescriptionError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
     text = _text(context)
+    written = read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF)
+    assert written.root is not None
     try:
-        result = mechanism_of(
-            root_of(read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF)).models[0]
-        )
+        result = mechanism_of(root_of(written).models[0], vendors=True)
     except DescriptionError as error:
         raise refusal(scope.element, f"in the result, at {error.element.title}: {error}") from None
-    comparison = Comparison(_expected(context), result, _correspondence(context))
-    for other in others(document, scope):
-        context.ledger.lose(
-            LossKind.DROPPED_ELEMENT, other, f"{other.title} is no part of model `{scope.name}`"
-        )
+    context.ledger.prove(written.root)
+    contents = (of_model(scope), of_urdf(root_of(written).models[0]))
+    comparison = Comparison(_expected(context), result, _correspondence(context), contents)
     for include in document.expanded if isinstance(document, WrittenOut) else ():
         context.ledger.note(
             LossKind.EXPANDED_INCLUDE, include, f"{include_title(include)} is written out", Severity.INFO
@@ -90,11 +96,13 @@ def _text(context: Context) -> str:
 
 
 def _prepare(scope: Model, options: Options, folder: Path) -> Context:
-    robot = mechanism_of(scope)
+    robot = without_empty_shapes(mechanism_of(scope, vendors=True))
     if not robot.links:
         raise refusal(scope.element, f"{scope.element.title} has no link")
     poses = scope.root.poses
-    meant = understood(robot, options.planes)
+    for_drake = uses(scope.element, "drake")
+    natives = DRAKE_SHAPES if for_drake else frozenset[str]()
+    meant = understood(robot, options.planes, natives)
     frames = dict(scope.all_nodes())
     canonical = scope.canonical_link
     canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
@@ -117,13 +125,14 @@ def _prepare(scope: Model, options: Options, folder: Path) -> Context:
         places,
         options,
         folder,
-        Ledger(),
+        Ledger(WORDS, "URDF"),
         root,
+        natives=natives,
     )
 
 
 def _write(context: Context) -> None:
-    """Write the robot: colours, links, joints, frames, extensions."""
+    """Write the robot: colors, links, joints, frames, extensions."""
     define_colors(context)
     _add_root(context)
     for name in _in_order(context):
@@ -136,13 +145,14 @@ def _write(context: Context) -> None:
     _tie_tops(context)
     _leave_out(context)
     add_frames(context)
-    for element in enter_models(context):
-        context.ledger.close(element)
+    brought = enter_models(context)
+    write_actuators(context)
     context.root.children.extend(context.blobs.values())
+    close(context, brought)
 
 
 def _in_order(context: Context) -> list[str]:
-    """The links; the canonical one first, as readers that count on that expect it."""
+    """The links; the canonical one first, as consumers that count on that expect it."""
     names = list(context.robot.links)
     canonical = context.scope.canonical_link
     first = next((name for name in names if context.frames[name] is canonical), "")
@@ -158,9 +168,9 @@ def _add_root(context: Context) -> None:
     made, scope = context.made, context.scope
     element = scope.element
     pose = element.find("pose")
-    context.ledger.take(element, pose)
+    context.ledger.take_parts(element, "pose")
     static = element.find("static")
-    context.ledger.take(static)
+    context.ledger.take(static, TEXT)
     if scope.is_static:
         at = static if static is not None else element
         keep_static(context, at)
@@ -285,5 +295,5 @@ def _correspondence(context: Context) -> Correspondence:
         parts=context.parts,
         unlimited=min(context.options.unlimited, 1e15),
         dropped_joints=frozenset({joint.name for joint in context.made.loops} | context.floating),
-        dropped_geometries=frozenset(kinds - {"box", "cylinder", "sphere", "mesh"}),
+        dropped_geometries=frozenset(kinds - HELD - context.natives),
     )

@@ -5,37 +5,97 @@ from __future__ import annotations
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
+from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import Node, copied
-from sdfcheck.formats.vendor.definitions import Tag
+from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 
+_OF_URDF = frozenset(("urdf:ros2_control", "urdf:transmission"))
+"""What the way from URDF to SDFormat keeps of a robot under a prefix."""
 
-def carry_custom(context: Context, node: Node, element: Element, scope: str) -> None:
+
+def carry_custom(context: Context, node: Node, element: Element | None, scope: str) -> None:
     """Write the custom attributes and children of an element of a nested model ``scope`` into its equal."""
+    if element is None:
+        return
     for name, text in element.attributes.items():
-        if ":" in name and not name.startswith("xml"):
-            _declare(context, element, name)
-            node.attributes[name] = text
+        if ":" not in name:
+            continue
+        _declare(context, element, name)
+        _carry_attribute(context, node, element, name, text, VendorTags(context, scope))
     for child in element.children():
-        if not child.is_custom:
+        if not child.is_custom or child.name == PARAMETERS:
+            continue
+        if node is context.root and child.name in _OF_URDF:
+            _give_back(context, child)
             continue
         _declare(context, child, child.name)
+        if VendorTags(context, scope).put(child, node):
+            continue
         copy = copied(child)
         copy.attributes.pop(f"xmlns:{child.name.partition(':')[0]}", None)
-        _spell(copy)
         follow_names(context, copy, child, scope)
         node.append(copy)
         message = f"`{child.name}` is carried over for those who read it; poses in it are not translated"
-        context.ledger.cover(child)
+        context.ledger.copy(child)
         context.ledger.note(LossKind.KEPT_AS_EXTENSION, child, message, Severity.INFO)
+
+
+def _carry_attribute(
+    context: Context, node: Node, element: Element, name: str, text: str, tags: VendorTags
+) -> None:
+    if tags.is_ignored(name):
+        message = (
+            f"attribute `{name}` of {element.title} is left out: it is ignored here, and would not be in URDF"
+        )
+        context.ledger.lose_attribute(element, name, message)
+    elif node.attributes.get(name) == text:
+        context.ledger.take(element, name)  # one for both
+    elif node.attributes.setdefault(name, text) == text:
+        context.ledger.copy_attribute(element, name)
+    else:
+        message = f"attribute `{name}` of {element.title} is left out: there is another one"
+        context.ledger.lose_attribute(element, name, message)
+
+
+def _give_back(context: Context, element: Element) -> None:
+    """Write what came from URDF, and means something there only, as it was."""
+    copy = copied(element)
+    for name in [name for name in copy.attributes if name.startswith("xmlns:urdf")]:
+        del copy.attributes[name]
+    copy.name = element.name.partition(":")[2]
+    follow_names(context, copy, element, "")
+    context.root.append(copy)
+    context.ledger.take_whole(element)
+
+
+def carry_parts(context: Context, node: Node, element: Element, scope: str, *parts: str) -> None:
+    """The same for an element and parts of it that are written: ``pose=origin`` where URDF calls them otherwise."""
+    carry_custom(context, node, element, scope)
+    for part in parts:
+        name, _, counterpart = part.partition("=")
+        own = element.find(name)
+        if own is None or not has_custom(own):
+            continue
+        # An origin may be empty; a limit may not.
+        equal = node.reach(counterpart) if counterpart == "origin" else node.find(counterpart or name)
+        if equal is not None:
+            carry_custom(context, equal, own, scope)
+
+
+def has_custom(element: Element) -> bool:
+    """Are there custom attributes or children that need an equal to hang on?"""
+    return any(":" in name for name in element.attributes) or any(
+        child.is_custom for child in element.children()
+    )
 
 
 def _declare(context: Context, element: Element, name: str) -> None:
     prefix = name.partition(":")[0]
-    if uri := element.nsmap.get(prefix):
+    if prefix != "xml" and (uri := element.nsmap.get(prefix)):
         context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
 
 
@@ -43,26 +103,3 @@ def namespace_of(prefix: str) -> str:
     """What to declare for a prefix that its document does not declare."""
     known = (vendor(table, "urdf").namespace for table in BUILT_IN if prefix_of(table) == prefix)
     return next(known, f"urn:{prefix}")
-
-
-def _spell(node: Node) -> None:
-    """Let values be attributes where the readers of a known prefix look for them so in URDF."""
-    for table in BUILT_IN:
-        if node.name.startswith(f"{prefix_of(table)}:"):
-            tag = vendor(table, "urdf").tags.get(node.name)
-            if tag is not None:
-                _move_values(node, tag)
-    for child in node.children:
-        if isinstance(child, Node):
-            _spell(child)
-
-
-def _move_values(node: Node, tag: Tag) -> None:
-    carrier = next((place.carrier for place in tag.places if place.carrier.startswith("@")), "")
-    if carrier and node.text and not node.children:
-        node.attributes[carrier[1:]], node.text = node.text, None
-    for part in [part for part in node.children if isinstance(part, Node)]:
-        own = part.name.rpartition(":")[2]
-        if own in tag.attributes and part.text and not part.children:
-            node.attributes[own] = part.text
-            node.children.remove(part)

@@ -6,12 +6,15 @@ from collections.abc import Callable
 
 import numpy as np
 
+from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.old_sensors import renew
 from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
+from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.frame import MergedFrame
 from sdfcheck.robot.motion.rotations import Array
@@ -62,7 +65,7 @@ def keep_place(context: Context, pose: Array) -> None:
 def keep_static(context: Context, static: Element) -> None:
     """Keep that the model does not move."""
     context.blob().add("static", "true")
-    context.ledger.take(static)
+    context.ledger.take(static, TEXT)
 
 
 def keep_base(context: Context, joint: str, pose: Array) -> None:
@@ -81,7 +84,7 @@ def keep_frame(context: Context, name: str, link: str, pose: Array, frame: Robot
     if isinstance(frame, MergedFrame):
         return
     carry_inside(context, node, frame.element)
-    context.ledger.take(frame.element, frame.element.find("pose"))
+    context.ledger.take_parts(frame.element, "pose")
     message = f"{frame.element.title} is kept for libsdformat alone; --frames makes it a link"
     context.ledger.note(LossKind.KEPT_AS_EXTENSION, frame.element, message, Severity.INFO)
 
@@ -101,16 +104,19 @@ def _keep(
     for child in kept:
         carry_comments(context, holder, child)
         copy = copied(child)
+        if renew(copy, NEWEST):
+            message = f"the noise of {child.title} is written for each axis, as SDFormat has it since 1.6"
+            context.ledger.note(LossKind.CHANGED_DEFAULT, child, message, Severity.INFO)
         written = pose(child) if pose is not None else None
         if written is not None:
             place = copy.find("pose")
             if place is None:
                 place = Node("pose")
                 copy.children.insert(0, place)
-            place.text, place.attributes = written, {}
+            place.say(written)
         follow_names(context, copy, child, scope)
         holder.append(copy)
-        context.ledger.cover(child)
+        context.ledger.copy(child)
         message = (
             f"{child.title} of {element.title} is kept as a gazebo extension, which libsdformat alone reads"
         )
@@ -130,7 +136,7 @@ def _keep_springs(context: Context, axis: Element, reference: str) -> None:
         value = dynamics.find(name) if dynamics is not None else None
         if value is None:
             continue
-        context.ledger.take(value)
+        context.ledger.take(value, TEXT)
         if value.own_value.number != 0:
             context.blob(reference).add(spelled, value.content)
             message = (
@@ -140,7 +146,7 @@ def _keep_springs(context: Context, axis: Element, reference: str) -> None:
     for name, default in (("stiffness", 1e8), ("dissipation", 1.0)):
         value = limit.find(name) if limit is not None else None
         if value is not None and value.own_value.number == default:
-            context.ledger.take(value)
+            context.ledger.take(value, TEXT)
 
 
 def of_frame(context: Context, link: str, pose: Array) -> Array:

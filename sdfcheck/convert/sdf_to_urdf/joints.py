@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
+from sdfcheck.convert.sdf_to_urdf.custom import carry_parts
 from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions
 from sdfcheck.convert.sdf_to_urdf.kept_joints import keep_joint
 from sdfcheck.convert.sdf_to_urdf.limits import add_dynamics, add_limit, add_mimic, enter_axis
@@ -21,6 +22,8 @@ from sdfcheck.robot.motion.mechanism import Axis, Joint
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.element import Element
 
+_DAMPINGS = 3
+"""Of a planar joint; Drake takes fewer for none."""
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
 
 
@@ -28,7 +31,9 @@ def add_edge(context: Context, edge: Edge) -> None:
     """Write a joint of the tree."""
     joint = context.robot.joints[edge.joint.name]
     element = joint.element
-    context.ledger.take_parts(element, "parent", "child", "pose", "screw_thread_pitch", "thread_pitch")
+    context.ledger.take_parts(element, "parent", "child", "pose")
+    for pitch in ("screw_thread_pitch", "thread_pitch"):
+        context.ledger.take(element.find(pitch), TEXT)
     carry_comments(context, context.root, element)
     if edge.is_reversed:
         _tell_reversed(context, edge)
@@ -41,9 +46,13 @@ def add_edge(context: Context, edge: Edge) -> None:
         written = _add_screw(context, edge, joint, parent, carried)
     elif joint.kind in _SAME_IN_URDF:
         written = _add_plain(context, edge, joint, parent, carried)
+    elif joint.kind == "planar" and not edge.is_reversed:
+        written = _add_planar(context, edge, joint, parent, carried)
     else:
         written = _add_unsupported(context, edge, joint, parent, carried)
-    carry_custom(context, written, element, joint.name.rpartition("::")[0])
+    scope = joint.name.rpartition("::")[0]
+    ends = ("parent=child", "child=parent") if edge.is_reversed else ("parent", "child")
+    carry_parts(context, written, element, scope, "pose=origin", *ends)
     if below is not None:
         context.root.add("link", name=below[0])
         add_fixed(
@@ -53,7 +62,7 @@ def add_edge(context: Context, edge: Edge) -> None:
             child,
             inverse(below[1]) @ context.layout.frames[edge.child],
         )
-    if joint.name not in context.kept:
+    if joint.name not in context.kept and element.name == "joint":
         joint_extensions(context, joint.name, context.joints[joint.name])
     carry_inside(context, written, element)
 
@@ -95,12 +104,32 @@ def _add_plain(context: Context, edge: Edge, joint: Joint, parent: str, child: s
     return node
 
 
+def _add_planar(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+    """A ``drake:joint`` of SDFormat is a plain joint of URDF, which has planar ones."""
+    node = context.root.add("joint", name=context.joints[joint.name], type="planar")
+    _connect(node, parent, child, *_start(context, edge))
+    node.add("axis", xyz="0 0 1")
+    if (damping := joint.element.find("drake:damping")) is not None:
+        text = " ".join(damping.content.split())
+        node.add("dynamics", damping=text if len(text.split()) == _DAMPINGS else "0 0 0")
+    return node
+
+
 def _add_axis(context: Context, node: Node, joint: Joint, axis: Axis, edge: Edge) -> None:
     direction = -axis.direction if edge.is_reversed else axis.direction
-    node.add("axis", xyz=shortened(direction))
+    written = node.add("axis", xyz=shortened(direction))
     add_limit(context, node, joint, axis)
     add_dynamics(node, axis)
     add_mimic(context, node, joint, axis)
+    source = joint.element.find("axis" if axis is joint.axes[0] else "axis2")
+    if source is None:
+        return
+    scope = joint.name.rpartition("::")[0]
+    carry_parts(context, written, source, scope)
+    for part in source.children():
+        equal = written if part.name == "xyz" else node.find(part.name)
+        if part.name in {"xyz", "limit", "dynamics", "mimic"} and equal is not None:
+            carry_parts(context, equal, part, scope)
 
 
 def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
@@ -110,7 +139,7 @@ def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
             if (mimic := axis.find("mimic")) is not None:
                 message = f"the mimic of {joint.element.title} is left out: the joint is fixed"
                 context.ledger.lose(LossKind.DROPPED_MIMIC, mimic, message)
-            context.ledger.take_whole(axis)
+            context.ledger.take_all(axis)
     context.blob(name).add("preserveFixedJoint", "true")
 
 
@@ -186,10 +215,29 @@ def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, ch
     node = context.root.add("joint", name=name, type=policy.value)
     _connect(node, parent, child, *_start(context, edge))
     message = f"{what}: {joint.element.title} is written as {policy.value}"
-    if policy is Unsupported.FLOATING:
+    if policy is Unsupported.FLOATING and joint.element.name == "joint":
         keep_joint(context, joint, in_parent=True)
         message += ", and kept for libsdformat"
+    if policy is Unsupported.FLOATING and _is_for_drake(context, edge, joint):
+        node = _add_for_drake(context, edge, joint, parent, child)
+        message += ", and as `drake:joint` for Drake"
     context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message, Severity.ERROR)
+    return node
+
+
+def _is_for_drake(context: Context, edge: Edge, joint: Joint) -> bool:
+    return bool(context.natives) and joint.kind in {"ball", "curvilinear"} and not edge.is_reversed
+
+
+def _add_for_drake(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+    """Drake makes nothing of a floating joint, and this in its place."""
+    node = context.root.add("drake:joint", name=context.joints[joint.name], type=joint.kind)
+    _connect(node, parent, child, *_start(context, edge))
+    axis = joint.element.find("axis")
+    dynamics = axis.find("dynamics") if axis is not None else None
+    damping = dynamics.find("damping") if dynamics is not None else joint.element.find("drake:damping")
+    if damping is not None:
+        node.add("dynamics", damping=" ".join(damping.content.split()))
     return node
 
 

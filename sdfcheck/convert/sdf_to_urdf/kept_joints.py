@@ -7,6 +7,7 @@ from sdfcheck.convert.sdf_to_urdf.poses import pose_text, shortened
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.robot.motion.mechanism import Joint
+from sdfcheck.source.element import Element
 
 _REPLACED = frozenset({"parent", "child", "pose"})
 _DIRECTION = frozenset({"xyz", "use_parent_model_frame"})
@@ -30,14 +31,27 @@ def keep_joint(context: Context, joint: Joint, *, in_parent: bool = False) -> No
         place = [Node("pose", pose, relative_to="__model__" if parent == "world" else parent)]
     else:
         place = [Node("pose", pose)] if pose != "0 0 0 0 0 0" else []
-    copy.children[:0] = [*place, Node("parent", parent), Node("child", child)]
+    copy.children[:0] = [
+        _with_custom(n, joint.element) for n in (*place, Node("parent", parent), Node("child", child))
+    ]
     for number, axis in enumerate(joint.axes):
         node = copy.find("axis" if number == 0 else "axis2")
         if node is not None:
             node.children = [
                 part for part in node.children if not (isinstance(part, Node) and part.name in _DIRECTION)
             ]
-            node.children.insert(0, Node("xyz", shortened(axis.direction)))
+            written = joint.element.find(node.name)
+            xyz = Node("xyz", shortened(axis.direction))
+            node.children.insert(0, xyz if written is None else _with_custom(xyz, written))
     context.blob().append(copy)
     context.kept.add(joint.name)
-    context.ledger.cover(joint.element)
+    context.ledger.take_whole(joint.element)
+
+
+def _with_custom(node: Node, holder: Element) -> Node:
+    """A new node with the custom attributes of what it takes the place of in ``holder``."""
+    old = holder.find(node.name)
+    for name, text in () if old is None else old.attributes.items():
+        if ":" in name:
+            node.attributes.setdefault(name, text)
+    return node

@@ -102,7 +102,7 @@ def add_mimic(context: Context, node: Node, joint: Joint, axis: Axis) -> None:
         return
     offset = mimic.offset - mimic.multiplier * mimic.reference
     if written is not None:
-        context.ledger.take_whole(written)
+        context.ledger.take_all(written)
     node.add(
         "mimic",
         joint=context.joints[mimic.leader],

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
+from sdfcheck.convert.sdf_to_urdf.custom import carry_custom, carry_parts
 from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
 from sdfcheck.convert.sdf_to_urdf.materials import add_color
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin
 from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, stand_in
 from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
-from sdfcheck.convert.writer import Node, number
+from sdfcheck.convert.sdf_to_urdf.vendor_frictions import carry_friction
+from sdfcheck.convert.writer import Node, number, settled
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Link
 from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, transform
@@ -31,7 +33,7 @@ def add_link(context: Context, name: str) -> None:
     link = context.robot.links[name]
     carry_comments(context, context.root, link.element)
     node = context.root.add("link", name=context.links[name])
-    context.ledger.take(link.element, link.element.find("pose"))
+    context.ledger.take_parts(link.element, "pose")
     _add_inertial(context, node, link)
     for role in ("visual", "collision"):
         _add_parts(context, node, link, role)
@@ -53,14 +55,20 @@ def _add_inertial(context: Context, node: Node, link: Link) -> None:
     carry_comments(context, node, inertial.element)
     context.ledger.take_parts(inertial.element, "pose", "mass", "inertia")
     if inertial.is_automatic and link.body is not None:
-        context.ledger.take_parts(inertial.element, "density", "auto_inertia_params")
-        for collision in link.element.children("collision"):
-            context.ledger.take_parts(collision, "density", "auto_inertia_params")
+        for part in (inertial.element, *link.element.children("collision")):
+            _enter_automatic(context, part)
         message = f"the inertia of {link.element.title} is computed from its collisions and written"
         context.ledger.note(LossKind.CHANGED_INERTIA, inertial.element, message, Severity.INFO)
         _write_body(context, node, link, link.body)
     else:
         _write_inertial(context, node, link, inertial)
+
+
+def _enter_automatic(context: Context, part: Element) -> None:
+    """What an automatic inertia is computed from."""
+    context.ledger.take(part.find("density"), TEXT)
+    for parameters in part.children("auto_inertia_params"):
+        context.ledger.take_whole(parameters)
 
 
 def _inertial(context: Context, link: Link) -> Inertial:
@@ -74,7 +82,7 @@ def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial
     tensor = inertial.tensor._asdict()
     mass = float(inertial.mass)
     pose = link.pose @ written_pose(inertial.element.find("pose"))
-    _write(context, node, inertial.element, context.layout.within(link.name, pose), mass, tensor)
+    _write(context, node, link, context.layout.within(link.name, pose), mass, tensor)
     moments = (inertial.moments[name] for name in ("ixx", "iyy", "izz"))
     given = {"mass": inertial.mass.is_given, "moments": all(moment.is_given for moment in moments)}
     missing = [what for what, is_given in given.items() if not is_given]
@@ -87,19 +95,22 @@ def _write_body(context: Context, node: Node, link: Link, body: MassProperties) 
     places = {"x": 0, "y": 1, "z": 2}
     tensor = {name: float(body.moments[places[name[1]], places[name[2]]]) for name in _COMPONENTS}
     pose = link.pose @ transform(np.eye(3), body.center)
-    source = link.element.find("inertial")
-    _write(context, node, source, context.layout.within(link.name, pose), body.mass, tensor)
+    _write(context, node, link, context.layout.within(link.name, pose), body.mass, tensor)
 
 
 def _write(
-    context: Context, node: Node, source: Element | None, pose: Array, mass: float, tensor: dict[str, float]
+    context: Context, node: Node, link: Link, pose: Array, mass: float, tensor: dict[str, float]
 ) -> None:
-    inertial = node.add("inertial")
+    inertial, source = node.add("inertial"), link.element.find("inertial")
     if source is not None:
         carry_inside(context, inertial, source)
     add_origin(inertial, pose, None if source is None else source.find("pose"))
     inertial.add("mass", value=number(mass))
-    inertial.add("inertia", **{name: number(tensor[name]) for name in _COMPONENTS})
+    largest = max(map(abs, tensor.values()))
+    inertial.add("inertia", **{name: number(settled(tensor[name], largest)) for name in _COMPONENTS})
+    if source is not None:
+        scope = link.name.rpartition("::")[0]
+        carry_parts(context, inertial, source, scope, "pose=origin", "mass", "inertia")
 
 
 def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
@@ -108,9 +119,11 @@ def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
         if geometry.role == role:
             shapes.setdefault(geometry.element, []).append(geometry)
     parts = [part for part in link.element.children(role) if _is_held(context, part, shapes.get(part, []))]
+    scope = link.name.rpartition("::")[0]
     nameless = keep_extras(context, link, role, parts)
     for part in parts:
-        context.ledger.take(part, part.find("pose"), part.find("geometry"))
+        context.ledger.take_parts(part, "pose")
+        context.ledger.take(part.find("geometry"))
         shape, written_as = stand_in(shapes[part])
         if shape:
             message = f"the {shape} of {part.title} of {link.element.title} is written as {written_as}"
@@ -123,21 +136,23 @@ def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
                 written.attributes["name"] = geometry.name
             pose = context.layout.within(link.name, link.pose @ geometry.pose)
             add_origin(written, pose, part.find("pose"))
-            add_shape(context, written, geometry)
+            add_shape(context, written, geometry, scope)
             if role == "visual":
-                add_color(context, written, part)
-            carry_custom(context, written, part, link.name.rpartition("::")[0])
+                add_color(context, written, part, scope)
+            carry_parts(context, written, part, scope, "pose=origin", "geometry")
+            if role == "collision":
+                carry_friction(context, written, part)
             carry_inside(context, written, part)
 
 
 def _is_held(context: Context, part: Element, shapes: list[Geometry]) -> bool:
     """Can URDF hold it? If not, it is entered as lost."""
-    kinds = sorted({geometry.kind for geometry in shapes if geometry.kind not in HELD})
+    kinds = sorted({geometry.kind for geometry in shapes if geometry.kind not in HELD | context.natives})
     if shapes and not kinds:
         return True
     holder = part.parent
     whose = f" of {holder.title}" if holder is not None else ""
-    what = f"URDF has no {kinds[0]}" if kinds else "it has no shape"
+    what = f"URDF has no {kinds[0]}" if kinds else "it has no shape, or one of size 0"
     message = f"{part.title}{whose} is left out: {what}"
     kind = LossKind.UNSUPPORTED_GEOMETRY if kinds else LossKind.DROPPED_ELEMENT
     context.ledger.lose(kind, part, message, Severity.ERROR if kinds else Severity.WARNING)

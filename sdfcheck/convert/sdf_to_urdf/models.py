@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.comments import carry_around, carry_comments
 from sdfcheck.convert.sdf_to_urdf.context import Context
@@ -17,6 +18,8 @@ from sdfcheck.source.element import Element
 def enter_models(context: Context) -> list[Element]:
     """Enter the models themselves and keep what extensions can hold of them; returns their elements."""
     elements = [context.scope.element]
+    if context.scope.place is not context.scope.element:
+        _enter_include(context, context.scope.place, "")
     _enter(context, context.scope.element, "")
     for name, frame in context.frames.items():
         if isinstance(frame, Model) and frame.is_readable:
@@ -31,7 +34,16 @@ def enter_models(context: Context) -> list[Element]:
             _enter_include(context, frame.place, scope)
         elements.append(brought)
         _enter(context, brought, scope)
+    for element in elements:
+        _report_missing(context, element)
     return elements
+
+
+def _report_missing(context: Context, model: Element) -> None:
+    for include in model.children("include"):
+        if not context.ledger.is_entered(include):
+            message = f"{include_title(include)} is left out: it cannot be read"
+            context.ledger.lose(LossKind.UNKNOWN_REFERENCE, include, message)
 
 
 def _enter(context: Context, model: Element, scope: str) -> None:
@@ -39,7 +51,8 @@ def _enter(context: Context, model: Element, scope: str) -> None:
     context.ledger.take(model)
     if model is not context.scope.element:
         static = model.find("static")
-        context.ledger.take(pose, static)
+        context.ledger.take(pose)
+        context.ledger.take(static, TEXT)
         if static is not None and static.content.lower() in {"true", "1"} and not context.scope.is_static:
             message = f"{model.title} is static, and what it is part of is not: it moves with it"
             context.ledger.note(LossKind.DROPPED_ELEMENT, static, message)
@@ -50,9 +63,11 @@ def _enter(context: Context, model: Element, scope: str) -> None:
 
 def _enter_include(context: Context, include: Element, scope: str) -> None:
     model_extensions(context, include, scope)
-    context.ledger.take_parts(
-        include, "uri", "name", "pose", "static", "placement_frame", "experimental:params"
-    )
+    context.ledger.take_parts(include, "uri", "pose")
+    for name in ("name", "static", "placement_frame"):
+        context.ledger.take(include.find(name), TEXT)
+    for parameters in include.children("experimental:params"):
+        context.ledger.take_whole(parameters)
     message = f"{include_title(include)} is written out"
     context.ledger.note(LossKind.EXPANDED_INCLUDE, include, message, Severity.INFO)
 
@@ -81,4 +96,4 @@ def add_frames(context: Context) -> None:
         carry_comments(context, context.root, frame.element)
         context.root.add("link", name=own)
         add_fixed(context, f"{own}_joint", context.links[link], own, pose)
-        context.ledger.take(frame.element, frame.element.find("pose"))
+        context.ledger.take_parts(frame.element, "pose")

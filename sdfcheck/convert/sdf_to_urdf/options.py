@@ -49,4 +49,4 @@ class Options:
     unlimited: float = 1e16
     """What is written for a limit that is infinite."""
     package_uris: bool = False
-    """Uris ``model://x`` are written ``package://x``, which readers of URDF resolve."""
+    """Uris ``model://x`` are written ``package://x``, which consumers of URDF resolve."""

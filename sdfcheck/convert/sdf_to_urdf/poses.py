@@ -15,7 +15,7 @@ _SHORT = 12
 
 
 def shortened(values: Array | tuple[float, ...]) -> str:
-    """Numbers without the rounding in their last digits, separated by blanks."""
+    """Numbers without the rounding in their last digits, separated by spaces."""
     return numbers(_shorter(float(value)) for value in values)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -10,17 +9,21 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.writer import Node, number, numbers
 from sdfcheck.robot.motion.mechanism import Geometry
-from sdfcheck.robot.motion.rotations import Array, about_axis, transform
+from sdfcheck.robot.motion.rotations import transform, z_towards
+from sdfcheck.robot.parts.shape import shape_in
 
 if TYPE_CHECKING:
     from sdfcheck.convert.sdf_to_urdf.context import Context
 
 HELD = frozenset({"box", "cylinder", "sphere", "mesh"})
-"""The shapes that every reader of URDF knows."""
+"""The shapes that every consumer of URDF knows."""
+DRAKE_SHAPES = frozenset({"capsule", "ellipsoid"})
+"""Those that Drake has in addition, by names of its own."""
 
 
 _THICKNESS = {"visual": 0.001, "collision": 0.1}
@@ -56,36 +59,28 @@ def _slab(geometry: Geometry) -> Geometry:
     height = _THICKNESS[geometry.role]
     if geometry.role == "collision":
         x, y = max(x, _ENDLESS), max(y, _ENDLESS)
-    turn = _from_above(normal / (np.linalg.norm(normal) or 1.0))
+    turn = z_towards(normal / (np.linalg.norm(normal) or 1.0))
     pose = geometry.pose @ transform(turn, turn @ (0.0, 0.0, -height / 2))
     return replace(geometry, kind="box", size=(x, y, height), pose=pose)
-
-
-def _from_above(normal: Array) -> Array:
-    """The 3×3 rotation that turns z into a direction."""
-    across = np.cross((0.0, 0.0, 1.0), normal)
-    length = float(np.linalg.norm(across))
-    axis = across / length if length > 1e-12 else np.array((1.0, 0.0, 0.0))
-    return about_axis(axis, math.atan2(length, float(normal[2])))
 
 
 def stand_in(written: list[Geometry]) -> tuple[str, str]:
     """A shape that URDF does not have, and what is written for it; empty if it has it."""
     shape = written[0].element.find("geometry")
-    own = next(shape.children(), None) if shape is not None else None
-    if own is None or own.name == written[0].kind:
+    own = shape_in(shape) if shape is not None else None
+    if own is None or own.name.removeprefix("drake:") == written[0].kind:
         return "", ""
     return own.name, "a cylinder and two spheres" if len(written) > 1 else f"a {written[0].kind}"
 
 
-def add_shape(context: Context, node: Node, geometry: Geometry) -> None:
+def add_shape(context: Context, node: Node, geometry: Geometry, scope: str) -> None:
     """Write the geometry of a visual or collision."""
     element = geometry.element.find("geometry")
-    shape = next(element.children(), None) if element is not None else None
+    shape = shape_in(element) if element is not None else None
     if shape is None:
         return
-    context.ledger.take_parts(shape, "size", "radius", "radii", "length", "normal", "uri", "scale")
-    attributes = {}
+    context.ledger.take_parts(shape, "size", "radius", "radii", "length", "normal", "uri", "scale", *"abc")
+    name, attributes = geometry.kind, {}
     if geometry.kind == "mesh":
         uri = shape.find("uri")
         attributes["filename"] = mesh_uri(context, geometry.uri, shape if uri is None else uri)
@@ -98,6 +93,10 @@ def add_shape(context: Context, node: Node, geometry: Geometry) -> None:
         attributes["size"] = numbers(geometry.size)
     elif geometry.kind == "sphere":
         attributes["radius"] = number(geometry.size[0])
+    elif geometry.kind == "ellipsoid":
+        attributes = dict(zip("abc", map(number, geometry.size), strict=True))
     else:
         attributes["radius"], attributes["length"] = (number(size) for size in geometry.size)
-    node.add("geometry").add(geometry.kind, **attributes)
+    if geometry.kind in context.natives:
+        name = f"drake:{name}"
+    carry_custom(context, node.add("geometry").add(name, **attributes), shape, scope)

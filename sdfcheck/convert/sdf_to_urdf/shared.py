@@ -33,7 +33,7 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
     blob = context.blob(context.links[link.name]).add(role)
     blob.children.extend(copied(extra) for extra in each[0])
     for extra in (extra for extras in each for extra in extras):
-        context.ledger.cover(extra)
+        context.ledger.copy(extra)
     names = ", ".join(f"`{extra.name}`" for extra in each[0])
     message = (
         f"{names} of the {role}s of {link.element.title} is kept for libsdformat alone, and costs their names"

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from sdfcheck.convert.ledger import Ledger
+from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.settings import value_of
-from sdfcheck.convert.writer import Comment, Node, comment_of, copied, numbers, spaced
+from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
+from sdfcheck.convert.urdf_to_sdf.words import WORDS
+from sdfcheck.convert.writer import Node, comment_of, copied, numbers, spaced
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
@@ -24,7 +27,7 @@ KEPT = "urdf"
 class Context:
     options: Options
     plan: Plan
-    losses: list[Loss] = field(default_factory=list)
+    ledger: Ledger = field(default_factory=lambda: Ledger(WORDS, "SDFormat"))
     links: dict[str, Node] = field(default_factory=dict)
     """What was written for each link (of the source) that survives."""
     joints: dict[str, Node] = field(default_factory=dict)
@@ -38,11 +41,58 @@ class Context:
     overruled: dict[str, dict[str, float]] = field(default_factory=dict)
     """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
     reported: set[str] = field(default_factory=set)
+    vendors: VendorTags = field(init=False)
+    """What knows how SDFormat has the tags of vendors."""
+
+    def __post_init__(self) -> None:
+        self.vendors = VendorTags(self.plan, self.options, self.note)
+
+    @property
+    def losses(self) -> list[Loss]:
+        return self.ledger.losses
+
+    def note(
+        self, element: Element, kind: LossKind, message: str, severity: Severity = Severity.WARNING
+    ) -> None:
+        """Something about an element is written otherwise."""
+        self.ledger.note(kind, element, message, severity)
 
     def lose(
         self, element: Element, kind: LossKind, message: str, severity: Severity = Severity.WARNING
     ) -> None:
-        self.losses.append(loss_at(element, kind, message, severity))
+        """An element is not in the result, nor is what is in it."""
+        self.ledger.lose(kind, element, message, severity)
+
+    def carry(self, element: Element | None, node: Node, *attributes: str) -> None:
+        """An element is said by a node, in these attributes (none: all); its custom data goes there as well."""
+        if element is None:
+            return
+        self.ledger.take(element, *attributes)
+        self.carry_attributes(element, node)
+        for child in element.children():
+            if child.is_custom and self.ledger.is_free(child):
+                self.keep(child, node)
+
+    def carry_attributes(self, element: Element, node: Node) -> None:
+        """Write the attributes of an element that are not of URDF, under the prefix that they have or ours."""
+        known = WORDS[element.name]
+        for name, text in element.attributes.items():
+            if name in known or self.vendors.knows(name):
+                continue
+            own = name if ":" in name else f"{KEPT}:{name}"
+            if node.attributes.get(own) == text:
+                self.ledger.take(element, name)  # one for both
+            elif node.attributes.setdefault(own, text) != text:
+                message = f"attribute `{name}` of {element.title} is left out: there is another one"
+                self.ledger.lose_attribute(element, name, message)
+            elif own == name:
+                self.ledger.copy_attribute(element, name)
+            else:
+                message = (
+                    f"attribute `{name}` of {element.title} means nothing in SDFormat; it is kept as `{own}`"
+                )
+                kind = LossKind.KEPT_AS_EXTENSION
+                self.ledger.lose_attribute(element, name, message, kind, Severity.INFO)
 
     def once(self, key: str) -> bool:
         """True at the first call with a key."""
@@ -50,6 +100,15 @@ class Context:
             return False
         self.reported.add(key)
         return True
+
+    def carry_comments(self, element: Element, node: Node) -> None:
+        """Write the comments in an element, but those in what is kept as it is."""
+        for part in element:
+            if (comment := comment_of(part)) is not None:
+                if self.ledger.take_comment(part):
+                    node.children.append(comment)
+            elif isinstance(part.tag, str) and part.name in WORDS:
+                self.carry_comments(part, node)
 
     def allows(self, place: str) -> bool:
         """Whether the version has an element at a place below ``model``, such as ``link/sensor``."""
@@ -71,28 +130,37 @@ class Context:
 
     def keep(self, element: Element, node: Node) -> None:
         """Carry something over that the target has no word for, under a prefix of its own."""
+        if element.name.startswith("xacro:"):
+            text = f"{element.title} is left out: nobody has expanded it"
+            self.lose(element, LossKind.DROPPED_ELEMENT, text)
+            return
+        if self.vendors.put(element, node):
+            self.ledger.take_whole(element)
+            return
         made = copied(element)
-        if not element.is_custom:
-            made.name = f"{KEPT}:{made.name}"
-            text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
-            self.lose(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
-            own = made.attributes.get("name")
-            if own is not None and node.name == "model" and not self.plan.names.claim(own):
-                # libsdformat wants different names of everything in a model, known to it or not.
-                made.attributes = {
-                    f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
-                }
-        elif node.name == "model" and (own := made.attributes.get("name")) is not None:
-            name = made.attributes["name"] = self.plan.names.free(own)
-            if name != own:
-                self.lose(element, LossKind.RENAMED, f"{element.title} is named `{name}`")
+        if element.is_custom:
+            self.ledger.copy(element)
+            self._name_anew(element, made, node)
+            node.append(made)
+            return
+        self.ledger.take_whole(element)
+        made.name = f"{KEPT}:{made.name}"
+        text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
+        self.note(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
+        own = made.attributes.get("name")
+        if own is not None and node.name == "model" and not self.plan.names.claim(own):
+            # libsdformat wants different names of everything in a model, known to it or not.
+            made.attributes = {
+                f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
+            }
         node.append(made)
 
-
-def comments_in(element: Element) -> list[Comment]:
-    """The comments anywhere inside an element."""
-    found = (comment_of(node) for node in element.iter())
-    return [comment for comment in found if comment is not None]
+    def _name_anew(self, element: Element, made: Node, node: Node) -> None:
+        """Give custom data at the model a name that nothing there has."""
+        if node.name == "model" and (own := made.attributes.get("name")) is not None:
+            name = made.attributes["name"] = self.plan.names.free(own)
+            if name != own:
+                self.note(element, LossKind.RENAMED, f"{element.title} is named `{name}`")
 
 
 def pose_text(element: Element) -> str | None:
@@ -109,6 +177,16 @@ def pose_of(pose: Array) -> str | None:
     """A 4×4 pose as text; None where it is identity."""
     text = numbers((*pose[:3, 3], *to_rpy(pose[:3, :3])))
     return None if text == "0 0 0 0 0 0" else text
+
+
+def has_custom(element: Element | None) -> bool:
+    """Has an element anything that needs a node to hang on?"""
+    if element is None:
+        return False
+    known = WORDS[element.name]
+    return any(name not in known for name in element.attributes) or any(
+        child.is_custom for child in element.children()
+    )
 
 
 def is_quaternion(element: Element) -> bool:

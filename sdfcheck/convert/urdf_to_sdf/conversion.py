@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from sdfcheck.convert.contents.of_sdf import of_model
+from sdfcheck.convert.contents.of_urdf import of_urdf
+from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion
-from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, pose_of, pose_text
+from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.extensions import Extensions
-from sdfcheck.convert.urdf_to_sdf.joints import Joints, frame_of
+from sdfcheck.convert.urdf_to_sdf.joints import Joints
 from sdfcheck.convert.urdf_to_sdf.links import Links
 from sdfcheck.convert.urdf_to_sdf.materials import Materials
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD, legal
@@ -16,11 +19,23 @@ from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_back
 from sdfcheck.convert.urdf_to_sdf.plan import plan
 from sdfcheck.convert.urdf_to_sdf.plugin_names import PluginNames
-from sdfcheck.convert.writer import Node, comment_of, render, undeclared_prefixes, with_line_ends
+from sdfcheck.convert.urdf_to_sdf.vendor_frictions import keep_frictions_of_drake
+from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
+from sdfcheck.convert.writer import (
+    Comment,
+    Node,
+    Words,
+    comment_of,
+    render,
+    undeclared_prefixes,
+    with_line_ends,
+)
+from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError, origin_of
+from sdfcheck.robot.parts.actuation import Transmission
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -40,22 +55,27 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     root = document.root
     assert root is not None
     try:
-        robot = mechanism_of(root_of(document).models[0])
+        robot = mechanism_of(root_of(document).models[0], vendors=True)
     except DescriptionError as error:
         raise refusal(error.element, str(error)) from None
     if not robot.links:
         raise refusal(root, "the robot has no links")
     _refuse_broken(root, robot)
+    robot = without_empty_shapes(robot)
     made = plan(document, robot, options)
-    context = Context(options, made, list(made.losses))
+    context = Context(options, made)
+    context.losses.extend(made.losses)
     writer = _Writer(document, robot, context)
     text = writer.write()
     source = expected(robot, made, context)
     try:
-        result = read_back(text, document.path, context)
+        result, written = read_back(text, document.path, context, writer.sdf)
     except (DescriptionError, PoseError) as error:
         raise refusal(root, f"with what is in <gazebo> blocks the result cannot be read: {error}") from None
-    comparison = Comparison(source, result, correspondence(made, context))
+    context.ledger.close(root)
+    context.ledger.prove(written)
+    contents = (of_urdf(root_of(document).models[0]), of_model(root_of(written.document).models[0]))
+    comparison = Comparison(source, result, correspondence(made, context), contents)
     text = with_line_ends(text, document.source.text)
     return conversion(document, text, context.losses, [comparison], verified=verified)
 
@@ -92,17 +112,24 @@ class _Writer:
         self.joints = Joints(context)
         self.carriers = {joint.child: joint for joint in reversed(list(robot.joints.values()))}
         self.sdf = Node("sdf", None, version=str(context.options.version))
+        self.actuators: list[tuple[Element, Node | Comment | Words]] = []
         self.model = self.sdf.add("model", None, name=legal(robot.name) if robot.name else "robot")
 
     def write(self) -> str:
-        if self.root.has("origin"):
+        context = self.context
+        context.ledger.take(self.root)
+        context.carry_attributes(self.root, self.model)
+        origin = self.root.find("origin")
+        if origin is not None:
+            context.ledger.take(origin)
             pose = pose_text(self.root) or pose_of(origin_of(self.root))
-            if pose is not None:
-                self.model.add("pose", pose)
+            if pose is not None or has_custom(origin):
+                context.carry(origin, self.model.add("pose", pose or "0 0 0 0 0 0"))
         self._make_links()
         later: list[Element] = []
         for entry in self.root:
             if (comment := comment_of(entry)) is not None:
+                self.context.ledger.take_comment(entry)
                 self.model.children.append(comment)
             elif not isinstance(entry.tag, str):
                 continue
@@ -110,10 +137,13 @@ class _Writer:
                 later.append(entry)
             else:
                 self._entry(entry)
+        self._drive()
         extensions, plugin_names = Extensions(self.context), PluginNames(self.context)
         for block in later:
             extensions.apply(block, self.model)
             plugin_names.report(block)
+        keep_frictions_of_drake(self.context, self.root)
+        self.materials.close()
         self._declare()
         before = [c for c in map(comment_of, self.root.itersiblings(preceding=True)) if c is not None]
         if self.root.document.is_expanded:
@@ -139,23 +169,57 @@ class _Writer:
         if entry.name == "link":
             self._link(entry, name)
         elif entry.name == "joint":
-            self._joint(name)
+            if name in self.robot.joints and self.robot.joints[name].element is entry:
+                self._joint(name)
+            else:
+                self.context.ledger.take_whole(entry)  # another one takes its place
         elif entry.name == "material":
             return
         elif entry.name == "drake:joint":
-            text = f"{entry.title} is spelled otherwise in SDFormat; what it carries floats freely"
-            self.context.lose(entry, LossKind.APPROXIMATED_JOINT, text)
+            self._vendor_joint(entry, name)
+        elif entry.name == "frame" and (frame := self.context.vendors.frame(entry)) is not None:
+            self.context.carry(entry, self.model.append(frame))
+        elif entry.name == "transmission":
+            self.context.keep(entry, self.model)
+            self.actuators.append((entry, self.model.children[-1]))
         elif entry.name != "origin":
             self.context.keep(entry, self.model)
+
+    def _vendor_joint(self, entry: Element, name: str) -> None:
+        joint = self.robot.joints.get(name)
+        if joint is not None and joint.element is entry:
+            self._joint(name)
+        elif joint is None or joint.kind != "floating":
+            # Else it is there for libsdformat as well, in the place of the floating joint.
+            text = f"{entry.title} is left out: Drake has no `drake:joint` of type `{entry.attributes.get('type', '')}`"
+            self.context.lose(entry, LossKind.APPROXIMATED_JOINT, text)
+        else:
+            self.context.ledger.take_whole(entry)
+
+    def _drive(self) -> None:
+        """Put what vendors say of actuators into the joints, when all are there."""
+        for entry, kept in self.actuators:
+            part = root_of(entry.document).part_of(entry)
+            done = (
+                self.context.vendors.drive(part, self.context.joints)
+                if isinstance(part, Transmission)
+                else set()
+            )
+            if done and isinstance(kept, Node):
+                without(kept, entry, done)
 
     def _link(self, entry: Element, name: str) -> None:
         plan = self.context.plan
         survivor, offset = plan.home[name]
+        self.context.ledger.take(entry)
         node = self.context.links.get(name)
         if node is not None:
             self.model.append(node)
         if survivor in self.context.links:
             self.links.fill(entry, survivor, offset)
+        elif (inertial := entry.find("inertial")) is not None:
+            text = "<inertial> of the world means nothing and is left out"
+            self.context.lose(inertial, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
         if node is not None and plan.is_world(name):
             self._anchor(name)
 
@@ -167,14 +231,17 @@ class _Writer:
         joint.add("parent", WORLD)
         joint.add("child", link)
         text = f"what link `{WORLD}` carries goes to link `{link}`, fixed to the world"
-        self.context.lose(self.robot.links[name].element, LossKind.RENAMED, text)
+        self.context.note(self.robot.links[name].element, LossKind.RENAMED, text)
 
     def _joint(self, name: str) -> None:
         joint = self.robot.joints[name]
         if name not in self.context.plan.merged_joints:
             self.joints.write(joint, self.model)
         elif self.context.options.has_frames:
-            self.model.children += frame_of(joint, self.context)
+            child = self.robot.links[joint.child].element
+            self.model.children += self.joints.leave_frame(joint, child)
+        else:
+            self.joints.merge(joint)
 
     def _declare(self) -> None:
         """Declare the prefixes that the text uses, as the source does."""

@@ -6,7 +6,9 @@ from collections.abc import Callable, Container, Iterator
 
 import numpy as np
 
+from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.urdf_to_sdf.blocks import copied_entry
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS
 from sdfcheck.convert.urdf_to_sdf.settings import (
@@ -38,6 +40,7 @@ class Extensions:
 
     def apply(self, block: Element, model: Node) -> None:
         reference = block.attributes.get("reference", "").strip()
+        self.context.ledger.take(block)
         plan = self.context.plan
         if not reference:
             self._each(block, model, self._model_part)
@@ -76,7 +79,7 @@ class Extensions:
     ) -> None:
         for entry in block:
             if (comment := comment_of(entry)) is not None:
-                if only is not OF_JOINTS:
+                if only is not OF_JOINTS and self.context.ledger.take_comment(entry):
                     node.children.append(comment)
             elif isinstance(entry.tag, str) and (only is None or entry.name in only):
                 put(entry, node)
@@ -88,7 +91,9 @@ class Extensions:
 
     def _only_hints(self, block: Element, joint: str, only: Container[str] | None) -> None:
         for entry in block.children():
-            if entry.name not in _KEEP_FIXED and (only is None or entry.name in only):
+            if entry.name in _KEEP_FIXED:
+                self.context.ledger.take(entry, TEXT, "value")
+            elif only is None or entry.name in only:
                 text = f"<{entry.name}> is left out: joint `{joint}` was merged"
                 self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
 
@@ -109,8 +114,15 @@ class Extensions:
         """What is SDFormat already; its name must not be one that the robot uses."""
         joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
         if entry.name == "frame" and joint is not None and joint.kind == "floating":
-            return  # it replaces the joint, in whose place it is, for libsdformat
-        made = copied(entry)
+            # It replaces the joint, in whose place it is, for libsdformat.
+            self.context.ledger.take_whole(entry)
+            return
+        own = entry.attributes.get("name", "")
+        if entry.name == "frame" and ("frame", own) in self.context.vendors.named:
+            # It is there for Drake as well.
+            self.context.ledger.take_whole(entry)
+            return
+        made = copied_entry(self.context, entry, model)
         model.append(made)
         if entry.name not in {"link", "joint", "frame", "model"}:
             return
@@ -120,7 +132,7 @@ class Extensions:
             self.context.own_links.add(name)
         if name != own:
             text = f"{entry.title} of a <gazebo> block is named `{name}`"
-            self.context.lose(entry, LossKind.RENAMED, text)
+            self.context.note(entry, LossKind.RENAMED, text)
 
     # Joints
 
@@ -131,9 +143,9 @@ class Extensions:
         elif name == "axis":
             self._axis(entry, joint)
         elif name in _KEEP_FIXED:
-            return
+            context.ledger.take(entry, TEXT, "value")
         elif entry.is_custom or (name != "pose" and context.allows(f"joint/{name}")):
-            made = copied(entry)
+            made = copied_entry(context, entry, joint)
             if (there := joint.find(name)) is not None and name == "physics":
                 merge(made, there)
             else:
@@ -148,11 +160,13 @@ class Extensions:
             text = "<axis> means nothing on a fixed joint and is left out"
             context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
             return
+        context.carry(entry, axis)
         for part in entry.children():
             if part.name not in {"limit", "dynamics"}:
                 text = f"<{part.name}> is left out: the joint's own counts"
                 context.lose(part, LossKind.EXTENSION_NOT_CARRIED, text)
                 continue
+            context.ledger.copy(part)
             merge(copied(part), axis.reach(part.name))
             for setting in part.children():
                 if setting.name in BOUNDS and (value := number(setting.content)) is not None:
@@ -166,6 +180,7 @@ class Extensions:
             message = f"<{entry.name}> means nothing on a fixed joint and is left out"
             context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, message)
             return
+        context.ledger.take(entry, TEXT, "value")
         text: str | None
         if path[-1] in {"implicit_spring_damper", "cfm_damping", "provide_feedback"}:
             text = "true" if value_of(entry).lower() in TRUE else "false"
@@ -188,14 +203,15 @@ class _LinkPart:
         if name in OF_COLLISIONS:
             self._of_collisions(entry, link)
         elif name in {"visual", "collision"}:
-            for part in self._parts(link, name):
-                merge(copied(entry), part)
+            self._of_shapes(entry, link)
         elif name == "material":
             self._script(entry, link)
         elif name in FLAGS:
+            context.ledger.take(entry, TEXT, "value")
             path, negated = FLAGS[name]
             link.reach(path).text = "true" if (value_of(entry).lower() in TRUE) is not negated else "false"
         elif name == "dampingFactor":
+            context.ledger.take(entry, TEXT, "value")
             text = self.context.numbers(entry)
             for kind in ("linear", "angular") if text is not None else ():
                 link.reach("velocity_decay", kind).text = text
@@ -205,12 +221,27 @@ class _LinkPart:
             context.keep(entry, link)
 
     def _of_collisions(self, entry: Element, link: Node) -> None:
+        self.context.ledger.take(entry, TEXT, "value")
         text = self.context.numbers(entry, 3 if entry.name == "fdir1" else 1)
         if text is None:
             return
         place = OF_COLLISIONS[entry.name]
-        for collision in self._parts(link, "collision"):
+        for collision in self._some_parts(entry, link, "collision"):
             collision.reach(*place).text = text.removesuffix(".0") if place == COUNT else text
+
+    def _of_shapes(self, entry: Element, link: Node) -> None:
+        """What a block says of all visuals or collisions."""
+        for part in self._some_parts(entry, link, entry.name):
+            self.context.ledger.copy(entry)
+            merge(copied(entry), part)
+
+    def _some_parts(self, entry: Element, link: Node, role: str) -> list[Node]:
+        """The shapes that a setting is about; reported if there are none."""
+        parts = list(self._parts(link, role))
+        if not parts:
+            text = f"<{entry.name}> is left out: link `{self.reference}` has no {role}"
+            self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
+        return parts
 
     def _parts(self, link: Node, role: str) -> Iterator[Node]:
         """The shapes that came from the link that the block names."""
@@ -221,7 +252,9 @@ class _LinkPart:
                 yield child
 
     def _script(self, entry: Element, link: Node) -> None:
-        for visual in self._parts(link, "visual"):
+        self.context.ledger.take(entry, TEXT, "value")
+        visuals = self._some_parts(entry, link, "visual")
+        for visual in visuals:
             material = visual.reach("material")
             if (script := material.find("script")) is not None:
                 material.children.remove(script)
@@ -229,12 +262,12 @@ class _LinkPart:
             made.add("name", value_of(entry))
             made.add("uri", _SCRIPTS)
             material.children.insert(0, made)
-        if self.context.once("script"):
-            text = f"material script `{value_of(entry)}` is for classic Gazebo; its successor shows the URDF's colour"
-            self.context.lose(entry, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
+        if visuals and self.context.once("script"):
+            text = f"material script `{value_of(entry)}` is for classic Gazebo; its successor shows the URDF's color"
+            self.context.note(entry, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
 
     def _native(self, entry: Element, link: Node) -> None:
-        made = copied(entry)
+        made = copied_entry(self.context, entry, link)
         single = entry.name in {"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"}
         there = link.find(entry.name) if single else None
         if there is not None:
@@ -260,5 +293,4 @@ class _LinkPart:
         if pose is None:
             pose = Node("pose")
             made.children.insert(0, pose)
-        pose.attributes.clear()
-        pose.text = pose_of(self.offset @ here) or "0 0 0 0 0 0"
+        pose.say(pose_of(self.offset @ here) or "0 0 0 0 0 0")

@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.urdf_to_sdf.context import Context, comments_in, is_quaternion, pose_of, pose_text
+from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD
+from sdfcheck.convert.urdf_to_sdf.plan import is_for_drake
+from sdfcheck.convert.urdf_to_sdf.vendor_joints import write_for_drake, write_special_axes
+from sdfcheck.convert.vendor.spelling import uses
 from sdfcheck.convert.writer import Node, number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mechanism import Joint
@@ -14,8 +17,14 @@ from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.element import Element
 
-_KINDS = {"fixed": "fixed", "revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
-_READ = frozenset({"origin", "parent", "child", "axis", "limit", "dynamics", "mimic"})
+_KINDS = {
+    "fixed": "fixed", "revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic",
+    "ball": "ball", "universal": "universal", "screw": "screw",
+}  # fmt: skip
+_READ = frozenset(
+    {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic", "drake:screw_thread_pitch"}
+)
+_FOLLOWING = {"multiplier": "1", "offset": "0"}
 _AXIS_PARTS = ("axis", "limit", "dynamics", "mimic")
 
 
@@ -28,28 +37,55 @@ class Joints:
     def write(self, joint: Joint, model: Node) -> Node | None:
         """The joint; None where SDFormat expresses it by having none."""
         element = joint.element
+        context = self.context
+        if is_for_drake(context.plan, joint, context.options):
+            return write_for_drake(joint, model, context)
         if joint.kind not in _KINDS:
             self._free(joint)
             return None
-        context = self.context
         names = context.plan.names
         node = model.add("joint", None, name=names.joints[joint.name], type=_KINDS[joint.kind])
-        node.children += comments_in(element)
+        context.ledger.take(element)
+        context.carry_attributes(element, node)
+        context.carry_comments(element, node)
+        context.ledger.take(element.find("origin"))
         if context.options.has_frames and (pose := self._pose(joint)) is not None:
             node.append(pose)
+            context.carry(element.find("origin"), pose)
         world = joint.parent == WORLD or context.plan.is_world(joint.parent)
         parent = WORLD if world else names.links[context.plan.home[joint.parent][0]]
-        node.add("parent", parent)
-        node.add("child", names.links[joint.child])
+        context.carry(element.find("parent"), node.add("parent", parent))
+        context.carry(element.find("child"), node.add("child", names.links[joint.child]))
         if joint.kind == "fixed":
             self._idle(element)
+        elif joint.kind in {"ball", "universal", "screw"}:
+            self._special(joint, node)
         else:
             self._axis(joint, node.add("axis"))
+            self._mimic_of_drake(joint, node)
         for child in element.children():
             if child.name not in _READ:
                 context.keep(child, node)
         context.joints[joint.name] = node
         return node
+
+    def _special(self, joint: Joint, node: Node) -> None:
+        """A joint that URDF has for Drake only, and its settings."""
+        write_special_axes(joint, node, self.context)
+        for name in ("axis", "dynamics", "drake:screw_thread_pitch"):
+            part = joint.element.find(name)
+            axis = node.find("axis")
+            if part is not None and part.is_custom:
+                self.context.ledger.take_whole(part)
+            elif axis is None:
+                self.context.ledger.take(part)
+            else:
+                self.context.carry(part, axis)
+        for name in ("limit", "mimic"):
+            part = joint.element.find(name)
+            if part is not None:
+                text = f"<{name}> of {joint.kind} {joint.element.title} is left out: nobody reads it there"
+                self.context.lose(part, LossKind.DROPPED_ELEMENT, text)
 
     def place(self, joint: Joint | None, link: str, node: Node) -> None:
         """Give a link its pose: in its joint's frame, else in its parent's, else in the model."""
@@ -87,26 +123,50 @@ class Joints:
             text = numbers(turn @ joint.axes[0].direction)
         node.add("xyz", text)
         self._mimic(joint, node)
+        limit = joint.element.find("limit")
+        self.context.ledger.take(limit)
         bounds = {**self._range(joint), **self._strength(joint)}
-        if bounds:
+        if bounds or has_custom(limit):
             written = node.add("limit")
             for name, text in bounds.items():
                 written.add(name, spaced(text))
+            self.context.carry(limit, written)
+        self._of_vendors(joint, node)
         for name in ("damping", "friction"):
             value = dynamics.attributes.get(name) if dynamics is not None else None
             if value is not None:
                 node.reach("dynamics").add(name, spaced(value))
+        self.context.ledger.take(dynamics)
+        if has_custom(dynamics):
+            self.context.carry(dynamics, node.reach("dynamics"))
+        self.context.carry(axis, node)
+
+    def _of_vendors(self, joint: Joint, axis: Node) -> None:
+        """What vendors say of the limits."""
+        found = Node("limit")
+        limit = joint.element.find("limit")
+        for name in self.context.vendors.attributes(limit, found):
+            self.context.ledger.take(limit, name)
+        if found.children:
+            axis.reach("limit").children += found.children
 
     def _range(self, joint: Joint) -> dict[str, str]:
         """Where the joint stops; nothing for one that does not."""
         limit = joint.element.find("limit")
         if joint.kind == "continuous":
+            self._idle_range(limit)
             return {}
         if limit is None:
             message = f"joint `{joint.name}` has no limits; it is taken as unlimited"
-            self.context.lose(joint.element, LossKind.CHANGED_DEFAULT, message)
+            self.context.note(joint.element, LossKind.CHANGED_DEFAULT, message)
             return {}
         return {name: limit.attributes.get(name) or self._bound(joint, name) for name in ("lower", "upper")}
+
+    def _idle_range(self, limit: Element | None) -> None:
+        for name in ("lower", "upper"):
+            if limit is not None and name in limit.attributes:
+                text = f"`{name}` means nothing on a continuous joint and is left out"
+                self.context.ledger.lose_attribute(limit, name, text, severity=Severity.INFO)
 
     def _strength(self, joint: Joint) -> dict[str, str]:
         limit = joint.element.find("limit")
@@ -118,7 +178,7 @@ class Joints:
             if joint.axes and getattr(joint.axes[0], name) < 0:
                 no_limit = f"has a negative {name}, which means no limit in SDFormat; it is left out"
                 message = f"joint `{joint.name}` {no_limit}"
-                self.context.lose(joint.element, LossKind.CHANGED_LIMIT, message)
+                self.context.note(joint.element, LossKind.CHANGED_LIMIT, message)
             else:
                 found[name] = text
         return found
@@ -126,7 +186,7 @@ class Joints:
     def _bound(self, joint: Joint, name: str) -> str:
         value = getattr(joint.axes[0], name) if joint.axes else 0.0
         text = f"joint `{joint.name}` has no {name} limit; what URDF means by that, {number(value)}, is written out"
-        self.context.lose(joint.element, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
+        self.context.note(joint.element, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
         return number(value)
 
     def _mimic(self, joint: Joint, node: Node) -> None:
@@ -144,10 +204,22 @@ class Joints:
             made.add("multiplier", spaced(mimic.attributes.get("multiplier", "1")))
             made.add("offset", spaced(mimic.attributes.get("offset", "0")))
             made.add("reference", "0")
+            self.context.carry(mimic, made)
             return
         text = f"joint `{joint.name}` does not follow `{name}` any more: {reason}"
         self.context.lose(mimic, LossKind.DROPPED_MIMIC, text)
         self.context.lost_mimics.add(joint.name)
+
+    def _mimic_of_drake(self, joint: Joint, node: Node) -> None:
+        """Drake has a tag of its own where SDFormat says which joint another follows, and reads no other."""
+        mimic = joint.element.find("mimic")
+        context = self.context
+        if mimic is None or joint.name in context.lost_mimics or not uses(context.plan.root, "drake"):
+            return
+        values = {name: spaced(mimic.attributes.get(name, default)) for name, default in _FOLLOWING.items()}
+        leader = context.plan.names.joints.get(mimic.attributes.get("joint", ""))
+        if leader is not None:
+            node.add("drake:mimic", None, joint=leader, **values)
 
     def _idle(self, element: Element) -> None:
         """What has no meaning on a fixed joint."""
@@ -156,6 +228,27 @@ class Joints:
             if part is not None:
                 text = f"<{name}> means nothing on fixed {element.title} and is left out"
                 self.context.lose(part, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
+
+    def merge(self, joint: Joint) -> None:
+        """Enter a joint whose links become one."""
+        ledger = self.context.ledger
+        ledger.take(joint.element)
+        for name in ("origin", "parent", "child"):
+            ledger.take(joint.element.find(name))
+        self._idle(joint.element)
+
+    def leave_frame(self, joint: Joint, link: Element) -> list[Node]:
+        """The frames that a merged joint and its child leave behind, with the custom data of both."""
+        context, element = self.context, joint.element
+        of_joint, of_link = frame_of(joint, context)
+        self.merge(joint)
+        context.carry(element, of_joint)
+        context.carry_attributes(link, of_link)
+        for child in element.children():
+            if child.name not in _READ and not child.is_custom:
+                context.keep(child, of_joint)
+        context.carry_comments(element, of_joint)
+        return [of_joint, of_link]
 
     def _free(self, joint: Joint) -> None:
         if joint.kind == "floating":

@@ -7,7 +7,7 @@ import numpy as np
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.urdf_to_sdf.context import (
     Context,
-    comments_in,
+    has_custom,
     is_quaternion,
     pose_of,
     pose_text,
@@ -15,10 +15,10 @@ from sdfcheck.convert.urdf_to_sdf.context import (
 from sdfcheck.convert.urdf_to_sdf.materials import Materials
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
-from sdfcheck.convert.writer import Node, comment_of, number, spaced
+from sdfcheck.convert.writer import Node, comment_of, number, numbers, settled, spaced
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.element import Element
@@ -30,6 +30,7 @@ _SHAPES = {
     "cylinder": ("radius", "length"),
     "sphere": ("radius",),
 }
+_OF_VENDORS = {"drake:capsule": "capsule", "drake:ellipsoid": "ellipsoid"}
 _PACKAGE = "package://"
 
 
@@ -43,72 +44,143 @@ class Links:
 
     def fill(self, element: Element, survivor: str, offset: Array) -> None:
         """Write what is in a link into the node of the link that survives, at a 4×4 pose in it."""
-        node = self.context.links[survivor]
-        plan = self.context.plan
+        context, plan = self.context, self.context.plan
+        node = context.links[survivor]
         merged = plan.is_merged(element.attributes.get("name", ""))
+        if not merged:
+            context.carry_attributes(element, node)
+        inertial = element.find("inertial")
         for child in element:
             if (comment := comment_of(child)) is not None:
-                node.children.append(comment)
-            elif not isinstance(child.tag, str):
-                continue
-            elif child.name == "inertial":
-                node.children += comments_in(child)
+                if context.ledger.take_comment(child):
+                    node.children.append(comment)
+            elif child is inertial:
+                self._enter_inertial(child, node)
                 if not merged and survivor not in plan.supplied and plan.bodies.get(survivor) is None:
-                    node.append(_inertial(child))
-            elif child.name in {"visual", "collision"}:
+                    self._inertial(child, node.add("inertial"))
+            elif isinstance(child.tag, str) and child.name in {"visual", "collision"}:
                 self._shape(child, node, survivor, offset)
-            else:
-                self.context.keep(child, node)
-        if merged:
-            return
+            elif isinstance(child.tag, str) and child.name != "inertial":
+                context.keep(child, node)
+        if not merged:
+            self._weigh(inertial, survivor, node)
+
+    def _enter_inertial(self, inertial: Element, node: Node) -> None:
+        self.context.carry_comments(inertial, node)
+        for part in (inertial, *map(inertial.find, ("origin", "mass", "inertia"))):
+            self.context.ledger.take(part)
+
+    def _weigh(self, inertial: Element | None, survivor: str, node: Node) -> None:
+        """Write mass properties that are not the author's."""
+        plan = self.context.plan
         body = plan.bodies.get(survivor)
         if survivor in plan.automatic:
-            node.append(Node("inertial", None, auto="true"))
+            made = node.add("inertial", None, auto="true")
         elif body is not None:
-            node.append(inertial_of(body))
+            made = node.append(inertial_of(body))
+        else:
+            return
+        if inertial is not None:
+            self._customs_of(inertial, made)
 
-    def _shape(self, part: Element, link: Node, survivor: str, offset: Array) -> None:
+    def _inertial(self, element: Element, node: Node) -> None:
+        """The author's own numbers."""
+        origin = element.find("origin")
+        pose = pose_of(origin_of(element)) if is_quaternion(element) else pose_text(element)
+        if pose is not None or has_custom(origin):
+            node.add("pose", pose or "0 0 0 0 0 0")
+        mass, inertia = element.find("mass"), element.find("inertia")
+        node.add("mass", spaced(mass.attributes.get("value", "0")) if mass is not None else "0")
+        moments = node.add("inertia")
+        for name in _MOMENTS:
+            moments.add(name, spaced(inertia.attributes.get(name, "0")) if inertia is not None else "0")
+        self._customs_of(element, node)
+
+    def _customs_of(self, inertial: Element, node: Node) -> None:
+        """Write the custom data of an inertial and its parts where it belongs."""
+        self.context.carry(inertial, node)
+        for name, counterpart in (("origin", "pose"), ("mass", "mass"), ("inertia", "inertia")):
+            there = node.find(counterpart)
+            if there is not None:
+                self.context.carry(inertial.find(name), there)
+
+    def _held(self, part: Element, survivor: str) -> tuple[Element, str] | None:
+        """The shape of a visual or collision, and SDFormat's name for it; reported if that has no such shape."""
         context = self.context
         geometry = part.find("geometry")
         shape = next(geometry.children(), None) if geometry is not None else None
-        if shape is None or not (shape.name == "mesh" or shape.name in _SHAPES):
+        name = "" if shape is None else _OF_VENDORS.get(shape.name, shape.name)
+        if shape is None or not (shape.name in {"mesh", *_OF_VENDORS} or shape.name in _SHAPES):
             context.dropped_shapes.add(shape.name if shape is not None else "")
             kind = f"<{shape.name}>" if shape is not None else "no shape"
             text = f"the {part.name} of link `{survivor}` has {kind}, which is none of URDF's shapes"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
-            return
-        if not context.allows(f"link/{part.name}/geometry/{shape.name}"):
-            context.dropped_shapes.add(shape.name)
-            text = f"SDFormat {context.options.version} has no <{shape.name}>; the {part.name} is left out"
+        elif not context.allows(f"link/{part.name}/geometry/{name}"):
+            context.dropped_shapes.add(name)
+            text = f"SDFormat {context.options.version} has no <{name}>; the {part.name} is left out"
             context.lose(shape, LossKind.UNSUPPORTED_GEOMETRY, text)
+            context.ledger.drop(part)
+        elif not self._has_size(shape, name):
+            text = f"the {part.name} of link `{survivor}` is left out: SDFormat has no {name} of size 0"
+            context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
+        else:
+            return shape, name
+        return None
+
+    def _shape(self, part: Element, link: Node, survivor: str, offset: Array) -> None:
+        context = self.context
+        held = self._held(part, survivor)
+        if held is None:
             return
+        shape, name = held
         node = link.add(part.name, None, name=self._name(part, survivor))
         context.came_from[id(node)] = link_of(part)
-        node.children += comments_in(part)
+        context.ledger.take(part)
+        context.carry_attributes(part, node)
+        context.carry_comments(part, node)
         pose = pose_text(part)
         if is_quaternion(part) or not np.array_equal(offset, np.eye(4)):
             pose = pose_of(offset @ origin_of(part))
-        if pose is not None:
-            node.add("pose", pose)
-        self._geometry(shape, node.add("geometry").add(shape.name))
+        origin = part.find("origin")
+        if pose is not None or has_custom(origin):
+            context.carry(origin, node.add("pose", pose or "0 0 0 0 0 0"))
+        elif origin is not None:
+            context.ledger.take(origin)
+        container = node.add("geometry")
+        self._geometry(shape, container.add(name))
+        context.carry(part.find("geometry"), container)
         for child in part.children():
             if child.name == "material" and part.name == "visual":
                 self.materials.write(child, node)
-            elif child.name not in {"origin", "geometry", "material"}:
+            elif child.name not in {"origin", "geometry"}:
                 context.keep(child, node)
 
     def _geometry(self, shape: Element, node: Node) -> None:
-        if shape.name != "mesh":
-            for name in _SHAPES[shape.name]:
-                text = shape.attributes.get(name, "")
-                if floats(text) is None:
-                    raise refusal(shape, f"the {shape.name} has no {name}")
-                node.add(name, spaced(text))
-            return
+        if node.name == "ellipsoid":
+            node.add("radii", " ".join(self._size(shape, name) for name in "abc"))
+        for name in _SHAPES.get(node.name, ()):
+            node.add(name, self._size(shape, name))
+        if node.name == "mesh":
+            self._mesh(shape, node)
+        self.context.carry(shape, node)
+
+    def _mesh(self, shape: Element, node: Node) -> None:
         node.add("uri", self.uri(shape, shape.attributes.get("filename", "").strip()))
         scale = spaced(shape.attributes.get("scale", ""))
         if scale:
             node.add("scale", scale)
+
+    def _has_size(self, shape: Element, name: str) -> bool:
+        """Is every size of a shape above 0? libsdformat takes 1 m for any other."""
+        attributes = ("a", "b", "c") if name == "ellipsoid" else _SHAPES.get(name, ())
+        found = (floats(shape.attributes.get(attribute, "")) or () for attribute in attributes)
+        return all(size > 0 for sizes in found for size in sizes)
+
+    def _size(self, shape: Element, name: str) -> str:
+        text = shape.attributes.get(name, "")
+        if floats(text) is None:
+            raise refusal(shape, f"the {shape.name} has no {name}")
+        return spaced(text)
 
     def uri(self, element: Element, text: str) -> str:
         """A file's address as the options want it."""
@@ -121,7 +193,7 @@ class Links:
             message = (
                 f"`package://{package}` is written `model://{package}`: its folder must be found as a model"
             )
-            context.lose(element, LossKind.CHANGED_URI, message, Severity.INFO)
+            context.note(element, LossKind.CHANGED_URI, message, Severity.INFO)
         return f"model://{rest}"
 
     def _name(self, part: Element, survivor: str) -> str:
@@ -136,7 +208,7 @@ class Links:
         names.add(name)
         if own and name != own:
             text = f"{part.name} `{own}` is named `{name}`"
-            self.context.lose(part, LossKind.RENAMED, text, Severity.INFO)
+            self.context.note(part, LossKind.RENAMED, text, Severity.INFO)
         return name
 
 
@@ -145,27 +217,14 @@ def link_of(part: Element) -> str:
     return part.parent.attributes.get("name", "") if part.parent is not None else ""
 
 
-def _inertial(element: Element) -> Node:
-    """The author's own numbers."""
-    node = Node("inertial")
-    pose = pose_of(origin_of(element)) if is_quaternion(element) else pose_text(element)
-    if pose is not None:
-        node.add("pose", pose)
-    mass, inertia = element.find("mass"), element.find("inertia")
-    node.add("mass", spaced(mass.attributes.get("value", "0")) if mass is not None else "0")
-    moments = node.add("inertia")
-    for name in _MOMENTS:
-        moments.add(name, spaced(inertia.attributes.get(name, "0")) if inertia is not None else "0")
-    return node
-
-
 def inertial_of(body: MassProperties) -> Node:
     """Computed mass properties, in the axes of the link."""
     node = Node("inertial")
-    if body.center.any():
-        node.add("pose", " ".join((*(number(float(value)) for value in body.center), "0 0 0")))
+    center = numbers(body.center)
+    if center != "0 0 0":
+        node.add("pose", f"{center} 0 0 0")
     node.add("mass", number(float(body.mass)))
-    moments = node.add("inertia")
+    moments, largest = node.add("inertia"), float(abs(body.moments).max())
     for name, (row, column) in zip(_MOMENTS, ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)), strict=True):
-        moments.add(name, number(float(body.moments[row, column])))
+        moments.add(name, number(settled(float(body.moments[row, column]), largest)))
     return node

@@ -1,4 +1,4 @@
-"""Materials: colours as they are, textures as albedo maps."""
+"""Materials: colors as they are, textures as albedo maps."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ class Materials:
             for visual in link.children("visual")
             for material in visual.children("material")
         )
-        for material in (*root.children("material"), *inline):
+        self.defined = list(root.children("material"))
+        for material in (*self.defined, *inline):
             if _says_something(material):
                 self.named.setdefault(material.attributes.get("name", ""), material)
 
@@ -33,36 +34,63 @@ class Materials:
         name = used.attributes.get("name", "")
         found = self.named.get(name, used) if name else used
         if not _says_something(found):
-            text = f"material `{name}` is not defined; the visual gets no colour"
+            text = f"material `{name}` is not defined; the visual gets no color"
             self.context.lose(used, LossKind.CHANGED_MATERIAL, text)
             return
+        if found is not used and _says_something(used):
+            self._tell_other(used, found)
         node = visual.add("material")
         color, texture = found.find("color"), found.find("texture")
         rgba = spaced(color.attributes.get("rgba", "")) if color is not None else ""
         if rgba:
             node.add("ambient", rgba)
-            node.add("diffuse", rgba)
+            self.context.carry(color, node.add("diffuse", rgba))
+        elif color is not None:
+            self.context.ledger.take(color)
         if texture is not None:
             self._texture(texture, node)
-        if not node.children:
+        for part in dict.fromkeys((used, found)):
+            self.context.carry(part, node)
+        if not node.children and not node.attributes:
             visual.children.remove(node)
+
+    def _tell_other(self, used: Element, found: Element) -> None:
+        """A material that is defined once more."""
+        for name, attribute in (("color", "rgba"), ("texture", "filename")):
+            part, first = used.find(name), found.find(name)
+            texts = [spaced(p.attributes.get(attribute, "")) if p is not None else "" for p in (part, first)]
+            if part is not None and texts[0] == texts[1]:
+                self.context.ledger.take(part)
+            elif part is not None:
+                text = (
+                    f"<{name}> of {used.title} is left out: its first definition says otherwise, and counts"
+                )
+                self.context.lose(part, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
+
+    def close(self) -> None:
+        """Report the definitions that no visual uses."""
+        for material in self.defined:
+            if not self.context.ledger.is_entered(material):
+                text = f"{material.title} is left out: no visual uses it"
+                self.context.lose(material, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
 
     def _texture(self, texture: Element, node: Node) -> None:
         file = texture.attributes.get("filename", "").strip()
-        if not file:
-            return
         context = self.context
+        if not file:
+            context.ledger.take(texture)
+            return
         if not context.allows("link/visual/material/pbr"):
             text = f"SDFormat {context.options.version} has no place for texture `{file}`"
             context.lose(texture, LossKind.CHANGED_MATERIAL, text)
             return
-        node.reach("pbr", "metal").add("albedo_map", self.uri(texture, file))
+        context.carry(texture, node.reach("pbr", "metal").add("albedo_map", self.uri(texture, file)))
         if node.find("diffuse") is None:
-            # Without a colour of its own the map would be multiplied by black.
+            # Without a color of its own the map would be multiplied by black.
             node.add("diffuse", "1 1 1 1")
         if context.once(f"texture {file}"):
             text = f"texture `{file}` becomes an albedo map, which classic Gazebo does not show"
-            context.lose(texture, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
+            context.note(texture, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
 
 
 def _says_something(material: Element) -> bool:

@@ -1,4 +1,4 @@
-"""The result, read by SDFormat's own reader, and what it is to be compared with."""
+"""The result, read by SDFormat's own parser, and what it is to be compared with."""
 
 from __future__ import annotations
 
@@ -9,20 +9,48 @@ from typing import Any
 from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.convert.urdf_to_sdf.plan import Plan, free_joints
 from sdfcheck.convert.verify import Correspondence, Counterpart
+from sdfcheck.convert.writer import Node, render
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
+from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
+_BRINGING = frozenset({"include", "model"})
 
-def read_back(text: str, path: Path, context: Context) -> Mechanism:
-    """The robot of the text that was written, without links that the source has for Gazebo only."""
+
+def read_back(text: str, path: Path, context: Context, sdf: Node) -> tuple[Mechanism, Element]:
+    """The robot of the text that was written, without what the source has for Gazebo only, and the root of all."""
     document = read(text.encode("utf-8", "surrogateescape"), path.with_suffix(".sdf"), Kind.SDF)
-    robot = mechanism_of(root_of(document).models[0])
+    assert document.root is not None
+    own = document
+    if (rest := _without_brought(sdf)) is not None:
+        own = read(render(rest).encode("utf-8", "surrogateescape"), path.with_suffix(".sdf"), Kind.SDF)
+    robot = mechanism_of(root_of(own).models[0], vendors=True)
     for name in context.own_links:
         robot.links.pop(name, None)
-    return robot
+    return robot, document.root
+
+
+def _without_brought(sdf: Node) -> Node | None:
+    """The result without models that ``<gazebo>`` blocks bring, and joints to them; None if there are none."""
+    model = next(child for child in sdf.children if isinstance(child, Node))
+    if not any(isinstance(child, Node) and child.name in _BRINGING for child in model.children):
+        return None
+    kept, outer = Node(model.name, None, **model.attributes), Node(sdf.name, None, **sdf.attributes)
+    kept.children = [
+        child
+        for child in model.children
+        if not (isinstance(child, Node) and (child.name in _BRINGING or _reaches_into(child)))
+    ]
+    outer.append(kept)
+    return outer
+
+
+def _reaches_into(joint: Node) -> bool:
+    ends = (joint.find(name) for name in ("parent", "child")) if joint.name == "joint" else ()
+    return any(end is not None and "::" in (end.text or "") for end in ends)
 
 
 def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
@@ -37,7 +65,7 @@ def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
             body = plan.bodies[name] if part == name else None
             links[part] = Link(link.name, link.pose, link.element, body, link.geometries)
     joints = {}
-    free = free_joints(robot)
+    free = free_joints(plan, context.options)
     for name, joint in robot.joints.items():
         if name in free:
             continue  # what floats stays where it is, whatever moves
@@ -67,7 +95,7 @@ def correspondence(plan: Plan, context: Context) -> Correspondence:
         links,
         names.joints,
         dropped_links=frozenset(dropped),
-        dropped_joints=frozenset(free_joints(plan.robot)),
+        dropped_joints=frozenset(free_joints(plan, context.options)),
         dropped_geometries=frozenset(context.dropped_shapes),
         changed_bodies=frozenset(plan.automatic),
     )

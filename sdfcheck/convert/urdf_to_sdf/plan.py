@@ -10,7 +10,7 @@ from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD, Names
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.document import Document
@@ -18,7 +18,9 @@ from sdfcheck.source.element import Element
 
 SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
 """What a link without mass is given where it cannot be merged: too little to be felt."""
-_TIED = frozenset({"fixed", "revolute", "continuous", "prismatic"})
+_TIED = frozenset({"fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw"})
+FOR_DRAKE = frozenset({"planar", "curvilinear"})
+"""Kinds of joint that only Drake has in SDFormat, between frames."""
 _TRUE = frozenset({"true", "yes", "1"})
 _KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
 OF_MOVING_JOINTS = frozenset(
@@ -41,6 +43,7 @@ OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", *_KEEPERS}
 class Plan:
     """``home`` is where a link's frame ends up: the link that survives, and the 4×4 pose in it."""
 
+    root: Element
     robot: Mechanism
     names: Names
     home: dict[str, tuple[str, Array]]
@@ -77,7 +80,8 @@ def plan(document: Document, robot: Mechanism, options: Options) -> Plan:
     has_world = WORLD in robot.links and WORLD not in carried and len(robot.links) > 1
     names = Names(robot, world_is_root=has_world)
     home = {name: (name, np.eye(4)) for name in robot.links}
-    made = Plan(robot, names, home, {}, has_world=has_world, losses=names.losses)
+    assert document.root is not None
+    made = Plan(document.root, robot, names, home, {}, has_world=has_world, losses=names.losses)
     _Merger(made, document, options).run()
     for name, link in robot.links.items():
         if not made.is_merged(name):
@@ -130,6 +134,12 @@ class _Merger:
             text += ", and its name that of a frame"
         severity = Severity.INFO if self.options.has_frames else Severity.WARNING
         made.losses.append(loss_at(links[child].element, LossKind.MERGED_LINK, text, severity))
+        body = links[child].body
+        if body is not None and body.mass <= 0 and body.moments.any():
+            text = (
+                f"link `{child}` has moments of inertia without mass; they are added to those of `{survivor}`"
+            )
+            made.losses.append(loss_at(links[child].element, LossKind.CHANGED_INERTIA, text))
 
 
 def _mass(link: Link) -> float:
@@ -193,6 +203,15 @@ def _supply(made: Plan, link: Link, options: Options) -> None:
     made.losses.append(loss_at(link.element, LossKind.MASSLESS_LINK, text))
 
 
-def free_joints(robot: Mechanism) -> set[str]:
+def is_for_drake(made: Plan, joint: Joint, options: Options) -> bool:
+    """Is a joint written as ``drake:joint``? Its frames are on links."""
+    on_link = joint.parent in made.home and not made.is_world(joint.parent)
+    return joint.kind in FOR_DRAKE and on_link and options.has_frames
+
+
+def free_joints(made: Plan, options: Options) -> set[str]:
     """Joints of kinds that SDFormat expresses by having none."""
-    return {joint.name for joint in robot.joints.values() if joint.kind not in _TIED}
+    joints = made.robot.joints.values()
+    return {
+        joint.name for joint in joints if joint.kind not in _TIED and not is_for_drake(made, joint, options)
+    }

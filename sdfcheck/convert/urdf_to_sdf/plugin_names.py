@@ -38,6 +38,6 @@ class PluginNames:
             for part in plugin.iter():
                 if isinstance(part, Element) and (found := self.gone.get(part.content)) is not None:
                     kind, what = found
-                    self.context.lose(
+                    self.context.note(
                         part, kind, f"<{part.name}> of {plugin.title} stays as it is, but {what}"
                     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.convert.writer import Comment, Node
+from sdfcheck.convert.writer import Node
 from sdfcheck.source.element import Element
 
 COUNT = ("max_contacts",)
@@ -43,7 +43,7 @@ def merge(extra: Node, into: Node) -> None:
     if extra.text:
         into.text = extra.text
     for child in extra.children:
-        if isinstance(child, Comment):
+        if not isinstance(child, Node):
             into.children.append(child)
         elif (there := into.find(child.name)) is not None and child.name not in {"plugin", "sensor"}:
             merge(child, there)

@@ -57,6 +57,8 @@ class Description(NamedTuple):
     attributes: tuple[Entry, ...] = ()
     children: tuple[Entry, ...] = ()
     notes: tuple[str, ...] = ()
+    summary: str = ""
+    """What it is for, in one or two sentences."""
 
 
 def missing(name: str, holder: str, known: list[str]) -> UnknownPlace:

@@ -9,6 +9,9 @@ from __future__ import annotations
 from sdfcheck.formats.describe.description import Description, UnknownPlace
 from sdfcheck.formats.sdf.version import NEWEST, Version
 
+CONTROL = "ros2_control"
+"""What only URDF has, and is never asked for with a prefix."""
+
 
 def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...]:
     """All places that a question fits, sorted; ``version`` is that of SDFormat.
@@ -32,6 +35,10 @@ def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...
     except UnknownPlace as error:
         if question.startswith("sdf:") or not _is_urdf(steps):
             raise
+        if steps[0] == CONTROL:
+            from sdfcheck.formats.describe.urdf import describe_urdf
+
+            return describe_urdf(steps)
         raise UnknownPlace(f"{error}; URDF has it: `urdf:{'/'.join(steps)}`") from None
 
 

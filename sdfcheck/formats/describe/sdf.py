@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.formats.describe.description import Description, Entry, missing
+from sdfcheck.formats.describe.summary import summary
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.choices import Choices
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
@@ -31,6 +32,16 @@ def describe_sdf(steps: tuple[str, ...], version: Version) -> tuple[Description,
             asked = "/".join(steps)
             return tuple(sorted(found, key=lambda one: (one.name != asked, one.name)))
     raise _complaint(steps, version)
+
+
+def describe_definition(parent: Definition | None, element: Definition) -> Description:
+    """An element below one parent."""
+    return _element([_Use(parent, element)])
+
+
+def describe_attribute(owner: Definition, name: str) -> Description:
+    """An attribute of an element; raises KeyError for one that it has not."""
+    return _attribute(owner, owner.attributes[name])
 
 
 def _found(steps: tuple[str, ...], version: Version) -> list[Description]:
@@ -96,15 +107,16 @@ def _element(uses: list[_Use]) -> Description:
         attributes=tuple(attributes),
         children=tuple(_entry_of_child(element, child) for child in element.children.values()),
         notes=_notes(element),
+        summary=summary("sdf", (*([parent.name] if parent else ()), *element.path.split("/"))),
     )
 
 
 def _notes(element: Definition) -> tuple[str, ...]:
     notes = []
     if element.multiplicity in {"1", "+"} and _default(element.default):
-        notes.append("readers take the default where it is missing")
+        notes.append("consumers take the default where it is missing")
     if element.range is not None and element.range.instead:
-        notes.append(f"readers take {element.range.instead} for a value out of range")
+        notes.append(f"consumers take {element.range.instead} for a value out of range")
     return tuple(notes)
 
 
@@ -134,6 +146,7 @@ def _attribute(owner: Definition, attribute: AttributeDefinition) -> Description
         successor=history.successor(owner, f"@{attribute.name}") or "",
         parents=(Entry(owner.path, "1" if attribute.required else "0"),),
         notes=tuple(f"`{old}` is now called `{new}`" for old, new in renamed if new),
+        summary=summary("sdf", (*owner.path.split("/"), f"@{attribute.name}")),
     )
 
 

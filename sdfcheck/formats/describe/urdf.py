@@ -5,7 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing
-from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, UrdfElement, extension, urdf
+from sdfcheck.formats.describe.summary import summary
+from sdfcheck.formats.urdf.table import (
+    VERSIONS,
+    UrdfAttribute,
+    UrdfElement,
+    control,
+    extension,
+    known_parents,
+    urdf,
+)
 from sdfcheck.source.record import NamedTuple
 
 
@@ -36,6 +45,16 @@ def describe_urdf(steps: tuple[str, ...]) -> tuple[Description, ...]:
     return _merged(found)
 
 
+def describe_definition(path: tuple[str, ...], element: UrdfElement) -> Description:
+    """An element to which names lead, that of ``robot`` first."""
+    return _element(_Use(path, element))
+
+
+def describe_attribute(path: tuple[str, ...], element: UrdfElement, name: str) -> Description:
+    """An attribute of an element; raises KeyError for one that it has not."""
+    return _attribute(_Use(path, element), element.attributes[name])
+
+
 def _everywhere() -> Iterator[_Use]:
     waiting = [_Use(("robot",), urdf()), _Use(("robot", "gazebo"), extension())]
     while waiting:
@@ -43,11 +62,21 @@ def _everywhere() -> Iterator[_Use]:
         # What libsdformat reads of an extension is in a table of its own.
         if use.element is not extension():
             yield use
-        waiting += [_Use((*use.path, name), child) for name, child in use.element.children.items()]
+        inner = (
+            {**use.element.children, "ros2_control": control()}
+            if use.element is urdf()
+            else use.element.children
+        )
+        waiting += [_Use((*use.path, name), child) for name, child in inner.items()]
 
 
 def _ends(use: _Use, steps: list[str]) -> bool:
-    return list(use.path[-len(steps) :]) == steps if steps else True
+    """Does a place end with these names? Those of ``ros2_control`` only if they say so, or are its own."""
+    if steps and list(use.path[-len(steps) :]) != steps:
+        return False
+    if use.path[1:2] != ("ros2_control",) or "ros2_control" in steps or not steps:
+        return True
+    return not any(known_parents(step) for step in steps)
 
 
 def _element(use: _Use) -> Description:
@@ -65,7 +94,8 @@ def _element(use: _Use) -> Description:
         parents=_parents(use),
         attributes=tuple(map(_entry_of_attribute, element.attributes.values())),
         children=children,
-        notes=_readers(element.readers),
+        notes=_consumers(element.consumers),
+        summary=summary("urdf", use.path),
     )
     return described if value is None else _with_value(described, value)
 
@@ -77,7 +107,8 @@ def _attribute(use: _Use, attribute: UrdfAttribute) -> Description:
         what="attribute",
         since=_since(attribute),
         parents=(Entry(use.element.name, "1" if attribute.required else "0"),),
-        notes=_readers(attribute.readers),
+        notes=_consumers(attribute.consumers),
+        summary=summary("urdf", (*use.path, f"@{attribute.name}")),
     )
     return _with_value(described, attribute)
 
@@ -91,7 +122,7 @@ def _with_value(described: Description, value: UrdfAttribute) -> Description:
         unit=_unit(value),
         range=str(value.range or ""),
         choices=value.choices,
-        notes=(*_readers(value.readers), *substitute),
+        notes=(*_consumers(value.consumers), *substitute),
     )
 
 
@@ -104,7 +135,7 @@ def _entry_of_child(child: UrdfElement) -> Entry:
         value.default if value else "",
         _unit(value) if value else "",
         _since(child),
-        note="".join(_readers(child.readers)),
+        note="".join(_consumers(child.consumers)),
     )
 
 
@@ -116,7 +147,7 @@ def _entry_of_attribute(attribute: UrdfAttribute) -> Entry:
         attribute.default,
         _unit(attribute),
         _since(attribute),
-        note="".join(_readers(attribute.readers)),
+        note="".join(_consumers(attribute.consumers)),
     )
 
 
@@ -135,10 +166,10 @@ def _unit(value: UrdfAttribute) -> str:
 
 
 def _since(thing: UrdfElement | UrdfAttribute) -> str:
-    return str(thing.since) if thing.since > VERSIONS[0] else ""
+    return thing.release or (str(thing.since) if thing.since > VERSIONS[0] else "")
 
 
-def _readers(names: tuple[str, ...]) -> tuple[str, ...]:
+def _consumers(names: tuple[str, ...]) -> tuple[str, ...]:
     return (f"read by {', '.join(names)} only",) if names else ()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing
+from sdfcheck.formats.describe.summary import summary
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor.definitions import DIALECTS, Effect, Place, Slot, Tag, Vendor
 from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
@@ -66,7 +67,8 @@ def _slots(steps: tuple[str, ...], tables: list[_Table]) -> tuple[Description, .
 def _empty(table: _Table, name: str, what: str, tag: Tag) -> Description:
     title = f"{table.vendor.name} ({_FORMATS[table.dialect]})"
     since = f"{table.vendor.name} {tag.since}" if tag.since else ""
-    return Description(name=name, format=title, what=what, since=since)
+    about = summary(table.vendor.prefix, (tag.name,)) if name == tag.name else ""
+    return Description(name=name, format=title, what=what, since=since, summary=about)
 
 
 def _tag(table: _Table, tag: Tag, outer: tuple[str, ...]) -> Description | None:
@@ -129,7 +131,7 @@ def _notes(table: _Table, tag: Tag) -> tuple[str, ...]:
 
 
 def _in_words(effect: Effect) -> str:
-    return "stops the reader" if effect.refused else "is ignored"
+    return "stops the consumer" if effect.refused else "is ignored"
 
 
 def _often(place: Place) -> str:

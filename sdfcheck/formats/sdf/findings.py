@@ -14,11 +14,11 @@ from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.likely_parents import likely_parents
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
-from sdfcheck.formats.sdf.topology import standard_inside
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 
@@ -47,8 +47,8 @@ _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/ge
 # Not in any version, and yet what Gazebo reads: reported among the names of its generations.
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
-# The table allows one, and the readers take all.
-REPEATABLE = frozenset(("geometry/polyline", "contact/collision"))
+# The table allows one, and the consumers take all.
+REPEATABLE = frozenset(("geometry/polyline", "contact/collision", "multicamera/camera"))
 
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
@@ -66,8 +66,10 @@ class Findings:
         self.named = named
         self.customs: list[tuple[Element, Element, Definition]] = []
         """Custom elements in standard ones, with their parent and its definition."""
-        self.displaced: dict[Element, tuple[Element, ...]] = {}
+        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
         """Custom elements → the standard ones in them that belong beside them."""
+        self.elsewhere: set[tuple[Element, str]] = set()
+        """What elements lack only because it is inside a custom element."""
         self.replaced: dict[Element, list[str]] = {}
         """Custom elements → the required ones that are absent where they are given."""
         self.misspelled: set[tuple[Element, str]] = set()
@@ -126,6 +128,7 @@ class Findings:
             self.named.setdefault(parent, []).append((child.name, name, child))
         if displaced := tuple(standard_inside(child, parent, place)):
             self.displaced[child] = displaced
+            self.elsewhere.update((parent, each.element.name) for each in displaced)
 
     def note_too_new(self, element: Element, parent: Element, place: str, since: Version) -> None:
         self.too_new.setdefault((place, ""), []).append(element)
@@ -133,7 +136,8 @@ class Findings:
 
     def repeated(self, element: Element, first: Element, parent: Element) -> None:
         # What may be at the root is judged as a whole, by the analysis of structure.
-        if parent.parent is not None and f"{parent.name}/{element.name}" not in REPEATABLE:
+        places = {f"{kind}/{element.name}" for kind in (parent.name, parent.attributes.get("type", ""))}
+        if parent.parent is not None and REPEATABLE.isdisjoint(places):
             self.found.append(problems.RepeatedElement(element, first, parent))
 
     def deprecated(self, element: Element, definition: Definition) -> None:
@@ -250,7 +254,7 @@ class Findings:
         self.found += text_problems(element, definition)
 
     def judge_unknown(self) -> None:
-        """Note the unknown elements; what a misspelt one was meant to be is not missing as well."""
+        """Note the unknown elements; what a misspelled one was meant to be is not missing as well."""
         lacking = {
             (parent, name): self.absent(parent, place, name)
             for parent, place, name in self.missing_children
@@ -274,7 +278,7 @@ class Findings:
         """Everything found, once the walk is over."""
         self.judge_unknown()
         for parent, place, name in self.missing_children:
-            if (parent, name) in self.misspelled:
+            if (parent, name) in self.misspelled | self.elsewhere:
                 continue
             if (custom := self.replacement(parent, place, name)) is not None:
                 self.replaced.setdefault(custom, []).append(name)

@@ -96,7 +96,7 @@ def renamed_value(definition: AttributeDefinition, value: str) -> str | None:
 
 
 def carried_over(parent: Definition, name: str, version: Version) -> bool:
-    """Whether readers convert it on loading a document of that version, so that nothing is lost."""
+    """Whether consumers convert it on loading a document of that version, so that nothing is lost."""
     place = f"{parent.place}/{name}"
     rules = (Version.parse(last) for moved, last in _notes("moved") if moved == place)
     return any(last is not None and last >= version for last in rules)

@@ -1,6 +1,6 @@
 """How values may be written, in the terms that schema languages share: patterns, words, bounds.
 
-They let pass what readers take as written. Whatever the schema languages cannot say
+They let pass what consumers take as written. Whatever the schema languages cannot say
 (a quaternion's length, infinity only here and there) is left to the linter.
 """
 
@@ -78,7 +78,7 @@ def form(place: Definition | AttributeDefinition) -> Form:
 
 
 def _padded(pattern: str) -> str:
-    """With blanks around: not all validators take them away."""
+    """With spaces around: not all validators take them away."""
     return rf"\s*({pattern})\s*"
 
 
@@ -95,7 +95,7 @@ def _words(place: Definition | AttributeDefinition, needed: bool) -> Form:
 
 
 def _later(place: Definition | AttributeDefinition) -> tuple[str, ...]:
-    """What newer versions list: readers take it in older documents as well."""
+    """What newer versions list: consumers take it in older documents as well."""
     if isinstance(place, Definition):
         newer = in_version(place, NEWEST)
         return newer.choices.listed if newer is not None and newer.choices else ()

@@ -1,4 +1,4 @@
-"""Judging the parts of a value: words between blanks that should be numbers."""
+"""Judging the parts of a value: words between spaces that should be numbers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _WHOLE_REST = {**_REST, ".": Cause.FRACTION, "e": Cause.EXPONENT, "E": Cause.EXP
 
 
 def words(text: str) -> Iterator[tuple[int, int]]:
-    """Start and end of every part between blanks."""
+    """Start and end of every part between spaces."""
     return (match.span() for match in _WORD.finditer(text))
 
 
@@ -68,7 +68,7 @@ def in_range(value: float, bounds: Range | None, start: int, end: int) -> Readin
 
 
 def read_stream(text: str, count: int, whole: bool, bounds: Range | None) -> Reading:
-    """Numbers taken one after the other, with or without blanks between; what is left over is ignored."""
+    """Numbers taken one after the other, with or without spaces between; what is left over is ignored."""
     position, worst = 0, AS_WRITTEN
     for index in range(count):
         blank = len(text) - len(text[position:].lstrip(BLANKS))
@@ -100,7 +100,7 @@ def _stream_part(text: str, part: tuple[int, int], number: Number, whole: bool, 
 
 
 def read_parts(text: str, wanted: tuple[int, ...], width: Width) -> Reading:
-    """The parts of a pose (double) or a colour (single): each is taken from the front of its word."""
+    """The parts of a pose (double) or a color (single): each is taken from the front of its word."""
     worst = AS_WRITTEN
     parts = list(words(text))
     for start, end in parts:

@@ -45,7 +45,7 @@ class MisplacedElement(Record):
     """A standard element where its parent does not allow it.
 
     ``places`` are the parents that do, the likeliest first and those only if there are
-    any. ``ignored`` is False for what readers find wherever it is.
+    any. ``ignored`` is False for what consumers find wherever it is.
     """
 
     element: Element
@@ -124,7 +124,7 @@ class MissingAttribute(Record):
     """A required attribute is absent, or ``empty``.
 
     ``until`` is the last version that requires it, where the newest one does not; then
-    only readers of that time refuse the file.
+    only consumers of that time refuse the file.
     """
 
     element: Element
@@ -134,7 +134,7 @@ class MissingAttribute(Record):
 
 
 class EmptyName(Record):
-    """A name of nothing but blanks; ``until`` as in :class:`MissingAttribute`."""
+    """A name of nothing but spaces; ``until`` as in :class:`MissingAttribute`."""
 
     value: Value
     until: Version | None = None

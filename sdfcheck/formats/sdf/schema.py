@@ -19,22 +19,26 @@ NOT_GIVEN = "__default__"
 
 _NEEDED = frozenset(
     """
+    attenuation/range battery/voltage blend/fade_dist blend/min_height
     box/size capsule/length capsule/radius cone/length cone/radius cylinder/length cylinder/radius
-    ellipsoid/radii image/height image/scale polyline/height polyline/point sphere/radius
+    ellipsoid/radii image/height image/scale image/width polyline/height polyline/point sphere/radius
+    intrinsics/cx intrinsics/cy intrinsics/fx intrinsics/fy
     axis/xyz axis2/xyz inertia/ixx inertia/iyy inertia/izz
     joint/child joint/parent
     lidar/range lidar/scan ray/range ray/scan range/max range/min scan/horizontal
     horizontal/max_angle horizontal/min_angle horizontal/samples
-    logical_camera/far logical_camera/near sonar/max sonar/min
+    logical_camera/aspect_ratio logical_camera/far logical_camera/horizontal_fov logical_camera/near
+    population/model road/point sonar/max sonar/min sonar/radius spot/outer_angle
     spherical_coordinates/latitude_deg spherical_coordinates/longitude_deg
-    trajectory/waypoint waypoint/pose waypoint/time
+    texture/size trajectory/waypoint vertical/max_angle vertical/min_angle vertical/samples
+    waypoint/pose waypoint/time
     """.split()
 )
 """Required children that make another robot when they are left out, or nothing sensible at all.
 
 libsdformat fills in every required child but the ends of a joint, and says nothing. For
 most (the atmosphere of a world, the step of a physics) the default is what an author who
-leaves them out expects.
+leaves them out expects. Where that depends on something else, ``structure`` decides.
 """
 
 

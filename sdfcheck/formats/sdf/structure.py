@@ -1,6 +1,6 @@
 """What the tables cannot say: which parts of a container go together.
 
-Source: the readers of libsdformat 17 (Root.cc, Geometry.cc, Sensor.cc, Material.cc,
+Source: the consumers of libsdformat 17 (Root.cc, Geometry.cc, Sensor.cc, Material.cc,
 World.cc) and what they do when run.
 """
 
@@ -13,6 +13,7 @@ from sdfcheck.formats.sdf.survey import Survey, survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
 
 _SIX = Version(1, 6)
 
@@ -42,6 +43,8 @@ def structure_problems(document: Document) -> list[object]:
         *_root(document),
         *_shapes(surveyed),
         *_lights(surveyed),
+        *_directions(surveyed),
+        *_planes(surveyed),
         *_inertials(surveyed),
         *_sensors(surveyed),
         *_shaders(surveyed),
@@ -100,11 +103,33 @@ def _stands_in(element: Element, parent: str) -> bool:
 
 
 def _lights(surveyed: Survey) -> Iterator[object]:
-    """Up to 1.5 a light needed no name; all readers now ask for one."""
+    """Up to 1.5 a light needed no name; all consumers now ask for one."""
     for light in surveyed.index.get("light", ()):
         given = "name" in light.attributes or (light, "name") in surveyed.misspelled
         if surveyed.version < _SIX and not given and not _is_state(light):
             yield problems.MissingAttribute(light, "name", empty=False)
+
+
+def _directions(surveyed: Survey) -> Iterator[object]:
+    """Lights that shine somewhere, and do not say where to."""
+    for light in surveyed.index.get("light", ()):
+        is_aimed = light.attributes.get("type", "").strip() in {"directional", "spot"}
+        if is_aimed and not _has(surveyed, light, "direction") and not _is_state(light):
+            yield problems.MissingElement(light, "direction", "0 0 -1")
+
+
+def _planes(surveyed: Survey) -> Iterator[object]:
+    """Planes that are seen; as a collision a plane has no end."""
+    for plane in surveyed.index.get("plane", ()):
+        shape = plane.parent.parent if plane.parent is not None else None
+        is_seen = shape is not None and shape.name == "visual"
+        if is_seen and not _has(surveyed, plane, "size"):
+            yield problems.MissingElement(plane, "size", "1 1")
+
+
+def _has(surveyed: Survey, element: Element, name: str) -> bool:
+    """Has an element a child of a name, be it misspelled?"""
+    return element.has(name) or (element, name) in surveyed.misspelled
 
 
 def _inertials(surveyed: Survey) -> Iterator[object]:
@@ -127,7 +152,8 @@ def _is_static(element: Element) -> bool:
 
 
 def _sensors(surveyed: Survey) -> Iterator[object]:
-    if surveyed.index.get("sensor"):
+    is_sdf = surveyed.document.kind is Kind.SDF  # nobody says for which version the rest is
+    if surveyed.index.get("sensor") and is_sdf:
         from sdfcheck.formats.sdf.sensors import sensor_problems
 
         yield from sensor_problems(surveyed)

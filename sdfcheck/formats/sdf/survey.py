@@ -1,5 +1,7 @@
 """The one walk over an SDF document: every element against the table of its version.
 
+Of a URDF document it walks over what is SDFormat: the content of the ``<gazebo>`` blocks.
+
 The walk also notes where the standard elements are, so that whoever needs "all
 joints" need not walk again. A sound document is walked by the fast path alone, which
 asks ``Definition.accepts``; whatever that does not accept at once is explained by
@@ -9,17 +11,24 @@ asks ``Definition.accepts``; whatever that does not accept at once is explained 
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.findings import Findings
+    from sdfcheck.formats.topology import Displaced
 
+PARAMETERS = "experimental:params"
+"""The element of an include with its parameters."""
 
+_ADDING = frozenset(("add", "replace"))
 _REMEMBERED = 1000
 """So many accepted texts are kept for each place: most worlds repeat themselves."""
 
@@ -51,18 +60,51 @@ class Survey:
         self.version = (Version.parse(document.version or "") if is_sdf else None) or NEWEST
         """The declared version; the newest one where none or an unknown one is declared."""
         walk = _Walk(document, self.version)
-        self.problems = walk.run(root) if root is not None and is_sdf else []
+        self.problems = walk.run(root) if root is not None and is_sdf else walk.extensions()
         self.index = walk.index
         self.named = walk.named
         """Parent → (element name, value of its ``name``, element)."""
-        self.customs = walk.explained.customs if walk.explained else []
-        """Custom elements in standard ones, with their parent and its definition."""
-        self.displaced = walk.explained.displaced if walk.explained else {}
+        self.customs: list[Element] = []
+        """Custom elements in standard ones, and in what parameters of includes add."""
+        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
         """Custom elements → the standard ones in them that belong beside them."""
-        self.replaced = walk.explained.replaced if walk.explained else {}
+        self.replaced: dict[Element, list[str]] = {}
         """Custom elements → the required ones that are absent where they are given."""
+        if walk.explained is not None:
+            self._take_customs(walk.explained)
         self.misspelled = walk.explained.misspelled if walk.explained else set()
         """What elements lack only because a child or attribute of theirs is misspelled."""
+
+    def _take_customs(self, found: Findings) -> None:
+        self.customs += (custom for custom, _, _ in found.customs)
+        self.displaced.update(found.displaced)
+        self.replaced.update(found.replaced)
+        for custom, _, _ in found.customs:
+            for element, definition in _additions(custom) if custom.name == PARAMETERS else ():
+                walk = _Walk(self.document, definition.version)
+                walk.part(element, definition)
+                if walk.explained is not None:
+                    self._take_customs(walk.explained)
+
+
+def _additions(block: Element) -> Iterator[tuple[Element, Definition]]:
+    """What parameters of an include add, with its definition."""
+    for entry in block.children():
+        definition = defined_alone(entry.name)
+        if definition is None:
+            continue
+        if entry.attributes.get("action") in _ADDING:
+            yield entry, definition
+            continue
+        for child in entry.children():
+            place = definition.children.get(child.name)
+            if place is not None and child.attributes.get("action") in _ADDING:
+                yield child, place
+
+
+def defined_alone(name: str) -> Definition | None:
+    """The definition of an element that the format defines by itself, wherever it is used."""
+    return schema(NEWEST).at(f"{name}:{name}") if name in stems() else None
 
 
 def survey(document: Document) -> Survey:
@@ -105,6 +147,15 @@ class _Walk:
         if len(items) != 1 or items[0][0] != "version" or not version.accepts(items[0][1]):
             self.findings.root(root, definition)
         self.children(root, definition)
+        return self.explained.conclude() if self.explained else []
+
+    def extensions(self) -> list[object]:
+        """The same for what a URDF file holds in ``<gazebo>`` blocks."""
+        if self.document.kind is Kind.URDF and "<gazebo" in self.document.source.text:
+            from sdfcheck.formats.sdf.extension import extensions
+
+            for block, content in extensions(self.document):
+                self.children(block, content)
         return self.explained.conclude() if self.explained else []
 
     def part(self, element: Element, definition: Definition) -> list[object]:

@@ -1,4 +1,4 @@
-"""Texts that an element holds in several pieces, and which of them readers ignore."""
+"""Texts that an element holds in several pieces, and which of them consumers ignore."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def blanks_as_spaces(text: str) -> str:
 
 
 def cut_text(element: Element) -> Span | None:
-    """The text after a comment in the middle of a value, which no reader sees."""
+    """The text after a comment in the middle of a value, which no consumer sees."""
     others = element.iterchildren(etree.Comment, etree.ProcessingInstruction)
     pieces = [element.text, *(other.tail for other in others)]
     filled = [piece for piece in pieces if piece and piece.strip()]

@@ -1,7 +1,7 @@
 """How libsdformat reads a value, with the reason where that is not what is written.
 
 Checked against version 17 of the library: it takes the longest number from the front of
-a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 without a word.
+a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silence.
 """
 
 from __future__ import annotations
@@ -103,7 +103,7 @@ def read_at(definition: RowInVersion, text: str, rotation_format: str = "euler_r
         end = start + len(trimmed)
         return Reading(Outcome.NOT_A_CHOICE, start, end, refused=refused, expected=expected, verdict=verdict)
     if kind == "string" and bounds is not None:
-        # A number after all, to a reader that takes the default when it finds none.
+        # A number after all, to a consumer that takes the default when it finds none.
         return read("double", text, required=required, bounds=bounds)._replace(refused=False)
     infinite = definition.may_be_infinite
     return read(
@@ -188,7 +188,7 @@ _SCALARS: dict[str, Callable[[str, Range | None], Reading]] = {
 
 
 def floats(text: str) -> tuple[float, ...] | None:
-    """All numbers of a text separated by blanks; None if any part is none, or there are none."""
+    """All numbers of a text separated by spaces; None if any part is none, or there are none."""
     if not text.isascii() or "_" in text:
         return None
     try:

@@ -7,14 +7,18 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Iterator
 
-from sdfcheck.formats.reading import Outcome
+from lxml import etree
+
+from sdfcheck.formats.reading import Cause, Outcome, misread
 from sdfcheck.formats.repetition import MOST, folded
 from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces, stray_line
 from sdfcheck.formats.sdf.value_problems import problem_of
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.formats.urdf import problems as urdf_problems
 from sdfcheck.formats.urdf.misspellings import meant_attribute, meant_child
 from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement, is_expression, known_parents
@@ -36,6 +40,8 @@ class UrdfFindings:
         self.version = version
         self.customs: list[Element] = []
         """Prefixed elements in standard ones."""
+        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
+        """Prefixed elements → the standard ones in them that belong beside them."""
         self.found: list[object] = []
         self.stray: set[Element] = set()
         self.unknown: dict[tuple[str, str], list[Element]] = {}
@@ -54,6 +60,8 @@ class UrdfFindings:
         name = child.name
         if ":" in name:
             self.customs.append(child)
+            if displaced := tuple(standard_inside(child, parent, place)):
+                self.displaced[child] = displaced
             return
         if place.name == "geometry":
             return  # a shape, in its way
@@ -82,7 +90,7 @@ class UrdfFindings:
     def missing_child(self, parent: Element, name: str) -> None:
         place = self.places.get(parent)
         if place and any(meant_child(child, place) == name for child in parent.children()):
-            return  # it is there, misspelt
+            return  # it is there, misspelled
         if parent.tag != "inertial" and name != "geometry":  # which rules look at
             self.found.append(problems.MissingElement(parent, name, None, refused=True))
 
@@ -154,11 +162,14 @@ class UrdfFindings:
     # Values
 
     def setting(self, element: Element, known: UrdfAttribute) -> None:
-        """A number in ``<gazebo>``, in the attribute ``value`` or as text."""
+        """A number or flag in ``<gazebo>``, in the attribute ``value`` or as text."""
         from sdfcheck.formats.sdf.values import read as read_as_sdf
 
         value = element.attribute("value") or element.own_value
-        reading = read_as_sdf(known.type, value.text, required=True)
+        if known.type == "flag":
+            reading = misread(0, len(value.text), Cause.NOT_A_BOOLEAN, "false")
+        else:
+            reading = read_as_sdf(known.type, value.text, required=True)
         if reading.outcome is Outcome.EMPTY:
             self.found.append(problems.MalformedValue(value, known, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
@@ -176,7 +187,7 @@ class UrdfFindings:
         else:
             self.found += problem_of(value, known, reading)
 
-    def expressions(self) -> None:
+    def expressions(self, root: Element) -> None:
         """What xacro would have replaced, reported once: it is one step that was left out."""
         comments = [match.span() for match in _COMMENT.finditer(self.source.text)]
         places = [
@@ -185,7 +196,9 @@ class UrdfFindings:
             if not any(start <= match.start() < end for start, end in comments)
         ]
         if places:
-            self.found.append(urdf_problems.UnexpandedExpression(self.source.span(*places[0]), len(places)))
+            first = self.source.span(*places[0])
+            values = tuple(_values_with_expressions(root))
+            self.found.append(urdf_problems.UnexpandedExpression(first, len(places), values))
 
     def conclude(self) -> list[object]:
         """Everything found, once the walk is over."""
@@ -240,3 +253,13 @@ def _written(value: Value) -> str:
         return value.text  # xacro writes spaces
     text = value.span.text
     return text if "&" not in text and blanks_as_spaces(text) == value.text else value.text
+
+
+def _values_with_expressions(root: Element) -> Iterator[Value]:
+    for element in root.iter(etree.Element):
+        assert isinstance(element, Element)
+        for name, text in element.attributes.items():
+            if is_expression(text) and (value := element.attribute(name)) is not None:
+                yield value
+        if is_expression(element.content) and element.own_value is not None:
+            yield element.own_value

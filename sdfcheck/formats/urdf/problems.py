@@ -8,7 +8,7 @@ from sdfcheck.source.text import Span
 
 
 class UnknownUrdfElement(Record):
-    """An element that no reader of URDF looks for at this place.
+    """An element that no consumer of URDF looks for at this place.
 
     ``uses`` are all of this name below parents of this name; ``places`` the parents below
     which it would be read. ``needed``: ``suggestion`` is required there and missing.
@@ -23,7 +23,7 @@ class UnknownUrdfElement(Record):
 
 
 class UnknownUrdfAttribute(Record):
-    """An attribute that no reader of URDF looks for; ``needed`` and ``uses`` as above.
+    """An attribute that no consumer of URDF looks for; ``needed`` and ``uses`` as above.
 
     ``more``: so many others of the element are unknown, of which only some are reported.
     """
@@ -52,3 +52,5 @@ class UnexpandedExpression(Record):
 
     span: Span
     count: int
+    values: tuple[Value, ...]
+    """The attributes and texts that hold them."""

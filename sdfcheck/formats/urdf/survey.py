@@ -19,6 +19,7 @@ from sdfcheck.source.element import Element
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from sdfcheck.formats.topology import Displaced
     from sdfcheck.formats.urdf.findings import UrdfFindings
 
 _REMEMBERED = 1000
@@ -35,7 +36,7 @@ class UrdfSurvey:
     that xacro has yet to expand is not looked into.
     """
 
-    __slots__ = ("customs", "document", "index", "problems", "root", "version")
+    __slots__ = ("customs", "displaced", "document", "index", "problems", "root", "version")
 
     def __init__(self, document: Document) -> None:
         self.document = document
@@ -47,6 +48,8 @@ class UrdfSurvey:
         self.index: defaultdict[str, list[Element]] = defaultdict(list)
         self.customs: list[Element] = []
         """Prefixed elements in standard ones."""
+        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
+        """Prefixed elements → the standard ones in them that belong beside them."""
         self.problems: list[object] = []
         if self.root is not None:
             declared = document.version or ""
@@ -54,7 +57,8 @@ class UrdfSurvey:
             walk = UrdfWalk(document, self.version)
             self.problems = walk.run(self.root)
             self.index = walk.index
-            self.customs = walk.explained.customs if walk.explained else []
+            if walk.explained:
+                self.customs, self.displaced = walk.explained.customs, walk.explained.displaced
 
     def top(self, name: str) -> list[Element]:
         """The children of ``robot`` of that name."""
@@ -97,7 +101,7 @@ class UrdfWalk:
         self.attributes(root, definition)
         self.children(root, definition)
         if is_expression(self.source.text):
-            self.findings.expressions()
+            self.findings.expressions(root)
         return self.conclude()
 
     def conclude(self) -> list[object]:
@@ -170,7 +174,7 @@ class UrdfWalk:
             self.findings.missing_attributes(element, missing)
 
     def extensions(self) -> None:
-        """The numbers among the settings in ``<gazebo>``."""
+        """The values of the settings in ``<gazebo>``."""
         from sdfcheck.formats.urdf.table import extension
 
         settings = extension().children

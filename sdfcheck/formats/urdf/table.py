@@ -1,4 +1,4 @@
-"""What URDF allows where, and what its readers make of it.
+"""What URDF allows where, and what its consumers make of it.
 
 There is no authority to ask: the table (``data/urdf.txt``) holds what urdfdom reads,
 and beside it what libsdformat, Drake, PyBullet and MuJoCo read beyond.
@@ -38,11 +38,12 @@ class UrdfAttribute:
     __slots__ = (
         "accepts",
         "choices",
+        "consumers",
         "default",
         "element",
         "name",
         "range",
-        "readers",
+        "release",
         "required",
         "since",
         "sound",
@@ -57,11 +58,13 @@ class UrdfAttribute:
         self.name = name.removeprefix("@")
         self.required = multiplicity == "1"
         self.since = Version(*map(int, row.keys.get("since", "1.0").split(".")))
+        self.release = row.keys.get("release", "")
+        """The first releases of ROS 2 that know it, in words; empty: all do."""
         self.range = _range(row.keys)
         self.choices: tuple[str, ...] = tuple(filter(None, row.keys.get("choices", "").split(",")))
         self.units = tuple(filter(None, row.keys.get("unit", "").split("|")))
         """What it is measured in; two where it depends on the joint: angular, linear."""
-        self.readers = tuple(filter(None, row.keys.get("readers", "").split(",")))
+        self.consumers = tuple(filter(None, row.keys.get("consumers", "").split(",")))
         """Who reads it; empty: urdfdom, and with it almost everybody."""
         self.accepts: Callable[[str], object] = _acceptance(self)
         """True for text that is surely read as written and nothing can be said against."""
@@ -81,11 +84,13 @@ class UrdfElement:
     """An element, as URDF allows it below one kind of parent."""
 
     __slots__ = (
+        "about",
         "attributes",
         "children",
+        "consumers",
         "name",
         "open",
-        "readers",
+        "release",
         "required",
         "required_attributes",
         "required_children",
@@ -102,7 +107,10 @@ class UrdfElement:
         self.open = kind == "open"
         """Content is free: nothing inside is URDF."""
         self.since = Version(*map(int, keys.get("since", "1.0").split(".")))
-        self.readers = tuple(filter(None, keys.get("readers", "").split(",")))
+        self.release = keys.get("release", "")
+        self.consumers = tuple(filter(None, keys.get("consumers", "").split(",")))
+        self.about = keys.get("at", "")
+        """Of a setting in ``<gazebo>``: what the block is about (link, joint or robot); empty: nobody reads it."""
         self.value = UrdfAttribute(self.name, row) if kind and not self.open else None
         """What its text means; None for an element that holds elements, or nothing."""
         self.attributes: dict[str, UrdfAttribute] = {}
@@ -138,9 +146,17 @@ def urdf() -> UrdfElement:
 
 @cache
 def extension() -> UrdfElement:
-    """The element ``gazebo``, with those of its settings that libsdformat takes for numbers."""
+    """The element ``gazebo``, with the settings in it that libsdformat translates."""
     blocks = _blocks()
     return UrdfElement(blocks["extension"], blocks["extension"], blocks)
+
+
+@cache
+def control() -> UrdfElement:
+    """The element ``ros2_control``, with what ros2_control reads of it."""
+    blocks = _blocks()
+    use = next(row for row in blocks["robot"].rows if row.fields[0] == "ros2_control")
+    return UrdfElement(blocks["control"], use, blocks)
 
 
 @cache
@@ -189,15 +205,19 @@ def _range(keys: dict[str, str]) -> Range | None:
     return found
 
 
+_FLAGS = frozenset(("", "0", "1", "false", "no", "true", "yes"))
+"""What is taken for true or false in ``<gazebo>``; everything else is false as well."""
 _COUNTS = {"double": 1, "vector3": 3, "color": 4, "quaternion": 4}
 
 
 def _acceptance(attribute: UrdfAttribute) -> Callable[[str], object]:
-    """A quick check. Unlike in SDFormat, a number must not be followed by blanks."""
+    """A quick check. Unlike in SDFormat, a number must not be followed by spaces."""
     if attribute.required and attribute.type == "string" and not attribute.choices:
         return str.strip
     if attribute.choices:
         return frozenset(attribute.choices).__contains__
+    if attribute.type == "flag":
+        return _is_flag
     count = _COUNTS.get(attribute.type)
     if count is None:
         return str.isdecimal if attribute.type in {"int", "unsigned int"} else _anything
@@ -221,6 +241,10 @@ def _numbers(count: int, bounds: Range | None) -> Callable[[str], object]:
         return max(numbers) < inf and min(numbers) > -inf
 
     return accepts
+
+
+def _is_flag(text: str) -> bool:
+    return text.strip().lower() in _FLAGS
 
 
 def _anything(text: str) -> bool:

@@ -1,7 +1,7 @@
 """How urdfdom reads a value, with the reason where that is not what is written.
 
 It is stricter than libsdformat: a number has to be all of its text, so `1.5kg`, `1,5`,
-`0x10`, `inf` and `1 ` with a blank after it are refused, and in a vector only spaces separate
+`0x10`, `inf` and `1 ` with a space after it are refused, and in a vector only spaces separate
 the numbers, no tabs or line breaks. Checked against version 3.0.1.
 """
 
@@ -45,7 +45,7 @@ def read(attribute: UrdfAttribute, text: str) -> Reading:
 def _read_parts(text: str, count: int, bounds: Range | None) -> Reading:
     pieces = [match.span() for match in _PIECE.finditer(text)]
     for start, end in pieces:
-        # Blanks of other kinds pass before a number, not after one and not alone.
+        # Spaces of other kinds pass before a number, not after one and not alone.
         if blank := _OTHER_BLANK.search(text, end - len(text[start:end].lstrip()), end):
             return malformed(*blank.span(), Cause.BLANK)
         if text[start:end].isspace():
@@ -63,7 +63,7 @@ def _read_parts(text: str, count: int, bounds: Range | None) -> Reading:
 
 
 def _read_number(text: str, start: int, end: int, bounds: Range | None) -> Reading:
-    """A number from ``start`` to ``end``, with nothing after it; blanks before it are ignored."""
+    """A number from ``start`` to ``end``, with nothing after it; spaces before it are ignored."""
     while text[start] in BLANKS:
         start += 1
     number = stream_float(text, start)

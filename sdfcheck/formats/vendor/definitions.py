@@ -18,7 +18,7 @@ DIALECTS = {"sdf": Kind.SDF, "urdf": Kind.URDF}
 
 
 class Outcome(Enum):
-    """What a reader does about something wrong; any other word is the value that it takes instead."""
+    """What a consumer does about something wrong; any other word is the value that it takes instead."""
 
     ERROR = "error"
     ABORT = "abort"
@@ -40,12 +40,12 @@ class Effect(NamedTuple):
 
     @property
     def refused(self) -> bool:
-        """The reader does not get to the end of the file."""
+        """The consumer does not get to the end of the file."""
         return self.outcome in {Outcome.ERROR, Outcome.ABORT, Outcome.CRASH}
 
 
 REFUSED = Effect(Outcome.ERROR)
-PASSED_OVER = Effect(Outcome.IGNORED)
+IGNORED = Effect(Outcome.IGNORED)
 
 
 class BadTable(ValueError):
@@ -133,7 +133,7 @@ class Slot:
         self.bad = keys.effect("bad") or REFUSED
         """What is done about a word that is none of the choices."""
         self.lacking = keys.effect("lacking")
-        """What is done where the value is not there, if that is no mistake to the reader."""
+        """What is done where the value is not there, if that is no mistake to the consumer."""
         self.references = keys.words("ref")
         """The kinds of thing that the value may name."""
         self.scoped = keys.dialect in keys.words("scoped")
@@ -232,12 +232,12 @@ class Vendor:
         self.name = name
         self.namespace = namespace
         self.release = keys.text("release")
-        """The newest release of the reader that the table knows."""
+        """The newest release of the consumer that the table knows."""
         self.version = keys.text("version")
         """The attribute of the root that says what release a document is written for."""
         self.is_lenient = True
         """Numbers are taken from the front of a text, and 0 where there is none."""
-        self.unknown = PASSED_OVER
+        self.unknown = IGNORED
         self.ignored_in: tuple[str, ...] = ()
         self.tags: dict[str, Tag] = {}
 
@@ -245,9 +245,9 @@ class Vendor:
         return f"Vendor({self.prefix})"
 
     def effect_in(self, parent: Element | None) -> Effect:
-        """What the reader does about a tag that it does not look for in ``parent`` (None: an attribute)."""
-        if self.unknown == PASSED_OVER or (parent is None and "@" in self.ignored_in):
-            return PASSED_OVER
+        """What the consumer does about a tag that it does not look for in ``parent`` (None: an attribute)."""
+        if self.unknown == IGNORED or (parent is None and "@" in self.ignored_in):
+            return IGNORED
         names: list[str] = []
         while parent is not None:
             names.insert(0, parent.name)
@@ -256,7 +256,7 @@ class Vendor:
         for path in self.ignored_in:
             inside = path.removesuffix("/*")
             if f"/{chain}".endswith(f"/{path}") or (inside != path and f"/{inside}/" in f"/{chain}/"):
-                return PASSED_OVER
+                return IGNORED
         return self.unknown
 
 

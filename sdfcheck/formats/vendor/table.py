@@ -86,7 +86,7 @@ class _Reader:
             self.start(head, fields)
 
     def convention(self, head: str, dialect: str, word: str, paths: str = "") -> None:
-        """How the reader takes numbers, and what it does about what it does not know."""
+        """How the consumer takes numbers, and what it does about what it does not know."""
         assert self.vendor is not None
         if dialect != self.dialect:
             return

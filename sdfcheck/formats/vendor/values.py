@@ -1,16 +1,17 @@
-"""How readers of vendors' own values take a text.
+"""How consumers of vendors' own values take a text.
 
-A *lenient* reader takes the number at the front of a text, drops the rest, and takes 0
+A *lenient* consumer takes the number at the front of a text, drops the rest, and takes 0
 where there is none (Drake in SDF files, through libsdformat). A *strict* one wants just the numbers
 and refuses the file otherwise, except that letters after a number end it (Drake in URDF files).
 """
 
 from __future__ import annotations
 
+from enum import Enum
+
 from sdfcheck.formats.sdf.numbers import leading_float, stream_float
 from sdfcheck.formats.sdf.parts import words
 from sdfcheck.formats.vendor.definitions import REFUSED, Effect, Outcome, Slot
-from sdfcheck.formats.vendor.problems import TagFault
 from sdfcheck.source.record import NamedTuple
 
 _COUNTS = {"double": 1, "int": 1, "vector2": 2, "vector3": 3}
@@ -23,6 +24,19 @@ _EXPECTED = {
     "vector3": "3 numbers",
 }
 _BOOLEANS = frozenset(("true", "false", "1", "0"))
+
+
+class TagFault(Enum):
+    """Why a value is not read as written."""
+
+    NOT_A_NUMBER = "not a number"
+    NOT_WHOLE = "not a whole number"
+    NOT_FINITE = "infinity or nan"
+    NOT_A_BOOLEAN = "neither true nor false"
+    TRAILING = "text after the number"
+    TOO_FEW = "too few numbers"
+    TOO_MANY = "too many numbers"
+    EMPTY = "empty"
 
 
 class Misreading(NamedTuple):
@@ -42,7 +56,7 @@ def expected_of(slot: Slot) -> str:
 def misreading(slot: Slot, text: str, lenient: bool, ranged: bool = True) -> Misreading | None:
     """What is wrong with a text as a value of its type; None if it is read as written.
 
-    ``ranged`` is False where the reader does not mind the range of what it takes instead.
+    ``ranged`` is False where the consumer does not mind the range of what it takes instead.
     """
     if slot.type in {"flag", ""}:
         return None
@@ -60,6 +74,12 @@ def misreading(slot: Slot, text: str, lenient: bool, ranged: bool = True) -> Mis
     if found is None:
         return None
     return found._replace(start=found.start + offset, end=found.end + offset)
+
+
+def as_read(slot: Slot, text: str) -> str:
+    """What a lenient consumer takes a text for, where a strict one would refuse it."""
+    bad = misreading(slot, text, lenient=True, ranged=False)
+    return bad.effect.value if bad is not None and bad.effect.outcome is Outcome.READ else text
 
 
 def numbers(slot: Slot, text: str) -> tuple[float, ...]:

@@ -28,7 +28,7 @@ NAMES = (".sdfcheck.toml", "sdfcheck.toml", PYPROJECT)
 
 
 class Settings(NamedTuple):
-    """What a configuration settles; the defaults stand where it is silent.
+    """What a configuration settles; the defaults are where it is silent.
 
     ``files`` are the file itself and those that it extends, none if there is none.
     """

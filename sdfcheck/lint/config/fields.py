@@ -42,15 +42,15 @@ class Field(NamedTuple):
 FIELDS = (
     Field("extend", Shape.PATH, "", "A configuration file to build on; keys given here replace its keys."),
     Field("select", Shape.SELECTORS, "", "The rules to run; unset: all that are on by default."),
-    Field("extend-select", Shape.SELECTORS, "[]", "Rules to run besides `select`."),
+    Field("extend-select", Shape.SELECTORS, "[]", "Rules to run in addition to `select`."),
     Field("ignore", Shape.SELECTORS, "[]", "Rules not to run."),
     Field("per-file-ignores", Shape.IGNORES, "{}", "File pattern → rules not to run on these files."),
     Field("severity", Shape.SEVERITIES, "{}", "Rule → severity, or `off`."),
-    Field("target", Shape.TARGETS, "[]", "The readers that the files are meant for; empty: all of them."),
+    Field("target", Shape.TARGETS, "[]", "The consumers that the files are meant for; empty: all of them."),
     Field("exclude", Shape.PATTERNS, "[]", "Files and folders not to look at, as in a `.gitignore`."),
     Field("respect-gitignore", Shape.FLAG, "true", "Whether a walk leaves out what git ignores."),
     Field("plugins", Shape.STRINGS, "[]", "Rule packs to load: import names, or folders of `.py` files."),
-    Field("fail-on", Shape.SEVERITY, '"warning"', "The least severity that makes the exit code 1."),
+    Field("fail-on", Shape.SEVERITY, '"warning"', "Exit with 1 if a finding is at least this severe."),
     Field(
         "output-format", Shape.STRINGS, '["full"]', "How to report: `concise`, to a file `sarif=out.sarif`."
     ),

@@ -60,7 +60,7 @@ class ConfigFile(NamedTuple):
     root: Path
 
     def error(self, message: str, *keys: str) -> WrongUsage:
-        """The complaint, placed where the last of ``keys`` stands behind the others."""
+        """The complaint, placed where the last of ``keys`` is after the others."""
         return WrongUsage(f"{shown(self.path)}:{line_of(self.text, keys)}: {message}")
 
 
@@ -71,7 +71,7 @@ def shown(path: Path) -> str:
 
 
 def line_of(text: str, keys: tuple[str, ...]) -> int:
-    """The line on which the last of ``keys`` stands, each looked for behind the one before."""
+    """The line on which the last of ``keys`` stands, each looked for after the one before."""
     bare = re.sub(r"(?m)^[ \t]*#.*", lambda match: " " * len(match[0]), text)
     header = re.search(r"(?m)^[ \t]*\[\s*tool\.sdfcheck\b", bare)
     place = header.start() if header else 0

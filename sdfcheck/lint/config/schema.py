@@ -9,7 +9,7 @@ from sdfcheck.lint.config.fields import FIELDS, Field, Shape
 
 _STRING = {"type": "string"}
 _STRINGS = {"type": "array", "items": _STRING}
-_SELECTOR = {"type": "string", "pattern": "^(ALL|[A-Z]{2,}[0-9]{0,3}|[a-z][a-z0-9-]*)$"}
+_SELECTOR = {"type": "string", "pattern": "^(ALL|[A-Z][A-Z0-9]*[A-Z][0-9]{0,3}|[a-z][a-z0-9-]*)$"}
 _SELECTORS = {"type": "array", "items": _SELECTOR}
 _LEVELS = ["error", "warning", "info"]
 _ARGUMENTS = {"type": "object", "additionalProperties": {"type": ["string", "number", "boolean"]}}

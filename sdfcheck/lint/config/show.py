@@ -13,7 +13,7 @@ from sdfcheck.lint.config.reading import ArgumentSet, Pattern, shown
 
 
 def render(settings: Settings) -> str:
-    """Every key that is set or has a default, as it would stand in ``sdfcheck.toml``."""
+    """Every key that is set or has a default, as it would are in ``sdfcheck.toml``."""
     lines = [f"# from {shown(file.path)}" for file in settings.files] or ["# no configuration file"]
     tables: list[str] = []
     for field in FIELDS:

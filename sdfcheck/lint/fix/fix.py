@@ -23,7 +23,7 @@ class Edit(NamedTuple):
 
 
 class Fix(NamedTuple):
-    """A cure: its title in the imperative, its edits (all in one source), and whether it is safe."""
+    """A fix: its title in the imperative, its edits (all in one source), and whether it is safe."""
 
     title: str
     edits: tuple[Edit, ...]

@@ -10,7 +10,7 @@ from pathlib import Path
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.fix.fix import Edit, Fix
-from sdfcheck.lint.one_file import Selected, Shelves, lint_file
+from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
@@ -23,7 +23,7 @@ ROUNDS = 10
 """So many times a file is linted again without fewer fixes to apply before it counts as endless."""
 
 
-class Mended(NamedTuple):
+class FixedFile(NamedTuple):
     """A file before and after its fixes; where it was refused to apply them, why."""
 
     path: Path
@@ -37,7 +37,7 @@ class Refused(Exception):
     """Edits do no good; the message says why."""
 
 
-def mend(done: Run, paths: Sequence[Path], options: Options, *, unsafe: bool) -> Iterator[Mended]:
+def fix_files(done: Run, paths: Sequence[Path], options: Options, *, unsafe: bool) -> Iterator[FixedFile]:
     """Fix the files of a run in which something can be fixed; nothing is written."""
     wanted = {
         fix.edits[0].span.source.path
@@ -49,17 +49,17 @@ def mend(done: Run, paths: Sequence[Path], options: Options, *, unsafe: bool) ->
     found = find(paths, options)
     found = found._replace(files=tuple(f for f in found.files if f.path in wanted), empty=())
     book = RuleBook(options.choice, options.target)
-    with Shelves(expand=options.expand, arguments=options.arguments) as shelves:
+    with Caches(expand=options.expand, arguments=options.arguments) as caches:
         for file in selected(found, options, []):
             settings = options.settings_for(file.path)
 
             def lint(file: Selected, settings: Settings = settings) -> Sequence[Diagnostic]:
-                return lint_file(file, book, settings, shelves)[0]
+                return lint_file(file, book, settings, caches)[0]
 
-            yield mend_file(file, lint, unsafe=unsafe)
+            yield fix_file(file, lint, unsafe=unsafe)
 
 
-def mend_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], *, unsafe: bool) -> Mended:
+def fix_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], *, unsafe: bool) -> FixedFile:
     """Apply the fixes of one file: lint, edit, and lint again until it is stable."""
     now, fixed, left, fewest = file, 0, ROUNDS, -1
     seen = {file.data}
@@ -76,8 +76,8 @@ def mend_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], 
             seen.add(now.data)
             fixed += applied
     except Refused as refusal:
-        return Mended(file.path, file.data, file.data, 0, str(refusal))
-    return Mended(file.path, file.data, now.data, fixed)
+        return FixedFile(file.path, file.data, file.data, 0, str(refusal))
+    return FixedFile(file.path, file.data, now.data, fixed)
 
 
 def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -> list[Fix]:

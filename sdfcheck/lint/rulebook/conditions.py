@@ -15,9 +15,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sdfcheck.lint.rule import Rule
-from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS, Pack, PackError, rule_classes
+from sdfcheck.lint.rulebook.pack import CONDITIONS, Pack, PackError, rule_classes
 from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.plugins.load import import_pack
+from sdfcheck.lint.run import BUILT_IN
 
 _HEAD = '''"""The conditions of the rules, so that a clean file loads one module; written by ``make generate``."""
 
@@ -103,9 +104,11 @@ class _Conditions:
                 return self.take(inner, alias.name, inner.defined[alias.name] or inner.statements[0])
         if home.partition(".")[0] not in {"sdfcheck", *sys.stdlib_module_names}:
             raise module.refusal(node, f"a condition cannot import `{name}` from `{home or '.'}`")
-        if isinstance(node, ast.Import):
+        if isinstance(node, ast.Import) or home == "sdfcheck":
             known = f"{home.replace('.', '_')}_"
             self._imports.add(f"import {home} as {known}")
+            if isinstance(node, ast.ImportFrom):
+                known = f"{known}.{alias.name}"  # loaded when it is first used
         else:
             known = f"{home.replace('.', '_')}_{alias.name}"
             self._imports.add(f"from {home} import {alias.name} as {known}")
@@ -126,13 +129,13 @@ class _Copier(ast.NodeTransformer):
         self._conditions, self._module = conditions, module
         self._local = set(_bound(node))
 
-    def visit_Name(self, node: ast.Name) -> ast.Name:
+    def visit_Name(self, node: ast.Name) -> ast.expr:
         is_of_module = node.id in self._module.defined
         if node.id in self._local:
             if is_of_module:
                 raise self._module.refusal(node, f"`{node.id}` is a name of the module and a local one")
         elif is_of_module:
-            return ast.Name(self._conditions.take(self._module, node.id, node), node.ctx)
+            return ast.parse(self._conditions.take(self._module, node.id, node), mode="eval").body
         elif not hasattr(builtins, node.id):
             raise self._module.refusal(node, f"a condition uses `{node.id}`: not defined in its module")
         return node

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import sys
 
-from sdfcheck.lint.rulebook.pack import BUILT_IN, INDEX, Pack, PackError, describe, to_record
+from sdfcheck.lint.rulebook.pack import INDEX, Pack, PackError, describe, to_record
 from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.plugins.load import load_rules
+from sdfcheck.lint.run import BUILT_IN
 
 _HEAD = '''"""What can be known of the rules without importing them; written by ``make generate``."""
 
 # ruff: noqa: E501
 # fmt: off
-RULES: tuple[dict[str, object], ...] = (
+RULES: tuple[tuple[object, ...], ...] = (
 '''
 
 

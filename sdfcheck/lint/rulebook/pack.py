@@ -14,7 +14,7 @@ from __future__ import annotations
 import importlib
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
@@ -23,7 +23,6 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule
 
-BUILT_IN = "sdfcheck_rules"
 INDEX = "rule_index"
 """The module of a pack that lists its rules."""
 CONDITIONS = "conditions"
@@ -66,11 +65,6 @@ class Fault(NamedTuple):
 
     def __str__(self) -> str:
         return f"{self.place}: {self.text}"
-
-
-def is_built_in(facts: RuleFacts) -> bool:
-    """Whether a rule comes with sdfcheck."""
-    return facts.module.partition(".")[0] in {BUILT_IN, "sdfcheck"}
 
 
 def read_index(package: str) -> list[RuleFacts]:
@@ -126,13 +120,23 @@ def summary(rule: type[Rule]) -> str:
     return " ".join((rule.__doc__ or "").strip().partition("\n\n")[0].split())
 
 
-def to_record(facts: RuleFacts) -> dict[str, object]:
-    return {**facts._asdict(), "severity": facts.severity.value}
+Record = tuple[Any, ...]
+"""The facts of a rule as an index has them: constants only, which load fastest."""
+
+_SEVERITIES = {severity.value: severity for severity in Severity}
 
 
-def from_record(record: dict[str, object]) -> RuleFacts:
-    fields = dict(record)
-    fields["severity"] = Severity(fields["severity"])
-    for name in ("selects", "explains", "looks_at"):
-        fields[name] = tuple(fields[name])  # type: ignore[arg-type]
-    return RuleFacts(**fields)  # type: ignore[arg-type]
+def to_record(facts: RuleFacts) -> Record:
+    affects = tuple((consumer, tuple(reactions.items())) for consumer, reactions in facts.affects.items())
+    return tuple(facts._replace(severity=facts.severity.value, affects=affects))  # type: ignore[arg-type]
+
+
+def from_record(record: Record) -> RuleFacts:
+    code, name, family, severity, about, fixable, default, selects, explains, affects, module, looks_at = (
+        record
+    )
+    told = {consumer: dict(reactions) for consumer, reactions in affects}
+    severity = _SEVERITIES[severity]
+    return RuleFacts(
+        code, name, family, severity, about, fixable, default, selects, explains, told, module, looks_at
+    )

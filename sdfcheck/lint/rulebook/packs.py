@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor.files import prefix_of
-from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS, Fault, is_built_in, read_index, rule_classes
-from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.rulebook.pack import CONDITIONS, Fault, read_index, rule_classes
+from sdfcheck.lint.run import BUILT_IN, RuleFacts
 
 if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule
@@ -61,7 +61,7 @@ def _rule(facts: RuleFacts) -> Rule:
     if found is None:
         raise LookupError(f"{facts.module} has no rule {facts.code}: write the index of its pack again")
     rule = found()
-    if not is_built_in(facts):
+    if not facts.is_built_in:
         from sdfcheck.lint.rulebook.plugins.call import guard
 
         guard(rule)

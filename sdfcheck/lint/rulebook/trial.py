@@ -4,24 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro, lint_source
+from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.fix.fix import Fix
 from sdfcheck.lint.rule import Rule
-from sdfcheck.lint.rulebook.pack import BUILT_IN, CONDITIONS
+from sdfcheck.lint.rulebook.example_run import ExampleRunner
+from sdfcheck.lint.rulebook.pack import CONDITIONS
 from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
 from sdfcheck.lint.rulebook.plugins.load import load_plugins
 from sdfcheck.lint.rulebook.plugins.place import places_of_examples
-from sdfcheck.lint.select import ActiveRules
-from sdfcheck.source.sniff import Kind
+from sdfcheck.lint.run import BUILT_IN
 from sdfcheck.source.text import Source, Span
-from sdfcheck.xacro.expansion import Expander
-
-_KINDS = {".xacro": Kind.XACRO, ".config": Kind.MODEL_CONFIG}
 
 
 class Bench:
@@ -43,8 +38,7 @@ class Bench:
         self.rules: tuple[type[Rule], ...] = tuple(type(index.rule(facts)) for facts in self.facts)
         self.faults = loaded.faults
         self.strict = frozenset(strict)
-        self._dispatch = Dispatch(index, ActiveRules(index.facts, {}))
-        self._xacro = Xacro(Expander())
+        self.lint = ExampleRunner(index, index.facts).lint
 
     @property
     def trials(self) -> tuple[Trial, ...]:
@@ -55,22 +49,6 @@ class Bench:
             for kind in ("bad", "good")
             for number in range(len(getattr(rule, kind)))
         )
-
-    def lint(self, text: str, example: Bad | Good, folder: Path | None = None) -> list[Diagnostic]:
-        """Lint a text as the example's file, among the example's other files, which are written to ``folder``."""
-        kind, path = _KINDS.get(Path(example.file).suffix), Path(example.file or "example")
-        if example.files is None:
-            return lint_source(text.encode(), path, kind, self._dispatch, None, self._xacro).diagnostics
-        if folder is None:
-            with TemporaryDirectory() as made:
-                return self.lint(text, example, Path(made))
-        for name, content in example.files.items():
-            file = folder / name
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(content, encoding="utf-8")
-        return lint_source(
-            text.encode(), folder / path, kind, self._dispatch, Library(), self._xacro
-        ).diagnostics
 
 
 class Trial:

@@ -1,32 +1,73 @@
-"""Rules about vendors' own elements: the words are here, a pack adds its prefix, codes and examples."""
+"""Rules about vendors' own elements: what follows from what the vendor's consumer does."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.rule import Rule
+from sdfcheck.consumers.reaction import by_effect
+from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Effect, Outcome
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.rule import Rule, Target, make_fix
+from sdfcheck.robot.vendor.tag import VendorTag
+from sdfcheck.robot.vendor.value import VendorValue
 
 
 class VendorRule(Rule):
-    """A rule about one kind of problem with the tags of one vendor.
+    """A rule about the tags of one vendor: it looks at :class:`VendorTag` or :class:`VendorValue`.
 
-    A subclass names the kinds in ``explains`` and needs no ``check`` of its own. One that
-    also looks at objects of the robot does so for those who ask about the readers in
+    One that also looks at other objects of the robot does so for those who ask about the consumers in
     ``affects`` only: as a target, or by a rule that is off by default.
     """
 
     prefix: ClassVar[str]
     """The prefix of the vendor's tags."""
+    refused: ClassVar[Effect] = REFUSED
+    ignored: ClassVar[Effect] = IGNORED
 
-    def check(self, problem: Any) -> Iterator[Diagnostic]:
-        """Put a problem with a tag of this vendor into words."""
-        if problem.vendor.prefix == self.prefix and self.is_about(problem):
-            from sdfcheck.lint.rulebook.vendor_words import report
+    def report(  # noqa: PLR0913 - all but three are named
+        self,
+        subject: VendorTag | VendorValue,
+        message: str,
+        effect: Effect,
+        *,
+        at: Target | None = None,
+        rest: str = "",
+        labels: Mapping[Any, str] | None = None,
+        fix: Fix | None = None,
+    ) -> Diagnostic:
+        """A diagnostic that also says what the vendor's consumer does; what it only ignores is a warning.
 
-            yield report(self, problem)
+        ``at`` is the place where it is not that of the tag or value; ``rest`` ends the message.
+        """
+        text = f"{message}: {self.does(subject, effect)}{rest}"
+        return self.judged(subject if at is None else at, text, effect, labels, fix)
 
-    def is_about(self, problem: Any) -> bool:
-        """For a rule that takes a part of a kind only."""
-        return True
+    @staticmethod
+    def does(subject: VendorTag | VendorValue, effect: Effect) -> str:
+        """What the vendor's consumer does, as the second half of a sentence."""
+        tag = subject.tag if isinstance(subject, VendorValue) else subject
+        return f"{tag.vendor.name} {by_effect(effect).words}"
+
+    def judged(
+        self,
+        target: Target,
+        message: str,
+        effect: Effect,
+        labels: Mapping[Any, str] | None = None,
+        fix: Fix | None = None,
+    ) -> Diagnostic:
+        """The same in words of one's own."""
+        is_read = effect.outcome in {Outcome.IGNORED, Outcome.ACCEPTED}
+        severity = Severity.WARNING if is_read and self.severity is Severity.ERROR else self.severity
+        affects = dict.fromkeys(self.affects, by_effect(effect))
+        return self.diagnostic(target, message, labels=labels, fix=fix, severity=severity, affects=affects)
+
+    @staticmethod
+    def renaming(tag: VendorTag, name: str) -> Fix:
+        """A fix that gives a tag another name."""
+        element = tag.element
+        spans = (tag.span, None if element is None else element.document.spans.end_name(element))
+        edits = tuple(Edit(span, name) for span in spans if span is not None)
+        return make_fix(f"rename it to {name}", edits, unsafe=True)

@@ -11,7 +11,7 @@ from pathlib import Path
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.fix.fix import Edit
-from sdfcheck.lint.fix.fixer import Mended, Refused, edited
+from sdfcheck.lint.fix.fixer import FixedFile, Refused, edited
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
@@ -30,7 +30,9 @@ _Key = tuple[str, int]
 """The kind of directive, and the offset of the element that it goes before."""
 
 
-def add_ignores(done: Run, paths: Sequence[Path], options: Options, *, reason: str = "") -> Iterator[Mended]:
+def add_ignores(
+    done: Run, paths: Sequence[Path], options: Options, *, reason: str = ""
+) -> Iterator[FixedFile]:
     """Each file of a run in which something can be silenced, before and after; nothing is written.
 
     What a comment before the element does not reach takes one for the whole file. What
@@ -52,21 +54,32 @@ def add_ignores(done: Run, paths: Sequence[Path], options: Options, *, reason: s
         yield _marked(file, wanted[file.path], rules, reason)
 
 
+def ignoring(document: Document, diagnostic: Diagnostic, rules: Sequence[RuleFacts]) -> list[Edit]:
+    """The edits of a document that silence one diagnostic, where it is if that can be, else in the whole file.
+
+    None for what is no matter of opinion, or silenced already.
+    """
+    if diagnostic.code in _OWN or document.root is None:
+        return []
+    marks = _Marks(document, rules)
+    return marks.edits("") if marks.add(diagnostic, diagnostic.span) else []
+
+
 def _marked(
     file: Selected, findings: list[tuple[Diagnostic, Span]], rules: Sequence[RuleFacts], reason: str
-) -> Mended:
+) -> FixedFile:
     document = read(file.data, file.path, None if file.kind is Kind.BROKEN_XML else file.kind)
     if any(place.source.text != document.source.text for _, place in findings):
-        return Mended(file.path, file.data, file.data, 0, "it has changed meanwhile")
+        return FixedFile(file.path, file.data, file.data, 0, "it has changed meanwhile")
     if document.root is None:
-        return Mended(file.path, file.data, file.data, 0)
+        return FixedFile(file.path, file.data, file.data, 0)
     marks = _Marks(document, rules)
     silenced = sum(marks.add(diagnostic, place) for diagnostic, place in findings)
     try:
         after = edited(file, marks.edits(reason)) if silenced else file.data
     except Refused as refusal:
-        return Mended(file.path, file.data, file.data, 0, str(refusal))
-    return Mended(file.path, file.data, after, silenced)
+        return FixedFile(file.path, file.data, file.data, 0, str(refusal))
+    return FixedFile(file.path, file.data, after, silenced)
 
 
 class _Marks:
@@ -105,7 +118,7 @@ class _Marks:
                 end = known.place.end - 1
                 edits.append(Edit(self._source.span(end, end), f", {words}"))
                 continue
-            # Launch files of ROS 2 read a URDF as YAML, where a colon and a blank mean something.
+            # Launch files of ROS 2 read a URDF as YAML, where a colon and a space mean something.
             blank = "" if self._document.kind in {Kind.URDF, Kind.XACRO} else " "
             comment = f"<!-- {' '.join(filter(None, (f'sdfcheck:{blank}{verb}[{words}]', reason)))} -->"
             texts[start] = texts.get(start, "") + comment + self._break(start)
@@ -133,7 +146,7 @@ class _Marks:
         return number if start <= place.start < end and is_free else None
 
     def _break(self, start: int) -> str:
-        """What comes between a comment and the element behind it: a new line as the element's own."""
+        """What comes between a comment and the element after it: a new line as the element's own."""
         text = self._source.text
         line = max(text.rfind("\n", 0, start), text.rfind("\r", 0, start)) + 1
         indent = text[line:start]

@@ -12,7 +12,7 @@ MARK = "sdfcheck:"
 
 
 class Comment(NamedTuple):
-    """A comment, and what it covers of the element behind it: see :func:`reach`."""
+    """A comment, and what it covers of the element after it: see :func:`reach`."""
 
     span: Span
     target: Span | None

@@ -2,7 +2,7 @@
 
 ``<!-- sdfcheck: ignore[XYZ001, name-of-rule] reason -->`` silences the rules for the
 next element: for its start tag and, if it holds no elements, for its text and end tag.
-A whole subtree takes ``disable[…]`` before and ``enable[…]`` (or ``enable``: all) behind
+A whole subtree takes ``disable[…]`` before and ``enable[…]`` (or ``enable``: all) after
 it. ``ignore-file[…]``, anywhere in the file, holds for all of it; without brackets it
 silences every rule.
 """
@@ -98,7 +98,7 @@ def _complaint(comment: Comment, match: re.Match[str]) -> Diagnostic | None:
         near = suggestion(verb, VERBS)
         return report(MalformedSuppression, _part(comment, match, 3), f"unknown directive `{verb}`{near}")
     if not match[2]:
-        return report(MalformedSuppression, _part(comment, match, 1), "`:` is missing behind `sdfcheck`")
+        return report(MalformedSuppression, _part(comment, match, 1), "`:` is missing after `sdfcheck`")
     if match[4] and not match[6]:
         return report(MalformedSuppression, _part(comment, match, 4), "`[` is never closed")
     if (match[4] and not match[5].strip()) or (not match[4] and verb in (IGNORE, DISABLE)):

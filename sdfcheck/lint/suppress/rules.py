@@ -34,7 +34,7 @@ class MalformedSuppression:
     """A comment that addresses sdfcheck is not understood, so it silences nothing.
 
     The directives are ``ignore[…]`` for the next element, ``disable[…]`` and
-    ``enable[…]`` for what stands between them, and ``ignore-file`` (all rules) or
+    ``enable[…]`` for what is between them, and ``ignore-file`` (all rules) or
     ``ignore-file[…]`` for the whole file; in brackets stand codes, names or families.
     """
 

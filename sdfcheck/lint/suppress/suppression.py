@@ -1,6 +1,6 @@
 """What directives silence, and which of them silence nothing.
 
-What was reached through a macro or an include can be silenced where it stands, where
+What was reached through a macro or an include can be silenced where it is, where
 the macro is called, or where the file is included.
 """
 
@@ -205,7 +205,7 @@ def _line_or_comment(span: Span) -> Span:
 
 
 def _with_comma(directive: Directive, word: Span) -> Span:
-    """A word with the comma and blanks that part it from its neighbour."""
+    """A word with the comma and spaces that part it from its neighbour."""
     text = word.source.text
     end = directive.place.end
     behind = re.compile(r"\s*,\s*").match(text, word.end, end)

@@ -124,8 +124,10 @@ class Edit:
         else:
             self._write(node.name_value, name)
         for reference in references(self.root):
+            texts = reference.value.text.strip().split("::")
             for position, step in enumerate(reference.nodes):
-                if step is node:
+                # `world` and `__model__` name things that are called otherwise.
+                if step is node and texts[position] == node.name:
                     self._write_step(reference.value, position, name)
 
     def set(self, part: Part | Element, name: str, value: Writable) -> None:
@@ -179,7 +181,7 @@ class Edit:
         )
 
     def remove(self, part: Part | Element) -> None:
-        """Take an element out, with the blanks before it."""
+        """Take an element out, with the spaces before it."""
         element = part.element if isinstance(part, Part) else part
         span = self._span(element.document.spans.whole(element))
         text, start = element.document.source.text, span.start
@@ -278,6 +280,6 @@ def _escaped(text: str) -> str:
 
 
 def _indent(text: str, at: int) -> str:
-    """The blanks at the beginning of a line."""
+    """The spaces at the beginning of a line."""
     line = text[text.rfind("\n", 0, at) + 1 : at]
     return line[: len(line) - len(line.lstrip())]

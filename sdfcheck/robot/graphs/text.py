@@ -9,13 +9,13 @@ from sdfcheck.robot.graphs.graph import UNKNOWN, Edge, Graph, GraphKind, Node
 from sdfcheck.source.visible import visible
 
 Paint = Callable[[str, str], str]
-"""Colours a piece of text; the second word says what it is: kind, label or note."""
+"""Colors a piece of text; the second word says what it is: kind, label or note."""
 
 _SHAPES = {"link": "box", "joint": "diamond", "model": "folder", "world": "folder", UNKNOWN: "octagon"}
 
 
 def plain(text: str, what: str) -> str:
-    """No colour."""
+    """No color."""
     return text
 
 

@@ -46,7 +46,7 @@ class Alterations:
 
     def named(self, element: Element, via: Element, children: Iterable[Child]) -> Iterator[Child]:
         """The named children of an element after the changes; ``children`` are those before."""
-        # A model that a parameter adds stands where no walk goes.
+        # A model that a parameter adds is where no walk goes.
         for kind, name, child in children or _named_children(element):
             node = Node(child, via)
             if node in self.removed:

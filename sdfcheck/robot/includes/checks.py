@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.problems import MissingElement
+from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.robot.includes.included import Included, included, includes_of
-from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
 from sdfcheck.source.document import Document
 
 
@@ -21,6 +21,8 @@ def problems(document: Document) -> list[object]:
         brought = included(document, include)
         found += _placement(brought)
         if include.has(PARAMETERS):
+            from sdfcheck.robot.includes.parameters import parameters
+
             found += parameters(brought).problems
     return found
 

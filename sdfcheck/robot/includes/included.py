@@ -50,7 +50,7 @@ class Included(NamedTuple):
     uri: Value | None
     location: Location | None
     file: Path | None
-    """The file that is meant, behind a folder's ``model.config``."""
+    """The file that is meant, after a folder's ``model.config``."""
     document: Document | None
     """The file as it was read, also where it holds no model."""
     config: Document | None

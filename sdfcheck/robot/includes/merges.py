@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.robot.includes.included import Included, included, includes_of
-from sdfcheck.robot.includes.parameters import PARAMETERS, parameters
-from sdfcheck.robot.naming.names import Name, Namesakes
+from sdfcheck.robot.includes.parameters import parameters
+from sdfcheck.robot.naming.name import Name, Namesakes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 

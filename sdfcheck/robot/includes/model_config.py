@@ -194,3 +194,8 @@ def _near(folder: Path, name: str) -> str | None:
     except OSError:
         return None
     return there[0] if len(there) == 1 else suggest(name, there)
+
+
+def model_configs(document: Document) -> tuple[ModelConfig, ...]:
+    """What a ``model.config`` says."""
+    return (document.view(ModelConfig),)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from sdfcheck.robot.includes.brought import DEEPEST, MOST_MODELS
 from sdfcheck.robot.includes.included import included, includes_of
-from sdfcheck.robot.model import DEEPEST, MOST_MODELS
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage

@@ -10,7 +10,7 @@ from __future__ import annotations
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.problems import UnknownAttribute
 from sdfcheck.formats.sdf.schema import Definition, schema
-from sdfcheck.formats.sdf.survey import examine, survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, survey
 from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.value_problems import text_problems
 from sdfcheck.formats.sdf.version import NEWEST
@@ -20,7 +20,6 @@ from sdfcheck.robot.includes.included import Included
 from sdfcheck.robot.includes.parameter_problems import InvalidParameter, ParameterFault
 from sdfcheck.source.element import Element, Value
 
-PARAMETERS = "experimental:params"
 ACTIONS = ("add", "modify", "remove", "replace")
 _OWN_ATTRIBUTES = frozenset({"element_id", "action"})
 
@@ -135,7 +134,7 @@ class _Entry:
     def top_level(self) -> Definition | None:
         """The definition of the entry's element, which has to be one that the format defines by itself."""
         name = self.entry.name
-        definition = schema(NEWEST).at(f"{name}:{name}") if name in stems() else None
+        definition = defined_alone(name)
         if definition is None:
             self.fault(self.entry, ParameterFault.UNKNOWN_ENTRY, suggestion=suggest(name, stems()))
         return definition
@@ -254,7 +253,7 @@ class _Entry:
 
 
 def definition_of(element: Element) -> Definition | None:
-    """What the newest version says of an element, wherever in its document it stands."""
+    """What the newest version says of an element, wherever in its document it is."""
     names: list[str] = []
     at = element
     while at.parent is not None and at.parent.name != PARAMETERS:
@@ -263,7 +262,7 @@ def definition_of(element: Element) -> Definition | None:
     if at.parent is None:
         definition: Definition | None = schema(survey(element.document).version).root
     else:
-        definition = schema(NEWEST).at(f"{at.name}:{at.name}") if at.name in stems() else None
+        definition = defined_alone(at.name)
     for name in names:
         definition = definition.children.get(name) if definition is not None else None
     return history.in_version(definition, NEWEST) if definition is not None else None

@@ -59,7 +59,7 @@ def misspelling(value: Value) -> Misspelling | None:
 
 
 def misplaced_blanks(value: Value) -> Misspelling | None:
-    """Blanks around slashes: a reason why a URI leads nowhere."""
+    """Spaces around slashes: a reason why a URI leads nowhere."""
     text = value.text.strip()
     if len(text.split()) > 1 and (tight := _BLANKS.sub("/", text)) != text:
         return Misspelling(UriFault.BLANK, tight)
@@ -118,7 +118,7 @@ def _recased(text: str, near: Path) -> str | None:
 
 
 def _trailing(path: str) -> Iterator[str]:
-    """The parts of a path behind the last ``..``."""
+    """The parts of a path after the last ``..``."""
     parts = path.split("/")
     after = max((n for n, part in enumerate(parts) if part in {"..", "."}), default=-1)
     yield from parts[after + 1 :]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from sdfcheck.robot.motion.mass import of_link, urdf_number
 from sdfcheck.robot.motion.mechanism import Geometry, Mechanism, Mimic
 from sdfcheck.robot.motion.poses import numbers_of, origin_of
 from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.motion.vendor_joints import as_vendors_have_it, joints_of_vendors, mimic_of_vendors
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.axis import Axis
 from sdfcheck.robot.parts.joint import Joint
@@ -26,18 +29,23 @@ _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 _WITH_FILES = frozenset(("mesh", "heightmap", "image"))
 
 
-def mechanism_of(model: Model) -> Mechanism:
+def mechanism_of(model: Model, *, vendors: bool = False) -> Mechanism:
     """The links and joints of a model and of all models in it, as numbers.
+
+    ``vendors``: also the joints that only one simulator knows (``drake:joint``).
 
     Raises DescriptionError where a pose, name or number cannot be worked out.
     """
     if not model.is_urdf:
-        return _Flattened(model).made
+        return _Flattened(model, vendors=vendors).made
     links: dict[str, mechanism.Link] = {}
     for link in model.links:
         if link.name not in links:
             links[link.name] = _link(link, link.name, np.eye(4))
     joints = {joint.name: _urdf_joint(joint) for joint in model.joints}
+    if vendors:
+        for joint in joints_of_vendors(model):
+            joints[joint.name] = as_vendors_have_it(_urdf_joint(joint), joint)
     made = Mechanism(model.name, links, joints)
     _place(made)
     return made
@@ -46,7 +54,7 @@ def mechanism_of(model: Model) -> Mechanism:
 class _Flattened:
     """An SDF model while its parts get their names from the top."""
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, *, vendors: bool) -> None:
         self.model = model
         nodes = list(model.all_nodes())
         self.names: dict[Node, str] = {}
@@ -61,6 +69,9 @@ class _Flattened:
         for name, node in nodes:
             if isinstance(node, Joint):
                 self.made.joints[name] = self.joint(name, node)
+        if vendors:
+            self.add_vendor_mimics(node for _, node in nodes if isinstance(node, Joint))
+            self.add_vendor_joints((model, *(node for _, node in nodes if isinstance(node, Model))))
         for name, node in nodes:
             if node.kind == "frame" and (link := self.carrier(node)) in self.made.links:
                 pose = inverse(self.made.links[link].pose) @ self.pose(node)
@@ -78,6 +89,33 @@ class _Flattened:
             kind = "continuous"
         pose = self.pose(joint)
         return mechanism.Joint(name, kind, parent, child, pose, joint.element, axes, _pitch(joint))
+
+    def add_vendor_joints(self, models: Iterable[Model]) -> None:
+        for joint in (joint for model in models for joint in joints_of_vendors(model)):
+            name = self.prefixed(joint, joint.name)
+            self.made.joints[name] = self.vendor_joint(name, joint)
+
+    def add_vendor_mimics(self, joints: Iterable[Joint]) -> None:
+        for joint in joints:
+            made = self.made.joints[self.names[joint]]
+            found = mimic_of_vendors(joint)
+            if found is not None and made.axes and made.axes[0].mimic is None:
+                leader, multiplier, offset = found
+                mimic = Mimic(self.prefixed(joint, leader), multiplier, offset)
+                made.axes = (replace(made.axes[0], mimic=mimic), *made.axes[1:])
+
+    def vendor_joint(self, name: str, joint: Joint) -> mechanism.Joint:
+        """It is where the frame is that it names as its parent."""
+        ends: list[str] = []
+        start = np.eye(4)
+        for end, node in (("parent", joint.parent), ("child", joint.child)):
+            if node is None:
+                raise DescriptionError(f"{end} of joint {joint.name} is unknown", joint.element)
+            ends.append("world" if node.kind == "world" else self.carrier(node))
+        if joint.parent is not None and joint.parent.kind != "world":
+            start = self.pose(joint.parent)
+        axes = (mechanism.Axis(np.array((0.0, 0.0, 1.0))),) if joint.type == "planar" else ()
+        return mechanism.Joint(name, joint.type, ends[0], ends[1], start, joint.element, axes)
 
     def end(self, joint: Joint, role: str) -> str:
         element = joint.find(role)
@@ -173,7 +211,7 @@ def _link(link: Link, name: str, pose: Array) -> mechanism.Link:
             at = link.root.poses.of_part(shape.element, link)
             uri = geometry.uri if geometry.shape in _WITH_FILES else ""
             made.geometries.append(
-                Geometry(shape.kind, geometry.shape, geometry.measures, at, shape.element, shape.name, uri)
+                Geometry(shape.kind, geometry.meant, geometry.measures, at, shape.element, shape.name, uri)
             )
     return made
 
@@ -210,13 +248,14 @@ def _urdf_axis(joint: Joint, kind: str) -> mechanism.Axis:
 
     # A bound that a limit leaves out is 0; without any limit only Drake reads the joint, as unlimited.
     bounded = kind in {"revolute", "prismatic"} and limit is not None
+    damping = dynamics if kind != "planar" else None  # three numbers, of Drake's
     return mechanism.Axis(
         np.array(numbers) / (length or 1.0),
         number(limit, "lower", 0.0) if bounded else -math.inf,
         number(limit, "upper", 0.0) if bounded else math.inf,
         number(limit, "effort", math.inf),
         number(limit, "velocity", math.inf),
-        number(dynamics, "damping", 0.0),
+        number(damping, "damping", 0.0),
         number(dynamics, "friction", 0.0),
         None
         if mimic is None

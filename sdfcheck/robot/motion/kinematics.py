@@ -11,25 +11,29 @@ from collections.abc import Mapping
 import numpy as np
 
 from sdfcheck.robot.motion.mechanism import Axis, Joint, Mechanism
-from sdfcheck.robot.motion.rotations import Array, about_axis, inverse, transform
+from sdfcheck.robot.motion.rotations import Array, about_axis, inverse, transform, z_towards
 from sdfcheck.source.record import NamedTuple
 
 Positions = Mapping[str, Array]
 """Joint → its positions (rad or m), shape (n, k): one for each axis; three for a ball joint (a rotation vector)."""
 
 
+_POSITIONS = {
+    "fixed": 0, "ball": 3, "universal": 2, "revolute2": 2, "planar": 3, "floating": 6, "curvilinear": 0
+}  # fmt: skip
+"""Kind of joint → how many positions it takes, where that is not one. A path is not followed."""
+
+
 def degrees_of_freedom(joint: Joint) -> int:
     """How many positions a joint takes."""
-    return {"fixed": 0, "ball": 3, "universal": 2, "revolute2": 2, "planar": 3, "floating": 6}.get(
-        joint.kind, 1
-    )
+    return _POSITIONS.get(joint.kind, 1)
 
 
 class Bodies(NamedTuple):
-    """Mass properties of a robot in n configurations; the moments are about the centres."""
+    """Mass properties of a robot in n configurations; the moments are about the centers."""
 
     mass: float
-    centres: Array
+    centers: Array
     """Shape (n, 3)."""
     moments: Array
     """Shape (n, 3, 3)."""
@@ -37,8 +41,8 @@ class Bodies(NamedTuple):
     def seen_from(self, frames: Array) -> Bodies:
         """The same in outer frames, in which these have the poses ``frames``."""
         turns = frames[:, :3, :3]
-        centres = (turns @ self.centres[..., None])[..., 0] + frames[:, :3, 3]
-        return Bodies(self.mass, centres, turns @ self.moments @ turns.swapaxes(-1, -2))
+        centers = (turns @ self.centers[..., None])[..., 0] + frames[:, :3, 3]
+        return Bodies(self.mass, centers, turns @ self.moments @ turns.swapaxes(-1, -2))
 
 
 def motions(joint: Joint, positions: Array | None) -> Array:
@@ -77,7 +81,7 @@ def _shifted(shifts: Array) -> Array:
 
 
 def link_poses(robot: Mechanism, positions: Positions) -> dict[str, Array]:
-    """The poses of every link in the model's frame; joints that close loops are passed over.
+    """The poses of every link in the model's frame; joints that close loops are ignored.
 
     ``positions`` leaves out joints at zero; followers are worked out from their leaders.
     What hangs together is placed from the world, or else from its first link that no joint carries.
@@ -143,15 +147,15 @@ def total_body(robot: Mechanism, poses: Mapping[str, Array]) -> Bodies | None:
     placed = np.stack(np.broadcast_arrays(*(pose for _, pose in bodies)))
     turns = placed[..., :3, :3]
     masses = np.array([body.mass for body, _ in bodies])
-    centres = (turns @ np.stack([body.center for body, _ in bodies])[:, None, :, None])[..., 0]
-    centres = centres + placed[..., :3, 3]
+    centers = (turns @ np.stack([body.center for body, _ in bodies])[:, None, :, None])[..., 0]
+    centers = centers + placed[..., :3, 3]
     moments = turns @ np.stack([body.moments for body, _ in bodies])[:, None] @ turns.swapaxes(-1, -2)
     mass = float(masses.sum())
-    centre = np.einsum("l,lni->ni", masses, centres) / mass if mass else centres[0]
-    offsets = centres - centre
+    center = np.einsum("l,lni->ni", masses, centers) / mass if mass else centers[0]
+    offsets = centers - center
     squares = np.einsum("lni,lni->ln", offsets, offsets)[..., None, None] * np.eye(3)
     shifts = squares - offsets[..., :, None] * offsets[..., None, :]
-    return Bodies(mass, centre, (moments + masses[:, None, None, None] * shifts).sum(axis=0))
+    return Bodies(mass, center, (moments + masses[:, None, None, None] * shifts).sum(axis=0))
 
 
 def _direction(axes: tuple[Axis, ...], number: int = 0) -> Array:
@@ -159,8 +163,6 @@ def _direction(axes: tuple[Axis, ...], number: int = 0) -> Array:
 
 
 def _perpendicular(normal: Array) -> tuple[Array, Array]:
-    """Two unit vectors that span the plane across a normal."""
-    start = np.array([1.0, 0, 0]) if abs(normal[0]) < 0.9 else np.array([0, 1.0, 0])
-    first = start - normal * float(normal @ start)
-    first /= float(np.linalg.norm(first))
-    return first, np.cross(normal, first)
+    """Two unit vectors that span the plane across a normal: x and y, turned with z the shortest way to it."""
+    turned = z_towards(normal)
+    return turned[:, 0], turned[:, 1]

@@ -1,18 +1,29 @@
 """What libsdformat makes of the links of a URDF robot: it merges those that fixed joints tie together.
 
 It begins at the root, or at the links that hang on a root called ``world``, and leaves out
-a link without mass with all that hangs on it. Source: libsdformat 17's parser_urdf.cc.
+a link without mass with all that hangs on it. Source: libsdformat 17's parser_urdf.cc, and what
+libsdformat 12.3 builds.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+from functools import reduce
 from typing import TYPE_CHECKING
+
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
+    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.parts.solids import Moments
 
 WORLD = "world"
+LEAST = 1e-6
+"""kg: a mass that is not above it counts as none."""
 
 
 class Lumping:
@@ -29,12 +40,84 @@ class Lumping:
                 continue
             below = (joint.child_link for joint in root.child_joints)
             self.tops += [link for link in below if link is not None]
-        self.with_mass: set[Link] = {link for link in tree.links.values() if link.has_mass}
-        """The links that have mass, their own or that of a link that is merged into them."""
-        waiting = list(self.with_mass)
-        while waiting:
-            for joint in waiting.pop().parent_joints:
+
+    @lazy
+    def masses(self) -> dict[Link, float]:
+        """The masses (kg) of links and of the links that are merged into them; infinite where one is not known."""
+        masses = {link: _mass(link) for link in self.model.tree.links.values()}
+        below = [link for top in self.tops for link in top.below()]
+        for link in reversed(below):
+            for joint in link.parent_joints:
                 parent = joint.parent_link
-                if joint.is_lumped and parent is not None and parent not in self.with_mass:
-                    self.with_mass.add(parent)
-                    waiting.append(parent)
+                if joint.is_lumped and parent is not None:
+                    masses[parent] += masses[link]
+        return masses
+
+    @lazy
+    def with_mass(self) -> set[Link]:
+        """The links that have mass, their own or that of links that are merged into them."""
+        return {link for link, mass in self.masses.items() if abs(mass) > LEAST}
+
+    def is_dropped(self, link: Link) -> bool:
+        """Is it left out: without mass once links are merged, or on such a link?"""
+        seen: set[Link] = set()
+        while link not in seen:
+            seen.add(link)
+            base = self.base(link)
+            if base not in self.with_mass:
+                return True
+            above = base.parent_joints[0].parent_link if base.parent_joints else None
+            if above is None or above.name == WORLD:
+                return False
+            link = above
+        return False
+
+    def base(self, link: Link) -> Link:
+        """The link into which a link is merged; the link itself where it is merged into none."""
+        seen = {link}
+        while link.parent_joints and link.parent_joints[0].is_lumped:
+            parent = link.parent_joints[0].parent_link
+            if parent is None or parent in seen:
+                break
+            seen.add(parent)
+            link = parent
+        return link
+
+    def members(self, base: Link) -> Iterator[Link]:
+        """A link and all links that are merged into it."""
+        return (link for link in base.below() if self.base(link) is base)
+
+    def moments(self, base: Link) -> Moments:
+        """The moments (kg·m²) of a link and of all that is merged into it, about their center of mass.
+
+        They are nan where that cannot be worked out.
+        """
+        from sdfcheck.robot.parts.solids import Moments
+
+        try:
+            (xx, xy, xz), (_, yy, yz), (_, _, zz) = self._body(base).moments
+        except (DescriptionError, ArithmeticError):
+            return Moments(math.nan, math.nan, math.nan)
+        return Moments(*map(float, (xx, yy, zz, xy, xz, yz)))
+
+    def _body(self, base: Link) -> MassProperties:
+        from sdfcheck.robot.motion.mass_properties import MassProperties
+        from sdfcheck.robot.motion.rotations import inverse
+
+        poses = self.model.root.poses
+        bodies = [
+            body.seen_from(inverse(poses.in_scope(base)) @ poses.in_scope(link))
+            for link in self.members(base)
+            if (body := link.mass_properties) is not None
+        ]
+        if not bodies:
+            raise DescriptionError("no link has mass", base.element)
+        return reduce(MassProperties.joined_with, bodies)
+
+
+def _mass(link: Link) -> float:
+    """The mass of a link, infinite where it cannot be read."""
+    if not link.has_mass:
+        return 0.0
+    mass = link.inertial.mass.number
+    return math.inf if math.isnan(mass) else mass

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion import poses
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.parts.inertial import MOMENTS
 
@@ -19,35 +19,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.shape import Collision
     from sdfcheck.source.element import Element
-
-
-@dataclass(frozen=True, slots=True)
-class MassProperties:
-    """Mass (kg), center of mass (m) and inertia tensor (kg·m²) about it, in the axes of one frame."""
-
-    mass: float
-    center: Array
-    """Shape (3,)."""
-    moments: Array
-    """About the center of mass, shape (3, 3)."""
-
-    def seen_from(self, frame: Array) -> MassProperties:
-        """The same body in an outer frame, in which this one's frame has the 4×4 pose ``frame``."""
-        turn = frame[:3, :3]
-        return MassProperties(self.mass, turn @ self.center + frame[:3, 3], turn @ self.moments @ turn.T)
-
-    def joined_with(self, other: MassProperties) -> MassProperties:
-        """Two bodies of one frame, rigidly joined."""
-        mass = self.mass + other.mass
-        if mass == 0:
-            return MassProperties(0.0, self.center, self.moments + other.moments)
-        center = (self.mass * self.center + other.mass * other.center) / mass
-        moments = np.zeros((3, 3))
-        for body in (self, other):
-            offset = body.center - center
-            shift = float(offset @ offset) * np.eye(3) - np.outer(offset, offset)
-            moments += body.moments + body.mass * shift
-        return MassProperties(mass, center, moments)
 
 
 def default_mass() -> MassProperties:
@@ -110,7 +81,7 @@ def _filled(collision: Collision, density: float) -> MassProperties:
     solid = geometry.solid
     if solid is not None:
         mass = density * solid.volume
-        return MassProperties(mass, np.array([0.0, 0.0, solid.centre]), tensor(*solid.moments.times(mass)))
+        return MassProperties(mass, np.array([0.0, 0.0, solid.center]), tensor(*solid.moments.times(mass)))
     if geometry.shape != "mesh" or geometry.shape_element is None:
         raise DescriptionError(
             "its inertia cannot be computed: the collision is not a solid", collision.element

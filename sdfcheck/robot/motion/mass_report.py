@@ -5,20 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.parts.link import Link
-from sdfcheck.robot.root import root_of
 from sdfcheck.robot.scope import Scope
-from sdfcheck.source.document import Document
-from sdfcheck.source.sniff import Kind
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.root import Root
 
 
 class MassOrigin(Enum):
@@ -89,23 +90,23 @@ class MassReport:
             yield from model.walk()
 
 
-def mass_report(document: Document) -> MassReport:
-    """Measure an SDF or URDF document.
+def mass_report(root: Root) -> MassReport:
+    """Measure what a file describes.
 
     Raises DescriptionError for a URDF whose numbers cannot be read.
     """
-    if document.kind is Kind.URDF:
-        model = _urdf_model(document)
+    if root.is_urdf:
+        model = _urdf_model(root)
         return MassReport((model,), model.total)
-    return _Reader().read(document)
+    return _Reader().read(root)
 
 
 class _Reader:
-    def read(self, document: Document) -> MassReport:
+    def read(self, whole: Root) -> MassReport:
         models: list[ModelMass] = []
         moving: list[MassProperties | None] = []
         notes: list[str] = []
-        roots = root_of(document).scopes
+        roots = whole.scopes
         for root in roots:
             if isinstance(root, Model):
                 measured = self.model(root, root.name)
@@ -166,8 +167,8 @@ class _Reader:
         return LinkMass(name, origin, body.seen_from(pose))
 
 
-def _urdf_model(document: Document) -> ModelMass:
-    robot = mechanism_of(root_of(document).models[0])
+def _urdf_model(root: Root) -> ModelMass:
+    robot = mechanism_of(root.models[0])
     links = tuple(_of_urdf(link.name, link.body, link.pose) for link in robot.links.values())
     return ModelMass(robot.name, False, links, (), _joined([link.body for link in links]))
 

@@ -9,7 +9,7 @@ import numpy as np
 from sdfcheck.files.regular import oddity
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.source.element import Element
 
 
@@ -38,7 +38,7 @@ def mesh_body(mesh: Element, density: float) -> MassProperties:
         raise MeshError(f"mesh `{uri}` is {why}")
     try:
         surface: Any = trimesh.load(path, force="mesh")
-    except Exception as error:  # trimesh and its readers raise whatever comes up
+    except Exception as error:  # trimesh and its consumers raise whatever comes up
         raise MeshError(
             f"mesh `{uri}` cannot be read: {' '.join(str(error).split()) or type(error).__name__}"
         ) from None

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
-from sdfcheck.robot.scope import Scope
 
 if TYPE_CHECKING:
     from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
+    from sdfcheck.robot.scope import Scope
     from sdfcheck.source.element import Element
 
 
@@ -78,18 +78,18 @@ class Pose:
 
 def resolved(node: Node, relative_to: str | Node | None) -> Pose:
     """The pose of a node relative to what a reference, written beside it, names, or to a node."""
-    poses, scope = node.root.poses, node.holder
-    if not isinstance(scope, Scope):
+    poses, scope = node.root.poses, node.scope_around
+    if scope is None:
         own = poses.in_scope(node)
         if relative_to in {None, "world"} or relative_to is node.root.outside:
             return Pose(own)
         base = node if relative_to is node else _named(node, relative_to)
-        return Pose(inverse(poses.reached(node, base)) if isinstance(node, Scope) else own)
+        return Pose(inverse(poses.reached(cast("Scope", node), base)) if node.is_scope else own)
     if relative_to is None:
         return Pose(poses.in_scope(node).copy())
     top = scope
-    while isinstance(top.holder, Scope):
-        top = top.holder
+    while top.scope_around is not None:
+        top = top.scope_around
     pose = poses.reached(top, node)
     if relative_to == "world" or relative_to in (top, node.root.outside):
         outer = np.eye(4) if top.kind == "world" else poses.in_scope(top)
@@ -99,11 +99,11 @@ def resolved(node: Node, relative_to: str | Node | None) -> Pose:
 
 def _named(node: Node, reference: str | Node | None) -> Node:
     from sdfcheck.robot.motion.poses import PoseError
-    from sdfcheck.robot.node import Node
 
-    if isinstance(reference, Node):
+    if reference is not None and not isinstance(reference, str):
         return reference
-    scope = node if isinstance(node, Scope) and not isinstance(node.holder, Scope) else node.scope
+    is_outermost = node.is_scope and node.scope_around is None
+    scope = cast("Scope", node) if is_outermost else node.scope
     found = scope.resolve(reference or "")
     if found is None:
         raise PoseError(f"there is no frame {reference!r} in {scope.name}", node.element)

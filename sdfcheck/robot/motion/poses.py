@@ -7,22 +7,21 @@ applies them to documents of every version.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.frame import MergedFrame
-from sdfcheck.robot.model import Model
 from sdfcheck.robot.motion.rotations import Array, from_quaternion, from_rpy, inverse, transform
-from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.placement import reference_of
-from sdfcheck.robot.scope import Scope
 
 if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.node import Node
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.scope import Scope
     from sdfcheck.source.element import Element
 
 
@@ -118,7 +117,7 @@ class Poses:
         pose = self.in_scope(node)
         at = node.scope
         while at is not scope:
-            if not isinstance(at.holder, Scope):
+            if at.scope_around is None:
                 raise PoseError(f"{node.name} is not below {scope.name}", node.element)
             pose = self.in_scope(at) @ pose
             at = at.scope
@@ -151,7 +150,7 @@ class Poses:
     def _leads_to(self, node: Node) -> Node | None:
         """What the pose of a node is relative to; None if that is its scope, or unknown."""
         base = urdf_base(node)[0] if is_in_urdf(node) else node.base
-        return None if base is node.scope or not isinstance(base, Node) else base
+        return None if base is node.scope else base
 
     def _of(self, scope: Scope, node: Node | None, reference: str) -> Array:
         if node is None:
@@ -162,12 +161,12 @@ class Poses:
         if is_in_urdf(node):
             return self._resolve_urdf(node)
         base = np.eye(4)
-        if isinstance(node.holder, Scope):
+        if node.scope_around is not None:
             base = self._of(node.scope, node.base, node.base_name)
         result = base @ written_pose(node.pose_element)
-        inside = node.apart if isinstance(node, MergedFrame) else node
-        if isinstance(inside, Model) and inside.placement_frame:
-            result = result @ inverse(self.named(inside, inside.placement_frame))
+        inside = node.apart
+        if inside.kind == "model" and (frame := cast("Model", inside).placement_frame):
+            result = result @ inverse(self.named(cast("Model", inside), frame))
         return result
 
     def _resolve_urdf(self, node: Node) -> Array:
@@ -186,10 +185,8 @@ def is_in_urdf(node: Node) -> bool:
 
 def urdf_base(node: Node) -> tuple[Node | None, Joint | None]:
     """What a URDF link or joint is placed at, and the joint whose origin leads from there to it."""
-    from sdfcheck.robot.parts.joint import Joint
-
-    if isinstance(node, Joint):
-        return node.child, None
+    if node.kind == "joint":
+        return cast("Joint", node).child, None
     for joint in node.parent_joints:  # type: ignore[attr-defined]
         return joint.parent, joint
     return node.merged or node.scope, None

@@ -68,6 +68,14 @@ def about_axis(axis: Sequence[float] | Array, angle: float | Array) -> Array:
     return np.asarray(np.eye(3) + np.sin(angles) * cross + 2 * np.sin(angles / 2) ** 2 * (cross @ cross))
 
 
+def z_towards(direction: Array) -> Array:
+    """The 3×3 rotation that turns z the shortest way into a direction of unit length."""
+    across = np.cross((0.0, 0.0, 1.0), direction)
+    length = float(np.linalg.norm(across))
+    axis = across / length if length > 1e-12 else np.array((1.0, 0.0, 0.0))
+    return about_axis(axis, math.atan2(length, float(direction[2])))
+
+
 def transform(rotation: Array, position: Sequence[float] | Array) -> Array:
     """The 4×4 transform of a rotation and a position (m); of many, shapes (…, 3, 3) and (…, 3)."""
     result = np.zeros((*np.shape(rotation)[:-2], 4, 4))

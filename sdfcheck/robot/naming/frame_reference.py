@@ -71,15 +71,18 @@ class FrameReference:
         return None if self.scope is None else self.scope.resolve(self.name)
 
     @property
+    def is_extension(self) -> bool:
+        """Is it in a ``<gazebo>`` block of a URDF file?"""
+        return self.root.is_urdf
+
+    @property
     def is_unresolved(self) -> bool:
         """Does it surely name nothing?"""
         return self.scope is not None and self.scope.lacks(self.name)
 
 
 def frame_references(root: Root) -> Iterator[FrameReference]:
-    """The references to frames that a file of SDFormat writes; those that nobody reads are left out."""
-    if root.is_urdf:
-        return
+    """The references to frames in SDFormat, also in ``<gazebo>`` blocks; those that nobody reads are left out."""
     surveyed = survey(root.document)
     for pose in surveyed.index.get("pose", ()):
         for name, text in pose.items():

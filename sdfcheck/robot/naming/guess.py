@@ -68,11 +68,9 @@ def _last(name: str) -> str:
 
 
 def _outside(scope: Scope, name: str) -> Node | None:
-    from sdfcheck.robot.scope import Scope
-
-    at = scope.holder
-    while isinstance(at, Scope):
+    at = scope.scope_around
+    while at is not None:
         if (found := at.resolve(name)) is not None:
             return found
-        at = at.holder
+        at = at.scope_around
     return None

@@ -11,52 +11,18 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.scope import NODES
+from sdfcheck.robot.naming.name import Name, Namesakes
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.robot.root import Root
 
-# Among names, one a line: what may be reserved, has blanks at its ends, or a colon in it.
+# Among names, one a line: what may be reserved, has spaces at its ends, or a colon in it.
 _ODD_LINE = re.compile(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
 
 # One of these is all that a document may hold, which is reported with its structure.
 _SINGLE_AT_ROOT = frozenset({"model", "light", "actor"})
-
-
-class Name(NamedTuple):
-    """What something is called: ``kind`` is what it counts as, ``parent`` what it is in.
-
-    For an include that gives no name of its own ``value`` is the uri that brings it, and
-    so for the parts of a model that it merges (``is_merged``).
-    """
-
-    kind: str
-    name: str
-    value: Value
-    parent: Element
-    is_merged: bool = False
-
-    @property
-    def makes_frame(self) -> bool:
-        """Is it the name of a frame?"""
-        return self.kind in NODES
-
-    @property
-    def is_compared(self) -> bool:
-        """Does libsdformat compare it with the names that it reserves?"""
-        from sdfcheck.formats.sdf.history import reserved_name_holders
-
-        return self.kind in reserved_name_holders()
-
-
-class Namesakes(NamedTuple):
-    """Two siblings that share a name."""
-
-    first: Name
-    later: Name
 
 
 class Names:
@@ -68,12 +34,16 @@ class Names:
     @lazy
     def special(self) -> tuple[Name, ...]:
         """The names that are more than plain words: ``world``, with underscores in front, with colons."""
-        given = (name for names in self._siblings.values() for name in names)
+        given = [name for names in self._siblings.values() for name in names]
+        if self.root.is_urdf and self.root.elements.get("gazebo"):
+            from sdfcheck.robot.naming.extension_names import extension_names
+
+            given += [name for names in extension_names(self.root).values() for name in names]
         return tuple(name for name in given if _ODD_LINE.search(name.name))
 
     @lazy
     def padded(self) -> tuple[Name, ...]:
-        """The names with blanks around them in SDFormat, which are not part of them; without repeated ones."""
+        """The names with spaces around them in SDFormat, which are not part of them; without repeated ones."""
         if self.root.is_urdf:
             return ()
         given = (name for names in self._siblings.values() for name in names)
@@ -86,6 +56,10 @@ class Names:
         repeated = _repeated_in_urdf if self.root.is_urdf else _repeated
         found = [pair for names in self._siblings.values() for pair in repeated(names)]
         document = self.root.document
+        if self.root.is_urdf and self.root.elements.get("gazebo"):
+            from sdfcheck.robot.naming.extension_names import extended_namesakes
+
+            found += extended_namesakes(self.root, _given_in_urdf(self.root))
         if document.library is not None and not self.root.is_urdf and "merge" in document.source.text:
             from sdfcheck.robot.includes.merges import merged_namesakes
 
@@ -167,17 +141,22 @@ def _included(root: Root) -> Iterator[Name]:
             yield Name(found.kind or "model", found.name, value, parent)
 
 
-def _of_urdf(root: Root) -> Iterator[Name]:
-    """The names of URDF, unless they are surely all plain and different."""
+def _given_in_urdf(root: Root) -> list[Name]:
+    """The names of links, joints and materials of URDF."""
     from sdfcheck.formats.urdf.survey import survey as urdf_survey
 
     surveyed = urdf_survey(root.document)
-    given = [
+    return [
         Name(kind, value.text, value, root.element)
         for kind in ("link", "joint", "material")
         for element in surveyed.top(kind)
         if (value := element.attribute("name")) is not None and value.text.strip()
     ]
+
+
+def _of_urdf(root: Root) -> Iterator[Name]:
+    """The same, unless they are surely all plain and different."""
+    given = _given_in_urdf(root)
     # Links and joints share a name space as soon as libsdformat reads them.
     shared = {(name.kind == "material", name.name) for name in given}
     if len(shared) < len(given) or any(_ODD_LINE.search(name.name) for name in given):

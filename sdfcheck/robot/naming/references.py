@@ -1,4 +1,4 @@
-"""Who refers to whom: every text of a description that names a link, joint, frame or model."""
+"""References: every text of a description that names a link, joint, frame or model."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from sdfcheck.robot.model import Model
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.include import Include
 from sdfcheck.robot.parts.plugin import Plugin
@@ -31,6 +32,7 @@ _ELEMENTS = ("parent", "child", "gearbox_reference_body", "gripper_link", "palm_
 
 _URDF = {"parent": ("link",), "child": ("link",), "mimic": ("joint",), "gazebo": ("reference",)}
 _URDF_JOINTS = frozenset(("transmission", "ros2_control"))
+_OF_JOINTS = _URDF_JOINTS | {"mimic"}
 
 _NAMING = re.compile(r"link|joint|frame|body|model", re.IGNORECASE)
 """Parameters of plugins that are called so are taken for names, where there is a node of that name."""
@@ -51,7 +53,7 @@ def references(root: Root) -> Iterator[Reference]:
     """The references of a file that name something, in no particular order."""
     for element, value in _values(root):
         scope = _scope(root, element)
-        nodes = _path(scope, value.text.strip()) if scope is not None else ()
+        nodes = _nodes(scope, element, value.text.strip()) if scope is not None else ()
         if nodes:
             yield Reference(value, nodes)
 
@@ -111,6 +113,14 @@ def _scope(root: Root, element: Element) -> Scope | None:
         if isinstance(at, Scope):
             return at
     return None
+
+
+def _nodes(scope: Scope, element: Element, text: str) -> tuple[Node, ...]:
+    """What a reference names; in URDF a joint may have the name of a link."""
+    joints = scope.joints_by_name if isinstance(scope, Model) and scope.is_urdf else {}
+    if element.tag in _OF_JOINTS and text in joints:
+        return (joints[text],)
+    return _path(scope, text)
 
 
 def _path(scope: Scope, text: str) -> tuple[Node, ...]:

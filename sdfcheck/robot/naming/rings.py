@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.frame import Frame
 from sdfcheck.robot.node import Node
@@ -14,6 +14,8 @@ from sdfcheck.source.element import Value
 from sdfcheck.source.record import Record
 
 if TYPE_CHECKING:
+    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.parts.include import Include
     from sdfcheck.robot.root import Root
 
 _Step = tuple[Value | None, Node | None]
@@ -42,12 +44,10 @@ def rings(root: Root) -> tuple[Ring, ...]:
     return (*_search("attached_to", starts, _attachment), *_search("relative_to", starts, _placement))
 
 
-def _node(part: object) -> Node | None:
+def _node(part: Part) -> Node | None:
     """The node that a part is, or that an include makes."""
-    from sdfcheck.robot.parts.include import Include
-
-    if isinstance(part, Include):
-        return part.node
+    if part.kind == "include":
+        return cast("Include", part).node
     return part if isinstance(part, Node) else None
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
-from sdfcheck.robot.scope import NODES
+from sdfcheck.robot.reserved import NODES
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
+    from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.scope import Scope
     from sdfcheck.source.element import Value
 
@@ -22,12 +23,10 @@ def unresolved_ends(scope: Scope) -> Unresolved:
     Left out are names that are malformed or might be in a file that could not be read,
     and joints whose ends are one name, or whose child is the world.
     """
-    from sdfcheck.robot.parts.joint import Joint
-
     found: Unresolved = {}
     for element in scope.children("joint"):
-        joint = scope.part(element)
-        if not isinstance(joint, Joint) or joint.child_name in {"world", joint.parent_name}:
+        joint = cast("Joint", scope.part(element))
+        if joint.kind != "joint" or joint.child_name in {"world", joint.parent_name}:
             continue
         for value, node in ((joint.parent_value, joint.parent), (joint.child_value, joint.child)):
             if value is None or node is not None or "" in value.text.split("::"):

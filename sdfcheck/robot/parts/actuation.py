@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.element import Element, Value
 
 
-class _JointNames(Part):
+class JointNames(Part):
     """Something that names joints."""
 
     __slots__ = ()
@@ -40,7 +40,7 @@ class _JointNames(Part):
         return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
 
 
-class Transmission(_JointNames):
+class Transmission(JointNames):
     """A transmission between joints and actuators."""
 
     __slots__ = ()
@@ -64,20 +64,3 @@ class Transmission(_JointNames):
         return tuple(
             found.own_value for holder in holders for found in holder.children("mechanicalReduction")
         )
-
-
-class Ros2Control(_JointNames):
-    """A ``ros2_control`` block."""
-
-    __slots__ = ()
-    kind = "ros2_control"
-
-    @property
-    def type(self) -> str:
-        """``system``, ``actuator`` or ``sensor``."""
-        return self._text("type") or ""
-
-    @property
-    def hardware(self) -> Element | None:
-        """The element ``hardware``."""
-        return self.find("hardware")

@@ -24,11 +24,11 @@ class _AxisPart(Part):
     @property
     def joint(self) -> Joint:
         """The joint."""
-        from sdfcheck.robot.parts.joint import Joint
-
-        found = self.within(Joint)
-        assert found is not None, "axes are made in joints only"
-        return found
+        at = self.holder
+        while at is not None and at.kind != "joint":
+            at = at.holder
+        assert at is not None, "axes are made in joints only"
+        return cast("Joint", at)
 
     @property
     def axis(self) -> Axis:
@@ -192,14 +192,12 @@ class Mimic(_AxisPart):
     @property
     def leader(self) -> Joint | None:
         """The joint that it follows; None if the name is not that of a joint."""
-        from sdfcheck.robot.parts.joint import Joint
-
         model = self.joint.model
         if self.is_urdf:  # where joints and links have names of their own
             name = self.leader_value.text if self.leader_value is not None else ""
             return model.joints_by_name.get(name) if model is not None and name else None
         found = self.joint.look_up(self.leader_name) if self.leader_name else None
-        return found if isinstance(found, Joint) else None
+        return cast("Joint", found) if found is not None and found.kind == "joint" else None
 
     @property
     def leader_guess(self) -> str | None:
@@ -211,6 +209,16 @@ class Mimic(_AxisPart):
 
         candidates = (name for name in model.joints_by_name if name != joint.name)
         return suggest_in(self.document, self.leader_name, candidates)
+
+    @property
+    def leads_into_ring(self) -> bool:
+        """Do its leaders follow each other without end?"""
+        seen: set[Mimic] = set()
+        at: Mimic | None = self
+        while at is not None and at not in seen:
+            seen.add(at)
+            at = at.next
+        return at is not None
 
     @property
     def is_without_axis(self) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, cast
 
-from sdfcheck.formats.urdf.table import is_expression
+from sdfcheck.formats.urdf.table import extension, is_expression
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.robot.parts.sensor import Sensor
+    from sdfcheck.robot.scope import Scope
     from sdfcheck.source.element import Element, Value
 
 _TRUE = frozenset(("1", "true", "yes"))
@@ -38,6 +39,11 @@ class GazeboBlock(Part):
     def model(self) -> Model:
         """The robot."""
         return cast("Model", self.holder)
+
+    @property
+    def scope(self) -> Scope:
+        """Where the names in it are looked up."""
+        return self.model.extended
 
     @property
     def reference(self) -> str:
@@ -105,6 +111,22 @@ class GazeboBlock(Part):
         """The values of the settings of a name (``mu1``, ``material`` …): attribute ``value`` or text."""
         for child in self.children(name):
             yield child.attribute("value") or child.own_value
+
+    @property
+    def unread_settings(self) -> Iterator[tuple[Element, str]]:
+        """The settings of libsdformat in it that are not for what it is about, and what they are for.
+
+        That is link, joint or robot, or empty where only older releases read the setting.
+        """
+        if not self.reference:
+            about = {"robot"}
+        else:
+            about = {kind for kind, part in (("link", self.link), ("joint", self.joint)) if part is not None}
+        known = extension().children if about else {}
+        for child in self.children():
+            setting = known.get(child.name)
+            if setting is not None and setting.about not in about:
+                yield child, setting.about
 
     def switched_on(self, name: str) -> list[Element]:
         """The settings of a name that are true."""

@@ -8,7 +8,7 @@ from sdfcheck.source.element import Element
 
 
 def extension_parts(block: Element) -> Iterator[Element]:
-    """The elements in a ``<gazebo>`` block; what stands in plugins is theirs."""
+    """The elements in a ``<gazebo>`` block; what is in plugins is theirs."""
     for child in block.children():
         yield child
         if child.name != "plugin":

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.parts.solids import Moments
-from sdfcheck.robot.parts.sound_inertia import is_sound
+from sdfcheck.robot.sound_inertia import is_sound
 from sdfcheck.robot.values import Number, is_true, lazy
 
 if TYPE_CHECKING:

@@ -42,7 +42,7 @@ class Joint(Node):
 
     @lazy
     def type(self) -> str:
-        """The type as simulators compare it: in SDFormat small letters, without blanks; empty if there is none."""
+        """The type as simulators compare it: in SDFormat small letters, without spaces; empty if there is none."""
         text = self._text("type") or ""
         return text if self.is_urdf else text.strip().lower()
 
@@ -74,9 +74,7 @@ class Joint(Node):
     @property
     def model(self) -> Model | None:
         """The model that it is in; None in a world."""
-        from sdfcheck.robot.model import Model
-
-        return self.holder if isinstance(self.holder, Model) else None
+        return cast("Model", self.holder) if self.holder is not None and self.holder.kind == "model" else None
 
     # Ends
 

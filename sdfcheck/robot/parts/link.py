@@ -12,7 +12,7 @@ from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
-    from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint

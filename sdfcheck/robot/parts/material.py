@@ -10,6 +10,8 @@ from sdfcheck.robot.values import Vector
 if TYPE_CHECKING:
     from sdfcheck.source.element import Element
 
+_WITHOUT_ALPHA = 3
+
 
 class Material(Part):
     """The material of a visual, or one that a URDF robot defines for all its links."""
@@ -26,9 +28,19 @@ class Material(Part):
         return self.light("diffuse")
 
     def light(self, name: str) -> Vector | None:
-        """The color of ``ambient``, ``diffuse``, ``specular`` or ``emissive`` light; None where it is not given."""
+        """The color of ``ambient``, ``diffuse``, ``specular`` or ``emissive`` light; None where it is not given.
+
+        An alpha that SDFormat leaves out is 1.
+        """
         child = self.find(name)
-        return None if child is None else Vector.of(child.own_value, child, ())
+        if child is None:
+            return None
+        color = Vector.of(child.own_value, child, ())
+        if len(color) != _WITHOUT_ALPHA:
+            return color
+        whole = Vector((*color, 1.0))
+        whole.value, whole.element = color.value, color.element
+        return whole
 
     @property
     def texture(self) -> str:

@@ -62,7 +62,7 @@ class FileUse(Part):
 
     @property
     def uri(self) -> str:
-        """The URI without blanks around it; empty where there is none."""
+        """The URI without spaces around it; empty where there is none."""
         return self.uri_value.text.strip() if self.uri_value is not None else ""
 
     @property

@@ -82,7 +82,7 @@ class Sensor(Part):
 
     @property
     def type(self) -> str:
-        """The type as written, without blanks around it."""
+        """The type as written, without spaces around it."""
         return (self._text("type") or "").strip()
 
     @property

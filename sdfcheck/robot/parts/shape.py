@@ -38,13 +38,18 @@ class Geometry(Part):
 
     @lazy
     def shape_element(self) -> Element | None:
-        """The element of the shape; None if there is none."""
-        return next(self.children(), None)
+        """The element of the shape; None if there is none. urdfdom takes the first element."""
+        return next(self.children(), None) if self.is_urdf else shape_in(self.element)
 
     @property
     def shape(self) -> str:
         """``box``, ``sphere``, ``mesh`` …; empty if there is none."""
         return self.shape_element.name if self.shape_element is not None else ""
+
+    @property
+    def meant(self) -> str:
+        """Its shape in the format's words, also where a vendor's tag says it (``drake:capsule``)."""
+        return self.shape.removeprefix("drake:")
 
     @property
     def size(self) -> Vector:
@@ -96,7 +101,9 @@ class Geometry(Part):
     @property
     def measures(self) -> tuple[float, ...]:
         """All numbers of the shape in one row: the radius and the length of a cylinder, the scale of a mesh."""
-        defaults = _DEFAULT_SIZES.get(self.shape, {})
+        if self.shape == "drake:ellipsoid":
+            return tuple(float(self._measure(name)) for name in "abc")
+        defaults = _DEFAULT_SIZES.get(self.meant, {})
         return tuple(n for name in defaults for n in self._measures(name) or defaults[name])
 
     @lazy
@@ -221,3 +228,11 @@ def _count(numbers: Vector, count: int) -> Vector:
     if len(numbers) != count or not numbers.is_given:
         raise ValueError(numbers.text)
     return numbers
+
+
+def shape_in(geometry: Element) -> Element | None:
+    """The element of the shape in a ``geometry`` of SDFormat: libsdformat takes one that it knows."""
+    first = next(geometry.children(), None)
+    if first is None or ":" not in first.name:
+        return first
+    return next((child for child in geometry.children() if ":" not in child.name), first)

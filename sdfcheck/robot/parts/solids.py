@@ -1,6 +1,6 @@
 """Mass properties of homogeneous solids, in closed form.
 
-Lengths in m, masses in kg, moments in kg·m². Moments are about the solid's centre of
+Lengths in m, masses in kg, moments in kg·m². Moments are about the solid's center of
 mass, in axes parallel to its own; lengths of cylinders, capsules and cones run along z.
 """
 
@@ -9,6 +9,9 @@ from __future__ import annotations
 import math
 
 from sdfcheck.source.record import NamedTuple
+
+_ROUNDING = 2.3e-15
+"""So much of the largest moment may be lost by rounding."""
 
 
 class Moments(NamedTuple):
@@ -26,6 +29,22 @@ class Moments(NamedTuple):
         """The sum of the diagonal, which no rotation changes."""
         return self.ixx + self.iyy + self.izz
 
+    @property
+    def is_indefinite(self) -> bool:
+        """Is a principal moment negative, by more than rounding explains? Source: gz-math's MassMatrix3."""
+        return self.principal()[0] < -self._rounding
+
+    @property
+    def is_impossible(self) -> bool:
+        """Is a principal moment larger than the sum of the other two? Source: the same."""
+        low, middle, high = self.principal()
+        return low + middle + self._rounding < high
+
+    @property
+    def _rounding(self) -> float:
+        """How far off the principal moments may be because the moments were rounded."""
+        return _ROUNDING * max(map(abs, self))
+
     def plus(self, other: Moments) -> Moments:
         return Moments(*(a + b for a, b in zip(self, other, strict=True)))
 
@@ -33,7 +52,7 @@ class Moments(NamedTuple):
         return Moments(*(value * factor for value in self))
 
     def moved(self, mass: float, x: float, y: float, z: float) -> Moments:
-        """About a point ``(x, y, z)`` off the centre of mass (parallel-axis theorem)."""
+        """About a point ``(x, y, z)`` off the center of mass (parallel-axis theorem)."""
         return self.plus(
             Moments(y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z).times(mass)
         )
@@ -61,11 +80,11 @@ class Moments(NamedTuple):
 
 
 class Solid(NamedTuple):
-    """Volume (m³), moments per kg, and the height of the centre of mass along z."""
+    """Volume (m³), moments per kg, and the height of the center of mass along z."""
 
     volume: float
     moments: Moments
-    centre: float = 0.0
+    center: float = 0.0
 
 
 def box(x: float, y: float, z: float) -> Solid:
@@ -92,7 +111,7 @@ def capsule(radius: float, length: float) -> Solid:
     tube, ball = cylinder(radius, length), sphere(radius)
     volume = tube.volume + ball.volume
     part, cap = tube.volume / volume, ball.volume / volume
-    # A half ball's centre of mass is 3/8 of the radius off its flat side.
+    # A half ball's center of mass is 3/8 of the radius off its flat side.
     offset = length / 2 + 3 / 8 * radius
     square = radius * radius
     side = cap * (2 / 5 * square - 9 / 64 * square + offset * offset)
@@ -101,7 +120,7 @@ def capsule(radius: float, length: float) -> Solid:
 
 
 def cone(radius: float, length: float) -> Solid:
-    """A cone with its tip up, whose origin is half way up; the centre of mass is lower."""
+    """A cone with its tip up, whose origin is half way up; the center of mass is lower."""
     square = radius * radius
     side = 3 / 80 * (4 * square + length * length)
     return Solid(math.pi * square * length / 3, Moments(side, side, 3 / 10 * square), -length / 4)

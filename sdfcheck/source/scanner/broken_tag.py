@@ -21,7 +21,7 @@ _QUOTED = re.compile(r"([\"'])[^\"'<>\r\n]*\1(?=[\s/>])")
 _CURLY = "“”„‟‘’‚‛´`"  # noqa: RUF001 - these are what is looked for
 _CURLY_VALUE = re.compile(rf"[{_CURLY}]([^{_CURLY}<>\"'\r\n]*)[{_CURLY}]")
 _ESCAPED_VALUE = re.compile(r"\\([\"'])([^\"'<>\r\n]*?)\\\1")
-# Blanks are bounded so that a line of a million of them takes no hour.
+# Spaces are bounded so that a line of a million of them takes no hour.
 _UNCLOSED = re.compile(r"[^<>\r\n]*?(?=[\"']?\s{0,80}/?>|[<\r\n]|\Z)")
 _NEXT_ATTRIBUTE = re.compile(rf"(.*?)\s{{1,80}}{NAME}\s{{0,80}}=\s{{0,80}}")
 _TAG = re.compile(r"</?[\w:.\-]+[\s/>]")
@@ -212,7 +212,7 @@ class _BrokenTag:
 
 
 def _has_swallowed_tag(value: str) -> bool:
-    """Is there a tag in a value, and a line end before or behind it?"""
+    """Is there a tag in a value, and a line end before or after it?"""
     tags = list(_TAG.finditer(value))
     return bool(tags) and bool(
         _LINE_END.search(value, tags[0].end()) or _LINE_END.search(value, 0, tags[-1].start())

@@ -197,7 +197,7 @@ class Evidence:
         return first
 
     def place_before(self, number: int, indent: int | None) -> tuple[int, int]:
-        """The line of blanks that a tag of this indentation has left before a token; else the token."""
+        """The line of spaces that a tag of this indentation has left before a token; else the token."""
         before, behind = self.tokens[number - 1], self.tokens[number]
         for line in _BLANK_LINE.finditer(self.text, before.end, behind.start):
             if indent and len(line[1].expandtabs()) == indent:
@@ -253,7 +253,7 @@ class Evidence:
     def gap(self, element: Token, number: int) -> tuple[tuple[int, int], tuple[int, int]]:
         """Where an end tag is missing before token ``number``, and the other place to look at.
 
-        That is the last line of a text, the line of blanks that the tag has left, or else
+        That is the last line of a text, the line of spaces that the tag has left, or else
         the token; the start tag is the other one. Where an element is empty, it is its
         start tag that may want a slash, and the token is the other.
         """

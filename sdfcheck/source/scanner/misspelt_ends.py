@@ -1,4 +1,4 @@
-"""Where comments and sections were meant to end, when their end is missing or misspelt."""
+"""Where comments and sections were meant to end, when their end is missing or misspelled."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class CommentEnd(NamedTuple):
 
 
 def comment_end(text: str, begin: int, limit: int | None = None) -> CommentEnd:
-    """Where a comment without ``-->`` before ``limit`` was meant to end: at a misspelt end, or after its words."""
+    """Where a comment without ``-->`` before ``limit`` was meant to end: at a misspelled end, or after its words."""
     limit = len(text) if limit is None else limit
     markup = text.find("<", begin, limit)
     if markup < 0:
@@ -87,7 +87,7 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
 
 
 def section_end(text: str, begin: int) -> int:
-    """Where a CDATA section without ``]]>`` was meant to end: at a misspelt end, or before an end tag."""
+    """Where a CDATA section without ``]]>`` was meant to end: at a misspelled end, or before an end tag."""
     limit = text.find("</", begin)
     if limit < 0:
         limit = len(text)

@@ -1,4 +1,4 @@
-"""Which end tag belongs to which start tag, also where some are missing, misspelt or too many.
+"""Which end tag belongs to which start tag, also where some are missing, misspelled or too many.
 
 A parser that knows only "expected this, found that" blames the wrong place and goes on
 to blame others. Here the text ahead and the indentation count as evidence, and one
@@ -136,7 +136,7 @@ class _Pairing:
         return True
 
     def take_foreign_end(self, token: Token, names: list[str]) -> bool:
-        """An end tag for something that is not open: misspelt, or too many, or its start tag is broken."""
+        """An end tag for something that is not open: misspelled, or too many, or its start tag is broken."""
         top, outer = names[-1], names[-2] if len(names) > 1 else None
         following = self.evidence.next_unmatched_end(self.number)
         similar = alike(token.name, top)
@@ -221,7 +221,7 @@ class _Pairing:
         self.doubt(opened.start, token.start if has_children else opened.end)
 
     def mismatch(self, token: Token) -> None:
-        """The end tag of the innermost element says another name; which of the two is misspelt?"""
+        """The end tag of the innermost element says another name; which of the two is misspelled?"""
         opened = self.tokens[self.open[-1]]
         start, end = name_range(opened, self.text), name_range(token, self.text)
         if opened.tag is not None or token.start in self.odd_ends:
@@ -285,7 +285,7 @@ class _Pairing:
         self.doubtful.append((self.number, (start, end)))
 
     def doubt_lack(self, parent: Token) -> None:
-        """What the parent seems to lack may be what is misspelt, or not recognized, in it."""
+        """What the parent seems to lack may be what is misspelled, or not recognized, in it."""
         self.doubt(parent.start, parent.end)
 
     def defect(

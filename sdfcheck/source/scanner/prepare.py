@@ -14,7 +14,7 @@ _NO_LINE_END = re.compile(r"[^\r\n]")
 
 
 class Prepared(NamedTuple):
-    """``text`` is as long as the source's, with blanks for what was taken out."""
+    """``text`` is as long as the source's, with spaces for what was taken out."""
 
     text: str
     problems: list[Problem]

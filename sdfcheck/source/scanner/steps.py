@@ -19,7 +19,7 @@ class Act(Enum):
 
 
 class Step(NamedTuple):
-    """A token and what becomes of it; ``name`` is that of the element, misspelt or not."""
+    """A token and what becomes of it; ``name`` is that of the element, misspelled or not."""
 
     act: Act
     token: Token

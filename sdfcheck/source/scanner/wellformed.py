@@ -2,7 +2,7 @@
 
 What is sound is copied. Start tags keep their number and order, which is all that the
 mapping between tree and text needs. Namespace processing is kept out: colons in names
-are replaced by :data:`sdfcheck.source.rewritten.COLON`, and declarations are left to the
+are written as :mod:`sdfcheck.source.rewritten` says, and declarations are left to the
 textual namespace analysis.
 """
 
@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind, UnknownEntity
-from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT, COLON
+from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT, COLON, rewritten_name
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.scanner.start_tag import BLANK, NAME, START, StartTag, repeated_attributes, tag_of
 from sdfcheck.source.scanner.steps import Act, Step
@@ -30,7 +30,7 @@ _OPENING = re.compile(r"\A<!?\[?[A-Za-z]+\[?")
 _CUT_REFERENCE = re.compile(r"&#?[\w.\-:]*\Z")
 _PREDEFINED = frozenset({"amp", "lt", "gt", "quot", "apos"})
 _PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]*")
-_REWRITTEN = re.compile(r"[:&]|xmlns")
+_REWRITTEN = re.compile(rf"[:&{COLON}]|xmlns")
 _INSTRUCTION = re.compile(rf"<\?(?!xml){NAME}(?:{BLANK}|\?>)", re.IGNORECASE)
 
 
@@ -205,4 +205,4 @@ def _escape(text: str) -> str:
 
 
 def _safe_name(name: str) -> str:
-    return name if _PLAIN_NAME.fullmatch(name) else made_name(name.replace(":", COLON))
+    return name if _PLAIN_NAME.fullmatch(name) else made_name(rewritten_name(name))

@@ -8,7 +8,7 @@ the places. xacro's own code is not changed: a few of its functions are replaced
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 from xml.dom.expatbuilder import ExpatBuilderNS
 
@@ -69,9 +69,10 @@ class Crumbs:
 class Tracer:
     """Knows the places of one expansion."""
 
-    def __init__(self, xacro: Any, path: str, text: str | None, crumbs: Crumbs) -> None:
+    def __init__(self, xacro: Any, path: str, texts: Mapping[str, str], crumbs: Crumbs) -> None:
         self.xacro = xacro
-        self.top = (path, text)
+        self.texts = texts
+        """Path → text, for files that are not read from disk: the one that is expanded, and others."""
         self.crumbs = crumbs
         self.files: list[str] = []
         self.definitions: dict[str, Written] = {}
@@ -97,8 +98,10 @@ class Tracer:
     def parse(self, inp: Any, filename: str | None = None) -> Any:
         if filename is None:
             return inp
-        top, text = self.top
-        if text is not None and filename == top:
+        text = self.texts.get(filename)
+        if text is None:
+            text = self.texts.get(os.path.abspath(os.path.join(self.xacro.root_dir, filename)))
+        if text is not None:
             return Builder(self, self.number(filename)).parseString(text)
         try:
             file = open(os.path.join(self.xacro.root_dir, filename))  # noqa: SIM115 - closed below

@@ -27,6 +27,7 @@ from sdfcheck.xacro.static.definitions import Definitions, is_robot, knows_all, 
 from sdfcheck.xacro.static.elements import element_problems
 from sdfcheck.xacro.static.expressions import expression_problems
 from sdfcheck.xacro.static.names import free_names
+from sdfcheck.xacro.static.oversights import oversights
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
 from sdfcheck.xacro.static.suggestions import guess, nearest
@@ -54,6 +55,7 @@ def problems(document: Document) -> Iterator[Problem]:
             span = document.spans.attribute_value(element, "filename")
             yield XacroIncludeCycle(span, cycle.include.filename, cycle.steps)
     yield from _unknown_packages(document)
+    yield from oversights(document, visible)
 
 
 def _undeclared(document: Document) -> Iterator[Problem]:
@@ -94,9 +96,11 @@ def _called(call: Call) -> Span:
 
 def _undefined_properties(document: Document, visible: Definitions) -> Iterator[Problem]:
     outside, inside = visible.properties, visible.properties | visible.parameters
+    # Of a name with a hyphen, which expressions take for a minus, the first part is reported.
+    dashed = {part for name in outside if "-" in name for part in name.split("-")[1:]}
     for found in reading(document).expressions:
         known = outside if found.macro is None else inside
-        for name in sorted(free_names(found.code) - known - BUILT_IN):
+        for name in sorted(free_names(found.code) - known - BUILT_IN - dashed):
             is_function = re.search(rf"(?<![\w.]){name}\s*\(", found.code) is not None
             is_certain = knows_all(document)
             candidates = known | BUILT_IN if is_function else known
@@ -166,7 +170,7 @@ def _unused_properties(document: Document, visible: Definitions) -> Iterator[Pro
         if (found.macro is None and not robot) or found.name in visible.words or found.name in seen:
             continue
         attributes = found.element.attributes
-        if attributes.get("remove") or attributes.get("scope") or not found.name:
+        if attributes.get("remove") or attributes.get("scope") or not found.name.isidentifier():
             continue
         seen.add(found.name)
         yield UnusedProperty(document.spans.attribute_value(found.element, "name"), found.name)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from sdfcheck.files.library import library_of
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
@@ -107,6 +108,15 @@ class Definitions:
             return sorted(path.parent.glob(path.name)) if not _GLOB.search(str(path.parent)) else []
         path = library.packages(document.path).locate(path)
         return [path] if path.is_file() else []
+
+    def target(self, element: Element) -> Path | None:
+        """The one file that an ``xacro:include`` names; None if that cannot be known."""
+        for read in self.readings:
+            for include in read.includes:
+                if include.element is element:
+                    found = self._targets(include, read.document)
+                    return found[0] if len(found) == 1 else None
+        return None
 
     def _is_pattern(self, include: Include, document: Document) -> bool:
         """Whether an include names files by a pattern, in a folder that is known."""

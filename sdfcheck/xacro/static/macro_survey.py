@@ -153,5 +153,5 @@ def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
 
 
 def _is_misspelled(name: str, place: UrdfElement) -> bool:
-    """Whether an element is URDF's, but misspelt or in another place than its own."""
+    """Whether an element is URDF's, but misspelled or in another place than its own."""
     return bool(known_parents(name)) or suggest(name, place.children) is not None

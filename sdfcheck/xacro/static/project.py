@@ -81,6 +81,19 @@ def _is_included(document: Document) -> bool:
     )
 
 
+def includers(document: Document) -> list[Path]:
+    """The other xacro files of the project that include this one, directly, sorted."""
+    if (library := library_of(document)) is None:
+        return []
+    packages = library.packages(document.path)
+    own = library.disk.real(document.path)
+    mentions = _project(library, document).of(document.path.name)
+    found = {each.by for each in mentions if library.disk.real(each.by) != own}
+    return sorted(
+        by for by in found if any(_leads(each, own, packages, library) for each in mentions if each.by == by)
+    )
+
+
 def _leads(mention: _Mention, own: str, packages: Packages, library: Library) -> bool:
     """Whether a file name leads to a file; as far as it is not known, whether it may."""
     text, folder = mention.text, mention.by.parent

@@ -32,6 +32,8 @@ class Macro(Record):
     words: frozenset[str]
     calls: tuple[str, ...]
     has_includes: bool
+    written: tuple[Parameter, ...]
+    """Its parameters as xacro takes them, with commas and doubled ones."""
 
 
 class Property(Record):
@@ -92,6 +94,7 @@ class Reading:
         self.elements: list[tuple[Element, Element | None]] = []
         """All elements, each with the macro in whose body it is."""
         self.arguments: dict[str, str] = {}
+        self.argument_elements: dict[str, Element] = {}
         self.words: set[str] = set()
         """Every word in an expression, and every name that is inserted or forwarded."""
         self.is_open = False
@@ -120,7 +123,8 @@ class Reading:
     def _take_macro(self, element: Element) -> None:
         attributes = own_attributes(element, "macro")
         name = attributes.get("name", "").removeprefix(PREFIX)
-        found = tuple(parameters(attributes.get("params", "")))
+        written = tuple(parameters(attributes.get("params", "")))
+        found = tuple({each.name: each for each in map(_without_comma, reversed(written))}.values())[::-1]
         words = _words_in_text(element)
         calls: list[str] = []
         has_includes = False
@@ -135,7 +139,7 @@ class Reading:
             default = parameter.default or ""
             words.update(word for _, code in expressions(default) for word in _WORD.findall(code))
         self.words.update(p.name for p in found if p.forwards)
-        self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls), has_includes))
+        self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls), has_includes, written))
 
     def _take_keyword(self, own: str, element: Element, macro: Element | None, conditional: bool) -> None:
         attributes = own_attributes(element, own)
@@ -147,6 +151,7 @@ class Reading:
             )
         elif own == "arg":
             self.arguments.setdefault(name, attributes.get("default", ""))
+            self.argument_elements.setdefault(name, element)
         elif own == "include":
             optional = attributes.get("optional", "") not in {"", "false", "False", "0"}
             namespace = attributes.get("ns", "")
@@ -181,6 +186,25 @@ def texts(element: Element, signs: str = "$") -> Iterator[tuple[str | None, str]
     for text in (element.text, *(child.tail for child in element)):
         if text and any(sign in text for sign in signs):
             yield None, str(text)
+
+
+def own_words(element: Element) -> set[str]:
+    """The words that an element reads itself, the defaults of a macro's parameters included."""
+    words = _words_of(element)
+    if keyword(element) == "macro":
+        words.update(_WORD.findall(element.attributes.get("params", "")))
+    return words
+
+
+def _without_comma(parameter: Parameter) -> Parameter:
+    """A parameter as it was meant where somebody separated it from the next by a comma."""
+    if not parameter.name.endswith(",") and not (parameter.default or "").endswith(","):
+        return parameter
+    name = parameter.name.rstrip(",")
+    end = parameter.end - len(parameter.name) + len(name)
+    return Parameter(
+        name, parameter.start, end, (parameter.default or "").rstrip(",") or None, parameter.forwards
+    )
 
 
 def _words_of(element: Element) -> set[str]:

@@ -11,7 +11,7 @@ from sdfcheck.source.scanner.evidence import alike
 
 
 def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str | None:
-    """The candidate that a misspelt name was meant to be, None if none is so much like it."""
+    """The candidate that a misspelled name was meant to be, None if none is so much like it."""
     import difflib
 
     if len(name) < 3:

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import io
 from pathlib import Path
 
 import pytest
@@ -45,15 +46,152 @@ def test_several_inputs_need_a_folder(urdf: Path, tmp_path: Path) -> None:
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["r.sdf", "s.sdf"]
 
 
-def test_two_inputs_with_one_result_are_refused(
+def test_results_of_one_name_go_to_folders_of_their_own_unless_that_is_forbidden(
     urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     other = tmp_path / "other" / "r.urdf"
     other.parent.mkdir()
     other.write_text(ROBOT)
-    assert run(urdf, other, "--output-dir", tmp_path / "out") == 2
+    out = tmp_path / "out"
+    assert run(urdf, other, "--output-dir", out, "--flat") == 2
     assert f"{urdf} and {other} would both go to" in capsys.readouterr().err
-    assert not (tmp_path / "out").exists()
+    assert not out.exists()
+    assert run(urdf, other, "--output-dir", out) == 0
+    assert (out / "r.sdf").exists()
+    assert (out / "other" / "r.sdf").exists()
+
+
+def test_results_of_one_name_in_one_folder_keep_the_whole_name(urdf: Path, tmp_path: Path) -> None:
+    (tmp_path / "r.urdf.xacro").write_text(ROBOT)
+    assert run(tmp_path, "--output-dir", tmp_path / "out") == 0
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["r.urdf.sdf", "r.urdf.xacro.sdf"]
+
+
+def test_a_folder_is_walked_and_what_is_not_to_be_converted_ignored(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "world.sdf").write_text('<sdf version="1.9"><world name="w"/></sdf>')
+    (tmp_path / "macros.xacro").write_text(
+        '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="m"/></robot>'
+    )
+    assert run(tmp_path, "--output-dir", tmp_path / "out") == 0
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["r.sdf"]
+    err = capsys.readouterr().err
+    assert "3 files: 1 verified and 2 ignored\n" in err
+
+
+def test_one_of_several_may_be_of_another_kind(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    srdf = tmp_path / "r.srdf"
+    srdf.write_text('<robot name="r"><group name="g"><link name="a"/></group></robot>')
+    assert run(urdf, srdf, "--output-dir", tmp_path / "out") == 0
+    assert "r.srdf: looks like SRDF" in capsys.readouterr().err
+    assert run(srdf) == 2
+
+
+def test_a_dash_is_stdin(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def give(text: str) -> None:
+        monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text.encode())))
+
+    give(ROBOT)
+    assert run("-") == 0
+    assert '<link name="a">' in capsys.readouterr().out
+    give(ROBOT)
+    assert run("-", "--stdin-filename", tmp_path / "arm.urdf", "--output-dir", tmp_path / "out") == 0
+    assert (tmp_path / "out" / "arm.sdf").exists()
+    xacro = ROBOT.replace("<robot", '<robot xmlns:xacro="http://ros.org/wiki/xacro"').replace(
+        "<link name", '<xacro:arg name="width" default="1"/><link name'
+    )
+    give(xacro)
+    assert run("-", "width:=2") == 0
+    give(xacro)
+    assert run("-", "widht:=2") == 2
+    assert "did you mean `width`" in capsys.readouterr().err
+    assert run("--stdin-filename", "x.urdf", tmp_path / "r.urdf") == 2
+
+
+def test_the_input_is_not_overwritten_by_another_format(urdf: Path, tmp_path: Path) -> None:
+    assert run(urdf, "-o", urdf) == 2
+    assert urdf.read_text() == ROBOT
+    sdf = tmp_path / "m.sdf"
+    sdf.write_text('<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>')
+    assert main(["convert", "sdf-to-urdf", "--isolated", str(sdf), "-o", str(sdf)]) == 2
+    assert main(["convert", "sdf-to-sdf", "--isolated", "--to", "1.8", str(sdf), "-o", str(sdf)]) == 0
+
+
+def test_paths_are_written_for_the_folder_of_the_result(tmp_path: Path) -> None:
+    source = tmp_path / "here"
+    (source / "meshes").mkdir(parents=True)
+    (source / "meshes" / "a.stl").write_bytes(b"")
+    mesh = '<visual name="v"><geometry><mesh>{}</mesh></geometry></visual>'
+    urdf = source / "r.urdf"
+    urdf.write_text(
+        ROBOT.replace(
+            "</link>", '<visual><geometry><mesh filename="meshes/a.stl"/></geometry></visual></link>'
+        )
+    )
+    sdf = source / "m.sdf"
+    uri = "<uri>meshes/a.stl</uri>", "<uri>file://meshes/a.stl</uri>", "<uri>lost/a.stl</uri>"
+    shapes = "".join(mesh.format(each).replace('"v"', f'"v{number}"') for number, each in enumerate(uri))
+    sdf.write_text(f'<sdf version="1.9"><model name="m"><link name="a">{shapes}</link></model></sdf>')
+    out = tmp_path / "deep" / "out"
+    assert run(urdf, "--output-dir", out) == 0
+    assert "<uri>../../here/meshes/a.stl</uri>" in (out / "r.sdf").read_text()
+    assert main(["convert", "sdf-to-urdf", "--isolated", str(sdf), "-o", str(out / "m.urdf")]) == 0
+    assert 'filename="../../here/meshes/a.stl"' in (out / "m.urdf").read_text()
+    assert (
+        main(["convert", "sdf-to-sdf", "--isolated", "--to", "1.8", str(sdf), "--output-dir", str(out)]) == 0
+    )
+    written = (out / "m.sdf").read_text()
+    assert "<uri>../../here/meshes/a.stl</uri>" in written
+    assert "<uri>file://../../here/meshes/a.stl</uri>" in written
+    assert "<uri>lost/a.stl</uri>" in written
+
+
+def test_another_encoding_is_reported(urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    urdf.write_bytes(b"\xef\xbb\xbf" + ROBOT.encode())
+    assert run(urdf, "-o", tmp_path / "r.sdf") == 0
+    assert "UTF-8 with a byte order mark becomes UTF-8\n" in capsys.readouterr().err
+    urdf.write_bytes(
+        b'<?xml version="1.0" encoding="iso-8859-1"?>' + ROBOT.replace('"r"', '"\xe9"').encode("latin-1")
+    )
+    assert run(urdf, "-o", tmp_path / "r.sdf") == 0
+    assert "ISO8859-1 becomes UTF-8\n" in capsys.readouterr().err
+    assert '"\xe9"' in (tmp_path / "r.sdf").read_text("utf-8")
+
+
+def test_losses_are_grouped_by_file_and_code(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    links = "".join(f'<link name="l{n}"/>' for n in range(3))
+    joints = "".join(
+        f'<joint name="j{n}" type="continuous"><parent link="a"/><child link="l{n}"/></joint>'
+        for n in range(3)
+    )
+    urdf.write_text(
+        f'<robot name="r">\n<link name="a">{BOX}</link>{links}{joints}<transmission name="t"/></robot>'
+    )
+    assert run(urdf, "-o", tmp_path / "r.sdf") == 0
+    out, err = capsys.readouterr()
+    assert out.count("CNV014") == 1
+    assert " and 2 more, at 2:" in out
+    assert "shown with --min-severity info" in err
+    assert run(urdf, "-o", tmp_path / "r.sdf", "--losses", "all") == 0
+    assert capsys.readouterr().out.count("[CNV014]") == 3
+    assert run(urdf, "-o", tmp_path / "r.sdf", "--min-severity", "info") == 0
+    assert "info:" in capsys.readouterr().out
+
+
+def test_yourdfpy_is_refused_where_no_side_is_urdf(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sdf = tmp_path / "m.sdf"
+    sdf.write_text('<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>')
+    assert main(["convert", "sdf-to-sdf", "--to", "1.8", str(sdf), "--verify-with", "yourdfpy"]) == 2
+    assert "neither the source nor the result is URDF" in capsys.readouterr().err
 
 
 def test_a_file_that_cannot_be_used_does_not_keep_the_others(

@@ -13,6 +13,8 @@ def test_a_page(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["describe", "joint/axis/mimic"]) == 0
     assert capsys.readouterr().out.splitlines() == [
         "mimic (SDFormat 1.12)",
+        "  Ties the position of this axis to that of another joint: multiplier × (leader - reference) +",
+        "  offset.",
         "  element",
         "  since    1.11",
         "",

@@ -23,7 +23,7 @@ def heavier(tmp_path: Path) -> Path:
 
 def test_the_same_robot(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["diff", str(DESK), str(DESK), "--isolated"]) == 0
-    assert capsys.readouterr().out == "the same robot: 1 model, 6 links, 5 joints\n"
+    assert capsys.readouterr().out == "the same robot: 1 model, 6 links, 5 joints, 3 materials\n"
 
 
 def test_another_robot(heavier: Path, capsys: pytest.CaptureFixture[str]) -> None:

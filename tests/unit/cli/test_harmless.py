@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.cli.terminal import emit, emit_lines, say
+from sdfcheck.cli.parts.terminal import emit, emit_lines, say
 from sdfcheck.source.visible import cells, harmless, visible
 
 ATTACKS = Path(__file__).parents[3].parent / "shared" / "found" / "attack" / "values_ctrl.sdf"
@@ -167,3 +167,8 @@ def test_a_name_that_is_no_text_is_shown() -> None:
     command = [sys.executable, "-m", "sdfcheck", "lint", "--isolated", "--show-files", "."]
     done = subprocess.run(command, capture_output=True, check=False)
     assert b"<U+DCFF>::x.sdf" in done.stdout + done.stderr
+
+
+def test_the_name_of_another_file_is_shown_as_it_is() -> None:
+    assert harmless(" ::: parts/leg.sdf:4:1") == " ::: parts/leg.sdf:4:1"
+    assert harmless("::error::x") != "::error::x"

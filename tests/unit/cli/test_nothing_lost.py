@@ -35,24 +35,24 @@ def sdf(tmp_path: Path) -> Path:
 def test_a_pipe_stays_a_pipe(sdf: Path, tmp_path: Path, command: str, option: str) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     try:
         assert run(command, sdf, option, pipe) == 0
-        assert os.read(reader, 10_000).strip()
+        assert os.read(consumer, 10_000).strip()
     finally:
-        os.close(reader)
+        os.close(consumer)
     assert stat.S_ISFIFO(pipe.stat().st_mode)
 
 
 def test_the_baseline_goes_into_a_pipe(sdf: Path, tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     try:
         assert run("lint --write-baseline", sdf, "--baseline", pipe) == 0
-        assert os.read(reader, 10_000).startswith(b"{")
+        assert os.read(consumer, 10_000).startswith(b"{")
     finally:
-        os.close(reader)
+        os.close(consumer)
 
 
 @pytest.mark.parametrize("name", ["m.sdf", "link.sdf", "hard.sdf", "other.sdf"])

@@ -65,6 +65,7 @@ def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixtur
             "summary": "A flaw is `odd`.",
             "fix": "safe",
             "default": True,
+            "url": None,
             "affects": {},
         }
     ]
@@ -73,17 +74,18 @@ def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixtur
 @pytest.mark.parametrize("selector", ["XYZ001", "odd-flaw", "XYZ"])
 def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) -> None:
     text = told(capsys, "rule", selector)
-    assert text.startswith("# odd-flaw (XYZ001)\n\n*warning, safe fix*\n\nA flaw is `odd`.\n\nIt matters.\n")
-    assert "```xml\n<model odd/>\n```\n\nFixed:\n\n```xml\n<model/>\n```" in text
-    assert "even:\n\n```xml" in text
+    assert text.startswith("# odd-flaw (XYZ001)\n\n**warning** · on by default · safe fix\n\nA flaw")
+    assert "A flaw is `odd`.\n\nIt matters.\n\n" in text
+    assert "```xml\n<model odd/>\n```\n\n" in text
+    assert "Even:\n\n```xml" in text
     assert "<!-- sdfcheck: ignore[odd-flaw] reason -->" in text
 
 
 def test_an_explanation_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
     (page,) = json.loads(told(capsys, "rule", "odd-flaw", "--output-format", "json"))["rules"]
     assert page["documentation"] == "A flaw is `odd`.\n\nIt matters."
-    assert page["bad"] == [{"text": "<model odd/>", "fixed": "<model/>"}, {"text": "<a/>", "fixed": None}]
-    assert page["good"] == [{"text": "<model/>", "why": "even"}]
+    assert [(bad["text"], bad["files"]) for bad in page["bad"]] == [("<model odd/>", {}), ("<a/>", {})]
+    assert page["good"] == [{"name": "robot.sdf", "text": "<model/>", "files": {}, "why": "even"}]
 
 
 def test_a_terminal_gets_a_laid_out_page(capsys: pytest.CaptureFixture[str]) -> None:
@@ -96,7 +98,7 @@ def test_the_engines_own_rules_are_explained(capsys: pytest.CaptureFixture[str])
     text = told(capsys, "rule", "SUP001", "INT001")
     assert "# unused-suppression (SUP001)" in text
     assert "# internal-error (INT001)" in text
-    assert "Silencing" not in text
+    assert "Turn it off" not in text
 
 
 def test_an_unknown_rule_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:

@@ -36,19 +36,19 @@ def test_reasons(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("file", "reader", "code"),
+    ("file", "consumer", "code"),
     [(SOUND, "gazebo", 0), (SOUND, "urdfdom", 1), (BROKEN, "urdfdom", 1)],
 )
-def test_one_reader_decides(file: str, reader: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["targets", file, "--isolated", "--target", reader]) == code
-    assert capsys.readouterr().out.startswith(reader)
+def test_one_reader_decides(file: str, consumer: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["targets", file, "--isolated", "--target", consumer]) == code
+    assert capsys.readouterr().out.startswith(consumer)
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", BROKEN, "--isolated", "--format", "json"]) == 0
     told = json.loads(capsys.readouterr().out)
-    assert [row["reader"] for row in told["readers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
-    reason = told["readers"][1]["reasons"][0]
+    assert [row["consumer"] for row in told["consumers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
+    reason = told["consumers"][1]["reasons"][0]
     assert (reason["code"], reason["verdict"], reason["line"]) == ("INR001", "reject", 5)
 
 

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.terminal import Progress, emit, wants_color
+from sdfcheck.cli.parts.terminal import Progress, emit, wants_color
 
 
 class Terminal(io.StringIO):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.difference import Change, ChangeKind
+from sdfcheck.convert.change import Change, ChangeKind
 from sdfcheck.convert.file_difference import FileDifference, compare_files
 from tests.unit.robot.files import opened, write
 
@@ -92,7 +92,7 @@ def test_a_change_across_formats(tmp_path: Path) -> None:
         ("'fixed'", "'ball'", ("joint", "wrist", "type", "fixed", "ball")),
         ("1 1 1</size>", "1 2 1</size>", ("link", "base", "visual `v` size", "1 1 1", "1 2 1")),
         ("<mass>2</mass>", "<pose>1 0 0 0 0 0</pose><mass>2</mass>",
-         ("link", "fore", "centre of mass", "0 0 0", "1 0 0")),
+         ("link", "fore", "center of mass", "0 0 0", "1 0 0")),
         ("<mass>2</mass>", "<mass>2</mass><inertia><iyz>0.1</iyz></inertia>", ("link", "fore", "iyz", "0", "0.1")),
         ("</axis>", "<dynamics><damping>1</damping></dynamics></axis>", ("joint", "elbow", "damping", "0", "1")),
         ("<box><size>1 1 1</size></box>", "<sphere/>", ("link", "base", "visual `v` shape", "box `v`", "sphere `v`")),

@@ -218,3 +218,11 @@ def test_a_number_is_read_as_libsdformat_reads_it() -> None:
     assert _is_equal(done)
     assert 'upper="2"' in done.text
     assert 'velocity="3.5"' in done.text
+
+
+def test_a_block_of_ros2_control_comes_back() -> None:
+    block = '<ros2_control name="c" type="system"><joint name="j"><param name="k">1</param></joint></ros2_control>'
+    prefixed = block.replace("<ros2", "<urdf:ros2").replace("</ros2", "</urdf:ros2")
+    result = _convert(_LINKS + _joint("revolute", _axis()) + prefixed)
+    assert "urdf:" not in result.text
+    assert re.sub(r">\s+<", "><", result.text).count(block) == 1

@@ -4,7 +4,18 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.writer import Comment, Node, copied, number, numbers, render, write_atomically
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
+from sdfcheck.convert.writer import (
+    Comment,
+    Node,
+    copied,
+    number,
+    numbers,
+    render,
+    settled,
+    write_atomically,
+)
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -49,3 +60,24 @@ def test_copies_keep_prefixes_and_comments() -> None:
 def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
     with pytest.raises(WrongUsage, match="cannot write"):
         write_atomically(tmp_path / "none" / "a.sdf", "text")
+
+
+def test_what_is_left_of_rounding_is_zero() -> None:
+    assert settled(-1.29e-32) == 0
+    assert settled(-1.29e-32, 1e-18) == -1.29e-32
+    assert settled(3e-14) == 3e-14
+    assert numbers((-1.29e-32, 0.5, -0.0)) == "0 0.5 0"
+
+
+def test_mass_properties_of_links_that_were_joined_are_written_without_noise() -> None:
+    box = '<inertial><mass value="{}"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.3"/></inertial>'
+    text = (
+        f'<robot name="r"><link name="a">{box.format(1)}</link><link name="b">{box.format(2)}</link>'
+        '<joint name="j" type="fixed"><origin rpy="1.5707963267948966 0 3.141592653589793"/>'
+        '<parent link="a"/><child link="b"/></joint></robot>'
+    )
+    document = read(text.encode(), Path("r.urdf"), Kind.URDF)
+    done = urdf_to_sdf(document, Options(fixed_joints=FixedJoints.MERGE))
+    assert "e-" not in done.text.partition("<inertial>")[2].partition("</inertial>")[0]
+    assert done.verification is not None
+    assert done.verification.is_equal

@@ -127,6 +127,16 @@ def test_what_is_not_there(question: str, says: str) -> None:
     assert str(caught.value) == says
 
 
+def test_ros2_control_needs_no_prefix() -> None:
+    (found,) = describe("ros2_control/joint/command_interface/@data_type")
+    assert found.default == "double"
+    assert "uint8" in found.choices
+    (found,) = describe("ros2_control/properties")
+    assert found.since == "jazzy 4.38, kilted 5.7"
+    (joint,) = describe("urdf:joint")
+    assert joint.parents[0].name == "robot"
+
+
 def test_everything_that_there_is_can_be_asked_for() -> None:
     from sdfcheck.formats.describe import sdf as describe_sdf
     from sdfcheck.formats.describe import urdf as describe_urdf

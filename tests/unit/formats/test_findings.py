@@ -173,7 +173,7 @@ def test_an_axis_without_direction_in_an_old_file(version: str, frame: str, refu
 def test_a_custom_element_may_have_been_put_in_place_of_a_required_one() -> None:
     sphere = '<visual name="v"><geometry><sphere>{}</sphere></geometry></visual>'
     assert in_link(sphere.format("<p:diameter>2</p:diameter>")) == []
-    only_in_link(sphere.format("<p:colour>red</p:colour>"), problems.MissingElement)
+    only_in_link(sphere.format("<p:color>red</p:color>"), problems.MissingElement)
 
 
 def test_deprecated_elements() -> None:

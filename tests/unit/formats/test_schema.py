@@ -235,4 +235,4 @@ def test_every_version_unfolds(text: str) -> None:
 
 def test_unknown_attributes_of_definitions_are_errors() -> None:
     with pytest.raises(AttributeError):
-        _ = known("1.9", "model").colour  # type: ignore[attr-defined]
+        _ = known("1.9", "model").color  # type: ignore[attr-defined]

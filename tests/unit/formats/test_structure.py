@@ -47,7 +47,14 @@ def test_the_shape_that_comes_first_in_the_librarys_order_is_taken() -> None:
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_every_shape_is_one(shape: str) -> None:
-    assert in_link(f'<visual name="v"><geometry><!-- here --><{shape}/></geometry></visual>') == []
+    assert in_link(f'<collision name="v"><geometry><!-- here --><{shape}/></geometry></collision>') == []
+
+
+def test_a_visible_plane_without_a_size_ends_somewhere() -> None:
+    problem = only(
+        in_link('<visual name="v"><geometry><plane/></geometry></visual>'), problems.MissingElement
+    )
+    assert (problem.element.name, problem.child, problem.default) == ("plane", "size", "1 1")
 
 
 @pytest.mark.parametrize("child", ["<p:torus/>", "<torus/>"])

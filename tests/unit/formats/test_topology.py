@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.formats.sdf.survey import Survey, survey
+from sdfcheck.formats.urdf.survey import survey as urdf_survey
 from sdfcheck.source.document import read
 
 IN_MODEL = '<sdf version="1.12" xmlns:p="urn:p"><model name="m"><link name="base"/>{}</model></sdf>'
@@ -23,7 +24,7 @@ def surveyed(text: str) -> Survey:
 def displaced(text: str) -> list[tuple[str, list[str]]]:
     """Custom elements and the titles of the standard ones in them that belong beside them."""
     found = surveyed(text).displaced
-    return [(custom.name, [element.title for element in elements]) for custom, elements in found.items()]
+    return [(custom.name, [each.element.title for each in elements]) for custom, elements in found.items()]
 
 
 @pytest.mark.parametrize(
@@ -43,11 +44,56 @@ def displaced(text: str) -> list[tuple[str, list[str]]]:
     ],
 )
 def test_a_wrapped_standard_element(scaffold: str, inner: str, name: str) -> None:
-    ((custom, (element,)),) = surveyed(
-        scaffold.replace("{}", f"<p:group>{inner}</p:group>")
-    ).displaced.items()
+    found = surveyed(scaffold.replace("{}", f"<p:group>{inner}</p:group>")).displaced
+    ((custom, ((element, is_needed),)),) = found.items()
+    assert is_needed
     assert (element.name, custom.name) == (name, "p:group")
     assert element.parent == custom
+
+
+VISUAL = '<visual name="v">{}</visual>'
+AXIS = '<joint name="j" type="revolute"><parent>world</parent><child>base</child><axis>{}</axis></joint>'
+
+
+@pytest.mark.parametrize(
+    ("scaffold", "name", "inner", "is_needed"),
+    [
+        (IN_MODEL, "static", "<static>true</static>", False),
+        (IN_LINK.replace("{}", "<inertial>{}</inertial>"), "mass", "<mass>3</mass>", False),
+        (IN_LINK.replace("{}", VISUAL), "geometry", BOX, True),
+        (IN_LINK.replace("{}", VISUAL), "material", "<material><diffuse>1 0 0 1</diffuse></material>", False),
+        (IN_LINK.replace("{}", VISUAL.replace("{}", "<geometry>{}</geometry>")), "box", BOX[10:-11], True),
+        (IN_MODEL.replace("{}", AXIS), "xyz", "<xyz>1 0 0</xyz>", True),
+    ],
+)
+def test_a_wrapped_setting(scaffold: str, name: str, inner: str, is_needed: bool) -> None:
+    found = surveyed(scaffold.replace("{}", f"<p:group>{inner}</p:group>"))
+    ((element, needed),) = next(iter(found.displaced.values()))
+    assert (element.name, needed) == (name, is_needed)
+    # That it is missing where it belongs is the same mistake.
+    assert found.problems == []
+
+
+ROBOT = '<robot name="r" xmlns:p="urn:p"><link name="a"/><link name="b">{}</link>{}</robot>'
+HELD = '<joint name="j" type="{}"><parent link="a"/><child link="b"/>{}</joint>'
+
+
+@pytest.mark.parametrize(
+    ("in_link", "beside", "names"),
+    [
+        ("", '<p:g><link name="c"/></p:g>', ["link"]),
+        ("<inertial><p:g><mass value='3'/></p:g></inertial>", "", ["mass"]),
+        ("", HELD.format("fixed", "<p:g><origin xyz='0 0 1'/></p:g>"), ["origin"]),
+        ("", HELD.format("fixed", "<p:g><origin xyz='up'/></p:g>"), []),
+        ("", HELD.format("fixed", "<p:g><origin xyz='0 0 1'/></p:g><origin/>"), []),
+        ("", "<p:joint name='k'><parent link='a'/><child link='b'/><origin xyz='0 0 1'/></p:joint>", []),
+        ("", "<p:g><transmission name='t'><type>x</type></transmission></p:g>", []),
+    ],
+)
+def test_urdf(in_link: str, beside: str, names: list[str]) -> None:
+    document = read(ROBOT.format(in_link, beside).encode(), Path("r.urdf"))
+    found = urdf_survey(document).displaced.values()
+    assert [each.element.name for elements in found for each in elements] == names
 
 
 def test_every_wrapped_element_is_displaced_and_nothing_in_it() -> None:
@@ -69,7 +115,14 @@ def test_custom_elements_in_custom_elements_are_looked_into() -> None:
         (IN_MODEL, "<p:g><link>base</link></p:g>"),
         (IN_MODEL, '<p:g><link name="a" weight="3"/></p:g>'),
         (IN_MODEL, '<p:g><link name="base"/></p:g>'),
-        (IN_MODEL, "<p:g><pose>0 0 0 0 0 0</pose><static>1</static></p:g>"),
+        (IN_MODEL, "<p:g mode='2d'><static>1</static></p:g>"),
+        (IN_MODEL, "<p:g><static>1</static><gain>3</gain></p:g>"),
+        (IN_MODEL, "<p:g>when <static>1</static></p:g>"),
+        (IN_MODEL, "<static>0</static><p:g><static>1</static></p:g>"),
+        (IN_MODEL, "<p:g><pose>0 0.0 0 0 0 0</pose><static>0</static></p:g>"),
+        (IN_MODEL, "<p:g><static>perhaps</static></p:g>"),
+        (IN_LINK, "<inertial><p:g><mass unit='g'>2</mass></p:g></inertial>"),
+        (IN_LINK, f'<visual name="v">{BOX}<p:g>{BOX}</p:g></visual>'),
         (IN_MODEL, f'<p:g><visual name="v">{BOX}</visual></p:g>'),
         (IN_WORLD, '<p:g><link name="a"/></p:g>'),
         (IN_WORLD, '<plugin name="g" filename="g"><model name="a"/></plugin>'),

@@ -178,6 +178,7 @@ def test_expressions_are_told_once_and_not_as_bad_numbers() -> None:
         '<!-- ${no} --><visual><geometry><sphere radius="${r}"/></geometry></visual><visual name="$(arg v)"/>'
     )
     found = walk(text).problems
-    assert [type(problem) for problem in found] == [urdf_problems.UnexpandedExpression]
-    assert found[0] == urdf_problems.UnexpandedExpression(found[0].span, 2)  # type: ignore[attr-defined]
-    assert found[0].span.text == "${r}"  # type: ignore[attr-defined]
+    (problem,) = found
+    assert isinstance(problem, urdf_problems.UnexpandedExpression)
+    assert (problem.count, problem.span.text) == (2, "${r}")
+    assert [value.text for value in problem.values] == ["${r}", "$(arg v)"]

@@ -1,4 +1,4 @@
-"""Drake's table, line by line: right uses are silent, and each wrong use is told as what it is."""
+"""Drake's table, line by line: right uses are silent, and each wrong use is reported as what it is."""
 
 from __future__ import annotations
 
@@ -6,25 +6,20 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.vendor.files import BUILT_IN
-from sdfcheck.formats.vendor.problems import TagProblem
 from sdfcheck.formats.vendor.table import vendor
-from sdfcheck.robot.naming.vendor_references import problems
 from sdfcheck.source.document import read
 from tables.drake import TABLE, read_facts, render
 from tests.vendor_documents import Case, cases
+from tests.vendor_rules import REMARKS, reported
 
 FACTS = Path(__file__).parents[4] / "shared" / "facts" / "drake"
-REMARKS = {"OutdatedTag", "TooNewTag"}
-"""Kinds that may come with right uses."""
 CASES = cases()
 
 
-def found(case: Case) -> list[TagProblem]:
+def found(case: Case) -> list[str]:
     document = read(case.text.encode(), Path(f"model.{case.dialect}"))
     assert not document.problems, case.text
-    tags = [problem for problem in problems(document, BUILT_IN) if isinstance(problem, TagProblem)]
-    return [problem for problem in tags if type(problem).__name__ not in REMARKS]
+    return [d.code for d in reported(document) if d.code not in REMARKS]
 
 
 @pytest.mark.skipif(not FACTS.is_dir(), reason="the facts that the table is made of are not here")
@@ -45,14 +40,14 @@ def test_every_tag_has_a_right_and_a_wrong_use() -> None:
         wanted = {
             t.name for t in tags if not t.keys.text("gone") and not (t.places and t.keys.text("mirror"))
         }
-        assert wanted <= {case.name.split(" ")[1] for case in CASES if case.kind and case.dialect == dialect}
+        assert wanted <= {case.name.split(" ")[1] for case in CASES if case.code and case.dialect == dialect}
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if not case.kind], ids=lambda case: case.name)
+@pytest.mark.parametrize("case", [case for case in CASES if not case.code], ids=lambda case: case.name)
 def test_right_uses_are_silent(case: Case) -> None:
     assert found(case) == [], case.text
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case.kind], ids=lambda case: case.name)
+@pytest.mark.parametrize("case", [case for case in CASES if case.code], ids=lambda case: case.name)
 def test_wrong_uses_are_told(case: Case) -> None:
-    assert [type(problem).__name__ for problem in found(case)] == [case.kind], case.text
+    assert found(case) == [case.code], case.text

@@ -1,4 +1,4 @@
-"""An engine of two rules for tests of what stands around it: ``!`` and ``?`` in a text are flaws."""
+"""An engine of two rules for tests of what is around it: ``!`` and ``?`` in a text are flaws."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import pytest
 
 from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import FileResult
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
+from sdfcheck.lint.source_file import FileResult
 from sdfcheck.lint.suppress.comments import Comment
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
@@ -72,7 +72,7 @@ def install(monkeypatch: pytest.MonkeyPatch) -> list[Seen]:
             raise ValueError("no\nluck")
         return FileResult(_diagnostics(source, dispatch.active), _comments(source))
 
-    monkeypatch.setattr("sdfcheck.lint.engine.lint_source", lint_source)
+    monkeypatch.setattr("sdfcheck.lint.source_file.lint_source", lint_source)
     monkeypatch.setattr("sdfcheck.lint.engine.Dispatch", Dispatch)
     monkeypatch.setattr("sdfcheck.lint.rulebook.packs.load_index", load_index)
     return seen

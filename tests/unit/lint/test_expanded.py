@@ -59,7 +59,7 @@ def test_the_chain_is_that_of_the_call_at_fault(tmp_path: Path, expander: Expand
 
 
 def test_an_expression_is_not_mended(tmp_path: Path, expander: Expander) -> None:
-    text = f'{HEAD}<model name="${{\'m\'}}"><link name="a"/><colour>red</colour></model></sdf>'
+    text = f'{HEAD}<model name="${{\'m\'}}"><link name="a"/><color>red</color></model></sdf>'
     for diagnostic in lint(expander, tmp_path / "r.sdf.xacro", text):
         if diagnostic.fix is not None:
             assert all("$" not in edit.span.text for edit in diagnostic.fix.edits)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
-from sdfcheck.lint.fix.fixer import Mended, mend_file, together
+from sdfcheck.lint.fix.fixer import FixedFile, fix_file, together
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.source.decode import decode
 from sdfcheck.source.sniff import Kind
@@ -31,7 +31,9 @@ def swap(pattern: str, new: str) -> Changes:
     return changes
 
 
-def mended(data: bytes | str, *rules: Changes, unsafe: bool = False, applicability: str = "safe") -> Mended:
+def fixed_file(
+    data: bytes | str, *rules: Changes, unsafe: bool = False, applicability: str = "safe"
+) -> FixedFile:
     def lint(file: Selected) -> list[Diagnostic]:
         source, _ = decode(file.data, file.path)
         return [
@@ -48,20 +50,20 @@ def mended(data: bytes | str, *rules: Changes, unsafe: bool = False, applicabili
         ]
 
     given = data.encode() if isinstance(data, str) else data
-    return mend_file(Selected(PATH, given, Kind.SDF), lint, unsafe=unsafe)
+    return fix_file(Selected(PATH, given, Kind.SDF), lint, unsafe=unsafe)
 
 
-def body(result: Mended) -> str:
+def body(result: FixedFile) -> str:
     return result.after.decode().removeprefix('<sdf version="1.9">').removesuffix("</sdf>")
 
 
 def test_all_fixes_apply_at_once_and_then_again_until_stable() -> None:
-    result = mended(TEXT.format("aaa"), swap("a(?!s)", "b"), swap("b", "c"))
+    result = fixed_file(TEXT.format("aaa"), swap("a(?!s)", "b"), swap("b", "c"))
     assert (body(result), result.fixed, result.refusal) == ("ccc", 6, "")
 
 
 def test_overlapping_fixes_wait_for_the_next_round() -> None:
-    result = mended(TEXT.format("xyz"), swap("xy", "q"), swap("yz", "r"))
+    result = fixed_file(TEXT.format("xyz"), swap("xy", "q"), swap("yz", "r"))
     assert (body(result), result.fixed) == ("qz", 1)
 
 
@@ -71,7 +73,7 @@ def test_more_insertions_at_one_place_than_rounds() -> None:
     def rule(word: str) -> Changes:
         return lambda source: [] if word in source.text else [(Edit(source.span(19, 19), f"<{word}/>"),)]
 
-    result = mended(TEXT.format(""), *map(rule, words))
+    result = fixed_file(TEXT.format(""), *map(rule, words))
     assert result.fixed == 25
     assert all(word in body(result) for word in words)
 
@@ -98,15 +100,15 @@ def test_a_fix_is_applied_whole_or_not_at_all() -> None:
 
 def test_unsafe_fixes_only_on_request() -> None:
     rule = swap("a", "b")
-    assert mended(TEXT.format("a"), rule, applicability="unsafe").fixed == 0
-    assert mended(TEXT.format("a"), rule, applicability="unsafe", unsafe=True).fixed == 1
+    assert fixed_file(TEXT.format("a"), rule, applicability="unsafe").fixed == 0
+    assert fixed_file(TEXT.format("a"), rule, applicability="unsafe", unsafe=True).fixed == 1
 
 
 def test_fixes_of_other_files_are_left_alone() -> None:
     def elsewhere(_: Source) -> list[tuple[Edit, ...]]:
         return [(Edit(Source(Path("b.sdf"), "a").span(0, 1), "b"),)]
 
-    assert mended(TEXT.format("a"), elsewhere).fixed == 0
+    assert fixed_file(TEXT.format("a"), elsewhere).fixed == 0
 
 
 @pytest.mark.parametrize(
@@ -120,7 +122,7 @@ def test_fixes_of_other_files_are_left_alone() -> None:
 )
 def test_fixes_that_do_no_good_are_refused(rules: tuple[Changes, ...], reason: str) -> None:
     text = TEXT.format("a").encode()
-    result = mended(text, *rules)
+    result = fixed_file(text, *rules)
     assert result.after == text
     assert reason in result.refusal
     assert result.fixed == 0
@@ -128,9 +130,11 @@ def test_fixes_that_do_no_good_are_refused(rules: tuple[Changes, ...], reason: s
 
 def test_fixes_that_cannot_be_written_are_refused() -> None:
     data = '<?xml version="1.0" encoding="latin-1"?><sdf>ä</sdf>'.encode("latin-1")
-    assert "no character for '€'" in mended(data, swap("ä", "€")).refusal
-    assert "other characters" in mended(data, swap("latin-1", "cp437")).refusal
-    assert mended(data, swap("ä", "ö")).after == data.replace("ä".encode("latin-1"), "ö".encode("latin-1"))
+    assert "no character for '€'" in fixed_file(data, swap("ä", "€")).refusal
+    assert "other characters" in fixed_file(data, swap("latin-1", "cp437")).refusal
+    assert fixed_file(data, swap("ä", "ö")).after == data.replace(
+        "ä".encode("latin-1"), "ö".encode("latin-1")
+    )
 
 
 @settings(deadline=None)

@@ -15,7 +15,7 @@ SOURCE = Source(Path("leg.xacro"), "abcdefghij" * 5)
 def said(at: int, origin: int, message: str = "bad", code: str = "A001", fix: str = "") -> Diagnostic:
     span = SOURCE.span(at, at + 2)
     origins = (Origin(SOURCE.span(origin, origin + 1), "in macro `m`, called here"),)
-    cure = Fix("mend", (Edit(span, fix),)) if fix else None
+    cure = Fix("fix_files", (Edit(span, fix),)) if fix else None
     return Diagnostic(code, "name", Severity.ERROR, message, span, fix=cure, origins=origins)
 
 

@@ -12,11 +12,12 @@ import pytest
 
 from sdfcheck.consumers.reaction import REFUSES, Affects, Consumer
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import Dispatch, lint_source
+from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import describe
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.select import SILENT, ActiveRules, select
+from sdfcheck.lint.source_file import lint_source
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span

@@ -1,4 +1,4 @@
-"""Errors stop a conversion where the format's own reader refuses the file."""
+"""Errors stop a conversion where the format's own parser refuses the file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from sdfcheck.consumers.reaction import REFUSES, Reaction, accepts, warns
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.obstacles import obstacles
+from sdfcheck.lint.obstacles import OWN_READER, obstacles
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
@@ -22,7 +22,11 @@ def stops(
     span = Source(Path("r"), "<robot/>").span(0, 0)
     told = tuple(affects.items())
     return bool(
-        obstacles([Diagnostic("XYZ001", "odd-flaw", severity, "odd", span, affects=told)], kind, elsewhere)
+        obstacles(
+            [Diagnostic("XYZ001", "odd-flaw", severity, "odd", span, affects=told)],
+            OWN_READER.get(kind),
+            elsewhere,
+        )
     )
 
 

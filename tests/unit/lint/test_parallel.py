@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.lint import parallel, session
+from sdfcheck.lint import parallel, processes, session
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.one_file import Selected, lint_file
 from sdfcheck.lint.portions import DIED
@@ -29,12 +29,12 @@ def two_processors(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(parallel, "processors", lambda: 2)
 
 
-@pytest.mark.parametrize("copies", [parallel.COPIES, False])
+@pytest.mark.parametrize("copies", [processes.COPIES, False])
 @pytest.mark.parametrize("paths", [[Path()], [Path("worlds"), Path("parts")], [Path("worlds")]])
 def test_the_result_is_the_same(
     folder: Path, two_processors: None, monkeypatch: pytest.MonkeyPatch, paths: list[Path], copies: bool
 ) -> None:
-    monkeypatch.setattr(parallel, "COPIES", copies)
+    monkeypatch.setattr(processes, "COPIES", copies)
     options = Options(Configuration(isolated=True))
     notices: list[Notice] = []
     told: list[int] = []
@@ -52,13 +52,13 @@ def test_the_result_is_the_same(
     assert {d.code for d in one.diagnostics} >= {"NS001", "SCH011", "XAC004"}
 
 
-@pytest.mark.parametrize(("jobs", "processors"), [(1, 8), (8, 1), (None, 1)])
+@pytest.mark.parametrize(("jobs", "count"), [(1, 8), (8, 1), (None, 1)])
 def test_one_process_needs_no_worker(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, jobs: int | None, processors: int
+    folder: Path, monkeypatch: pytest.MonkeyPatch, jobs: int | None, count: int
 ) -> None:
     monkeypatch.setattr(parallel, "LEAST", 1)
-    monkeypatch.setattr(parallel, "processors", lambda: processors)
-    monkeypatch.setattr(parallel, "_processes", None)
+    monkeypatch.setattr(parallel, "processors", lambda: count)
+    monkeypatch.setattr(processes, "_processes", None)
     done = parallel.run_in_parallel([Path()], Options(Configuration(isolated=True)), jobs)
     assert len(done.files) == 14
 
@@ -91,7 +91,7 @@ def test_a_bug_in_a_worker_is_raised(
 
 
 def needs_copies() -> None:
-    if not parallel.COPIES:
+    if not processes.COPIES:
         pytest.skip("a worker that is not a copy of this process knows nothing of what is planted here")
 
 

@@ -8,7 +8,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 def rule(code: str, name: str, *, default: bool = True, affects: tuple[str, ...] = ()) -> RuleFacts:
     family = code.rstrip("0123456789")
-    effects = {reader: {"sdf": "warn: complains"} for reader in affects}
+    effects = {consumer: {"sdf": "warn: complains"} for consumer in affects}
     return RuleFacts(code, name, family, Severity.ERROR, "", "", default, (), (), effects, "")
 
 

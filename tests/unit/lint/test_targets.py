@@ -1,4 +1,4 @@
-"""Which reader accepts a file."""
+"""Which consumer accepts a file."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.descriptions import Around
+from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import READS, REFUSES, Affects, Consumer, Reaction, by_dialect, lines, warns
 from sdfcheck.lint.config.configuration import Configuration
@@ -21,17 +21,17 @@ TEXTURED = (
 )
 
 
-def told(text: str, name: str, folder: Path, *readers: Consumer) -> dict[str, str]:
+def told(text: str, name: str, folder: Path, *consumers: Consumer) -> dict[str, str]:
     file = folder / name
     file.write_text(text, encoding="utf-8")
-    rows = verdicts(file, readers or tuple(Consumer), Around(Configuration(isolated=True)))
-    return {row.reader.value: row.verdict.value for row in rows}
+    rows = verdicts(file, consumers or tuple(Consumer), Around(Configuration(isolated=True)))
+    return {row.consumer.value: row.verdict.value for row in rows}
 
 
 def test_what_rules_say_of_readers_is_well_formed() -> None:
     for facts in load_index().facts:
-        for reader, reactions in facts.affects.items():
-            assert reactions.keys() <= set(READS[Consumer(reader)]), facts.code
+        for consumer, reactions in facts.affects.items():
+            assert reactions.keys() <= set(READS[Consumer(consumer)]), facts.code
             for said in reactions.values():
                 reaction = Reaction.of(said)
                 assert str(reaction) == said, facts.code
@@ -126,11 +126,11 @@ def test_the_dialect_decides(tmp_path: Path) -> None:
     }
 
 
-@pytest.mark.parametrize(("reader", "codes"), [("gazebo", {"NAM002"}), ("drake", set())])
-def test_a_target_leaves_out_what_it_takes(reader: str, codes: set[str], tmp_path: Path) -> None:
+@pytest.mark.parametrize(("consumer", "codes"), [("gazebo", {"NAM002"}), ("drake", set())])
+def test_a_target_leaves_out_what_it_takes(consumer: str, codes: set[str], tmp_path: Path) -> None:
     file = tmp_path / "r.urdf"
     file.write_text(TWO_NAMES, encoding="utf-8")
-    done = run([file], Options(Configuration(isolated=True), target=(reader,)))
+    done = run([file], Options(Configuration(isolated=True), target=(consumer,)))
     assert {d.code for d in done.diagnostics if d.code.startswith("NAM")} == codes
 
 
@@ -150,4 +150,55 @@ def test_a_target_leaves_out_what_it_takes(reader: str, codes: set[str], tmp_pat
 )
 def test_what_some_readers_of_urdf_take(inside: str, refusing: set[str], tmp_path: Path) -> None:
     verdict = told(f'<robot name="r">{inside}</robot>', "r.urdf", tmp_path)
-    assert {reader for reader, word in verdict.items() if word == "reject"} == refusing
+    assert {consumer for consumer, word in verdict.items() if word == "reject"} == refusing
+
+
+INERTIA = '<inertia ixx="{}" iyy="{}" izz="{}" ixy="0" ixz="0" iyz="0"/>'
+BODY = f'<link name="{{}}"><inertial><mass value="{{}}"/>{INERTIA}</inertial></link>'
+HELD = '<joint name="j" type="{}"><parent link="a"/><child link="b"/></joint>'
+
+
+@pytest.mark.parametrize(
+    ("base", "link", "joint", "verdict"),
+    [
+        ((1, 9, 9, 9), (1, 1, 1, 9), "fixed", "accept"),
+        ((1, 1, 1, 1), (1, 1, 1, 9), "fixed", "reject"),
+        ((1, 9, 9, 9), (1, 1, 1, 9), "continuous", "reject"),
+        ((1, 9, 9, 9), (0, 1, 1, 9), "fixed", "accept"),
+        ((1, 1, 1, 1), (0, 1, 1, 9), "fixed", "reject"),
+        ((3, 9, 9, 9), (-1, 1, 1, 1), "fixed", "accept"),
+        ((1, 9, 9, 9), (-3, 1, 1, 1), "fixed", "reject"),
+        ((1, 9, 9, 9), ("1e-7", 1, 1, 9), "continuous", "warn"),
+    ],
+)
+def test_gazebo_judges_links_once_merged(
+    base: tuple[float, ...], link: tuple[float, ...], joint: str, verdict: str, tmp_path: Path
+) -> None:
+    parts = (BODY.format("a", *base), BODY.format("b", *link), HELD.format(joint))
+    text = f'<robot name="r">{"".join(parts)}</robot>'
+    assert told(text, "r.urdf", tmp_path, Consumer.GAZEBO) == {"gazebo": verdict}
+
+
+def severities(text: str, folder: Path, *targets: str, **given: object) -> dict[str, str]:
+    """Code → severity under some targets."""
+    file = folder / "r.urdf"
+    file.write_text(text, encoding="utf-8")
+    done = run([file], Options(Configuration(isolated=True, **given), target=targets))  # type: ignore[arg-type]
+    return {found.code: found.severity.value for found in done.diagnostics}
+
+
+def test_what_a_target_refuses_is_an_error(tmp_path: Path) -> None:
+    text = '<robot name="r"><link name="base"/></robot>'
+    assert severities(text, tmp_path)["URD013"] == "info"
+    assert severities(text, tmp_path, "gazebo")["URD013"] == "error"
+    assert severities(text, tmp_path, "gazebo", "urdfdom")["URD013"] == "error"
+    assert "URD013" not in severities(text, tmp_path, "urdfdom")
+
+
+def test_what_a_target_reads_in_another_way_keeps_its_severity(tmp_path: Path) -> None:
+    text = (
+        f'<robot name="r"><link name="a">{INERTIAL}</link><link name="b">{INERTIAL}</link>'
+        '<joint name="j" type="continuous"><parent link="a"/><child link="b"/>'
+        '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>'
+    )
+    assert severities(text, tmp_path, "drake")["JNT011"] == "warning"

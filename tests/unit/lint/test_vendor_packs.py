@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import Dispatch, lint_source
+from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.select import ActiveRules, Choice, select
+from sdfcheck.lint.source_file import lint_source
 from sdfcheck.testing import Trial, examples
 
 FLATLAND = Path(__file__).parents[3] / "fixtures" / "packs" / "flatland"

@@ -32,7 +32,7 @@ def test_label_on_an_earlier_line() -> None:
             1 | <a x="1" x="2"/>
               |    ^^^^^ ----- again
             """,
-            id="label behind",
+            id="label after",
         ),
         pytest.param(
             '<a {x="1"} «x="2"»/>',
@@ -162,7 +162,7 @@ def test_label_on_an_earlier_line() -> None:
             2 |
               | ^
             """,
-            id="end of file behind a line end",
+            id="end of file after a line end",
         ),
         pytest.param(
             "«»",

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck import __version__
+from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat, render
 from tests.unit.report.runs import diagnostic, facts, parsed, rich_diagnostic, run
 
@@ -25,6 +26,7 @@ def test_json_of_a_diagnostic() -> None:
     assert found == {
         "code": "NAM901",
         "name": "taken-name",
+        "url": None,
         "severity": "error",
         "message": "name `a` is taken",
         **here,
@@ -37,6 +39,12 @@ def test_json_of_a_diagnostic() -> None:
             "gazebo": {"verdict": "warn", "effect": "ignores it"},
         },
     }
+
+
+def test_json_links_built_in_rules() -> None:
+    built_in = facts(module="sdfcheck_rules.nam.taken_name")
+    (found,) = parsed(OutputFormat.JSON, rich_diagnostic(), rules=(built_in,))["diagnostics"]
+    assert found["url"] == f"{HOME}/rules/taken-name/"
 
 
 def test_json_of_a_run() -> None:

@@ -23,7 +23,7 @@ INFO = diagnostic("«a»", code="STY903", name="dull-thing", severity=Severity.I
 
 @pytest.mark.parametrize("format", OutputFormat)
 def test_every_format_renders_any_run_alike_each_time(format: OutputFormat) -> None:
-    assert import_module(f"sdfcheck.report.{format.value}").__doc__
+    assert import_module(f"sdfcheck.report.formats.{format.value}").__doc__
     for sample in (run(), run(fixed(ERROR, "b"), WARNING, INFO, rules=(facts(),)), Run((), ())):
         text = render(format, sample)
         assert text == render(format, sample)
@@ -56,7 +56,7 @@ def test_text_formats_load_nothing_heavy(format: str) -> None:
     root = Path(__file__).parents[3]
     loaded = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True).stdout.split()
     heavy = {"json", "rich", "textwrap", "difflib", "dataclasses", "inspect", "unicodedata", "lxml"}
-    assert f"sdfcheck.report.{format}" in loaded
+    assert f"sdfcheck.report.formats.{format}" in loaded
     assert not heavy & set(loaded)
 
 
@@ -71,7 +71,8 @@ def test_a_clean_run_loads_only_the_closing_line() -> None:
     root = Path(__file__).parents[3]
     command = [sys.executable, "-S", "-c", code]
     loaded = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True).stdout.split()
-    assert sorted(loaded) == ["sdfcheck.report.full", "sdfcheck.report.summary"]
+    modules = ["sdfcheck.report.formats", "sdfcheck.report.formats.full", "sdfcheck.report.summary"]
+    assert sorted(loaded) == modules
 
 
 def test_paths_below_the_folder_are_relative_and_others_as_given(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat, render
 from tests.unit.report.runs import diagnostic, fixed, marked, parsed, rich_diagnostic, run
 
@@ -74,11 +75,11 @@ def test_rdjson_counts_bytes() -> None:
     (there, _) = marked("«x»", "other.sdf")
     assert found.fix is not None
     edits = (*found.fix.edits, Edit(there, "y"), Edit(found.span.source.span(0, 0), "z"))
-    log = parsed(OutputFormat.RDJSON, found._replace(fix=Fix("mend it", edits)))
+    log = parsed(OutputFormat.RDJSON, found._replace(fix=Fix("fix it", edits)))
     place = {"start": {"line": 2, "column": 8}, "end": {"line": 2, "column": 9}}
     top = {"start": {"line": 1, "column": 1}, "end": {"line": 1, "column": 1}}
     assert log == {
-        "source": {"name": "sdfcheck"},
+        "source": {"name": "sdfcheck", "url": HOME},
         "diagnostics": [
             {
                 "message": "name `a` is taken",

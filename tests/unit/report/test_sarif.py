@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat
 from tests.unit.report.runs import diagnostic, facts, parsed, rich_diagnostic
 
@@ -118,3 +119,13 @@ def test_sarif_takes_two_readings_of_one_file() -> None:
     results = sarif_run(diagnostic("«a»"), diagnostic("b\n\n«c»"))["results"]
     hashes = [result["partialFingerprints"]["primaryLocationLineHash"] for result in results]
     assert len(set(hashes)) == 2
+
+
+def test_sarif_links_built_in_rules_and_only_those() -> None:
+    log = sarif_run(rules=(facts("AAA901", "other"), facts(module="sdfcheck_rules.nam.taken_name")))
+    driver = log["tool"]["driver"]
+    assert driver["informationUri"] == HOME
+    of_a_pack, built_in = driver["rules"]
+    assert "helpUri" not in of_a_pack
+    assert built_in["helpUri"] == f"{HOME}/rules/taken-name/"
+    assert built_in["helpUri"] in built_in["help"]["text"]

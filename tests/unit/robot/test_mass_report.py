@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from sdfcheck.robot.motion.mass_report import MassOrigin, MassReport, mass_report
+from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import document, opened, write
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
@@ -16,7 +17,7 @@ BOX = "<collision name='c'><geometry><box><size>1 2 3</size></box></geometry>{}<
 
 
 def measured(folder: Path, content: str, **files: str) -> MassReport:
-    return mass_report(document(folder, f'<sdf version="1.12">{content}</sdf>', **files))
+    return mass_report(root_of(document(folder, f'<sdf version="1.12">{content}</sdf>', **files)))
 
 
 def test_links_and_total_are_in_the_models_frame(tmp_path: Path) -> None:
@@ -32,7 +33,7 @@ def test_links_and_total_are_in_the_models_frame(tmp_path: Path) -> None:
     assert model.total is not None
     assert model.total.mass == 4
     assert model.total.center == pytest.approx([1.5, 0, 0])
-    # Two points 2 m apart turn about their centre with the reduced mass.
+    # Two points 2 m apart turn about their center with the reduced mass.
     assert np.diag(model.total.moments) == pytest.approx([0.2, 0.2 + 3, 0.2 + 3])
     assert report.total is model.total or np.allclose(report.total.moments, model.total.moments)  # type: ignore[union-attr]
     assert report.is_complete
@@ -128,7 +129,7 @@ def test_a_urdf_link_without_inertial_has_no_mass(tmp_path: Path) -> None:
         '<origin xyz="0 0 1"/></joint></robot>'
     )
     write(tmp_path, {"r.urdf": urdf})
-    report = mass_report(opened(tmp_path / "r.urdf"))
+    report = mass_report(root_of(opened(tmp_path / "r.urdf")))
     base, arm = report.models[0].links
     assert base.origin is MassOrigin.NONE
     assert arm.body is not None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -150,3 +151,44 @@ def test_what_is_merged_by_fixed_joints(text: str, tops: list[str], with_mass: l
     lumping = robot(text).lumping
     assert names(lumping.tops) == tops
     assert sorted(names(lumping.with_mass)) == with_mass
+
+
+BODY = '<inertial><mass value="{0}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="{1}"/></inertial>'
+AT = '<joint name="k" type="fixed"><origin xyz="2 0 0"/><parent link="a"/><child link="b"/></joint>'
+
+
+def test_moments_of_merged_links() -> None:
+    lumping = robot(links("a", BODY.format(1, 1)) + links("b", BODY.format(1, 9)) + AT).lumping
+    a, b = lumping.model.links
+    assert lumping.base(b) is a
+    assert list(lumping.members(a)) == [a, b]
+    # 2 kg, 1 m off their common center on either side.
+    assert lumping.moments(a) == (2, 4, 12, 0, 0, 0)
+    assert lumping.masses[a] == 2
+
+
+def test_moments_that_cannot_be_summed() -> None:
+    lumping = robot(links("a", BODY.format(1, "x")) + links("b", BODY.format(1, 9)) + AT).lumping
+    assert math.isnan(lumping.moments(lumping.tops[0]).trace)
+
+
+@pytest.mark.parametrize(
+    ("text", "dropped"),
+    [
+        (links("a", MASS) + links("b") + links("c", MASS) + joint("j", "b", "c") + AT, []),
+        (links("a", MASS) + links("b") + joint("j", "a", "b", "continuous"), ["b"]),
+        (
+            links("a", MASS)
+            + links("b", BODY.format("1e-7", 1))
+            + links("c", MASS)
+            + joint("j", "a", "b", "continuous")
+            + joint("k", "b", "c", "continuous"),
+            ["b", "c"],
+        ),
+        (links("world") + links("b", MASS) + joint("j", "world", "b"), []),
+    ],
+)
+def test_links_that_are_left_out(text: str, dropped: list[str]) -> None:
+    model = robot(text)
+    named = [link for link in model.links if link.name != "world"]
+    assert [link.name for link in named if model.lumping.is_dropped(link)] == dropped

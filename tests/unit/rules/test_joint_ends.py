@@ -141,7 +141,10 @@ def test_a_loop_is_reported_once_from_its_last_joint() -> None:
         (links("a b") + hung("j", "a", "b") + hung("j", "a", "b"), []),
         (links("a") + hung("j", "world", "a"), ["JNT001"]),
         (links("a b") + hung("b", "a", "b") + hung("k", "a", "${x}"), []),
-        (links("a") + "<gazebo>" + tied("q", "q") + tied("a", "world") + tied("a", "q") + "</gazebo>", []),
+        (
+            links("a") + "<gazebo>" + tied("q", "q") + tied("a", "world") + tied("a", "q") + "</gazebo>",
+            ["JNT002", "JNT003"],
+        ),
     ],
 )
 def test_ends_in_urdf(text: str, found: list[str]) -> None:

@@ -221,7 +221,7 @@ def test_pitch(pitch: str, found: int) -> None:
 
 def test_colons_in_comments() -> None:
     (found,) = reported(
-        '<!-- a: b --><!-- c:d --><link name="x: "/><!-- e:-->' + links("a") + joint("j", "a", "x: ")
+        '<!-- a: b --><!-- c:d --><link name="x:"/><!-- e:-->' + links("a") + joint("j", "a", "x:")
     )
     assert found.span.begin.column == len('<robot name="r"><!-- a:')
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sdfcheck.source.decode import decode
-from sdfcheck.source.problems import EncodingDefect, EncodingKind
+from sdfcheck.source.encoding_defect import EncodingDefect, EncodingKind
 
 PATH = Path("example.sdf")
 DECLARED = '<?xml version="1.0" encoding="{}"?><sdf name="Wörld"/>'

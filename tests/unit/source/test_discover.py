@@ -29,7 +29,7 @@ def make_repository(root: Path) -> None:
 
 @pytest.fixture(params=["git", "no git", "no repository"])
 def tree(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder whose ignore files git reads, or our own reader: both must agree."""
+    """A folder whose ignore files git reads, or our own parser: both must agree."""
     root = tmp_path / "tree"
     if request.param == "no repository":
         root.mkdir()

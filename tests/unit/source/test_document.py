@@ -10,6 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from lxml import etree
 
+import sdfcheck
 from sdfcheck.source.document import Document, problems, read
 from sdfcheck.source.problems import (
     ContentAfterRoot,
@@ -126,6 +127,29 @@ def test_any_text_is_read(text: str) -> None:
     assert time.perf_counter() - start < 1
 
 
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ('<sdf><a\ua4fdb \ua4fd="1"/></sdf>', ["sdf", "a\ua4fdb", "\ua4fd"]),
+        ('<p:\ua4fd q:\ua4fd-="1" \ua4fd.="2"/>', ["p:\ua4fd", "q:\ua4fd-", "\ua4fd."]),
+        ("<\ua4fd><a:b></\ua4fd>", ["\ua4fd", "a:b"]),
+    ],
+)
+def test_a_letter_that_looks_like_a_colon_is_a_letter(text: str, names: list[str]) -> None:
+    root = document(text).root
+    assert root is not None
+    elements = [root, *root.children()]
+    assert [name for e in elements for name in (e.name, *e.attributes)] == names
+
+
+@pytest.mark.parametrize("text", ["<sdf \ua4fd/>", '<sdf \ua4fd="1"/>'])
+def test_the_letter_is_looked_up_as_it_is_written(text: str) -> None:
+    assert sdfcheck.lint(text, isolated=True).diagnostics
+    found = document(text)
+    assert found.root is not None
+    assert ":" not in found.root.name + "".join(found.root.attributes)
+
+
 @given(st.binary(max_size=300))
 def test_any_bytes_are_read(data: bytes) -> None:
     check(read(data, PATH))
@@ -189,7 +213,7 @@ def test_the_kind_is_told_from_the_text(text: str, name: str, kind: Kind) -> Non
 @pytest.mark.parametrize(
     ("text", "looks_like", "root", "suggestion", "place"),
     [
-        ("<robt><a></robt>", "a robot description with a misspelt root element", "robt", "robot", "robt"),
+        ("<robt><a></robt>", "a robot description with a misspelled root element", "robt", "robot", "robt"),
         ("<html><br></html>", "XML of another kind", "html", None, "html"),
         ("<mujoco/>", "MJCF (MuJoCo)", None, None, "mujoco"),
         ("\n hello\nworld", "plain text", None, None, "hello"),

@@ -21,10 +21,10 @@ from sdfcheck.source.text import Source
     ],
 )  # fmt: skip
 def test_runs_of_hyphens_are_spaced_out(text: str, spaced: str, runs: list[list[str]]) -> None:
-    mended = without_hyphens(Source(Path("a.sdf"), text))
-    assert mended is not None
-    assert mended[0] == spaced
-    assert [[run.text for run in problem.runs] for problem in mended[1]] == runs
+    fixed_file = without_hyphens(Source(Path("a.sdf"), text))
+    assert fixed_file is not None
+    assert fixed_file[0] == spaced
+    assert [[run.text for run in problem.runs] for problem in fixed_file[1]] == runs
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,7 @@ ATTACKS: dict[str, tuple[str, str, Callable[[int], str]]] = {
     "unclosed instructions": ("a.sdf", SDF, lambda n: "<?a " * n),
     "instructions with one end": ("a.sdf", SDF, lambda n: "<?a ><b " * n + "?>"),
     "comments in a document type": ("a.sdf", "<!DOCTYPE x [{}]>" + SDF.format(""), lambda n: "<!--" * n),
-    "blanks in a tag": ("a.sdf", SDF, lambda n: '<link name="x"' + " " * n + "!>"),
+    "spaces in a tag": ("a.sdf", SDF, lambda n: '<link name="x"' + " " * n + "!>"),
     "lines in a value": ("a.sdf", SDF, lambda n: '<link name="<' + "\n" * n + '"/>'),
     "unclosed values": ("a.sdf", SDF, lambda n: "<link " + 'a="b ' * n + "x>"),
     "unquoted values": ("a.sdf", SDF, lambda n: "<link " + "a=b " * n + "x>"),
@@ -37,13 +37,13 @@ ATTACKS: dict[str, tuple[str, str, Callable[[int], str]]] = {
     "colons in a text": ("a.sdf", SDF, lambda n: ":" * n + "("),
     # Values.
     "digits": ("a.sdf", SDF, lambda n: "<pose>" + "0" * n + "x 0 0 0 0 0</pose>"),
-    "blanks in an address": (
+    "spaces in an address": (
         "a.sdf",
         SDF,
         lambda n: "<include><uri>model://a" + " " * n + "b</uri></include>",
     ),
     # Comments that address the linter.
-    "blanks in a comment": ("a.sdf", SDF, lambda n: "<!-- sdfcheck" + " " * n + "-->"),
+    "spaces in a comment": ("a.sdf", SDF, lambda n: "<!-- sdfcheck" + " " * n + "-->"),
     "words in a comment": ("a.sdf", SDF, lambda n: "<!-- sdfcheck: ignore[" + "a " * n + "-->"),
     # xacro.
     "a quote after a word": ("a.xacro", MACRO, lambda n: "a:=" + "x" * n + "'"),

@@ -89,12 +89,12 @@ def test_a_pipe_is_written_to(tmp_path: Path, *, by_link: bool) -> None:
     named = tmp_path / "link" if by_link else pipe
     if by_link:
         named.symlink_to("pipe")
-    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     try:
         overwrite(named, b"new")
-        assert os.read(reader, 100) == b"new"
+        assert os.read(consumer, 100) == b"new"
     finally:
-        os.close(reader)
+        os.close(consumer)
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert named.is_symlink() == by_link
 

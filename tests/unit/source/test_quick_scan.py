@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from lxml import etree
 
+from sdfcheck.source.rewritten import written_name
 from sdfcheck.source.scanner.full_scan import scan
 from sdfcheck.source.scanner.quick_scan import quick_scan
 from sdfcheck.source.text import Source
@@ -69,8 +70,8 @@ def test_what_is_written_anew_says_the_same(text: str) -> None:
     def content(tree: etree._Element) -> list[tuple[str, dict[str, str], str | None, str | None]]:
         return [
             (
-                str(e.tag).replace("\ua4fd", ":"),
-                {str(k).replace("\ua4fd", ":"): str(v) for k, v in e.items()},
+                written_name(str(e.tag), None),
+                {written_name(str(k), None): str(v) for k, v in e.items()},
                 e.text,
                 e.tail,
             )

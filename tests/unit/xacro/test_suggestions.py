@@ -1,4 +1,4 @@
-"""Names that are defined where nobody can look, and names that are misspelt."""
+"""Names that are defined where nobody can look, and names that are misspelled."""
 
 from __future__ import annotations
 

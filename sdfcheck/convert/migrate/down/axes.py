@@ -31,7 +31,7 @@ def express_axes(migration: Migration) -> None:
         turned = ((axis, _turned(migration, places, frame, axis)) for axis in axes)
         changes += [(axis, *turn) for axis, turn in turned if turn is not None]
     for axis, turn, flag in changes:
-        _write(axis, turn, flag)
+        _write(migration, axis, turn, flag)
 
 
 def _turned(migration: Migration, places: Places, joint: RobotNode, axis: Node) -> tuple[Array, str] | None:
@@ -60,7 +60,7 @@ def _turn(migration: Migration, places: Places, joint: RobotNode, axis: Node) ->
     return (in_model if to_model else in_joint.T @ in_model), ""
 
 
-def _write(axis: Node, turn: Array, flag: str) -> None:
+def _write(migration: Migration, axis: Node, turn: Array, flag: str) -> None:
     xyz, old = axis.find("xyz"), axis.find(_FLAG)
     if xyz is not None:
         xyz.unset("expressed_in")
@@ -75,4 +75,4 @@ def _write(axis: Node, turn: Array, flag: str) -> None:
     elif flag and old is not None and old.content.lower() not in {"true", "1"}:
         old.write(flag)
     elif not flag and old is not None:
-        old.remove()
+        migration.merge(old)

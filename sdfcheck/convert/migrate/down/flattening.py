@@ -53,7 +53,7 @@ def _into_parent(migration: Migration, nested: Node) -> None:
         if part.name not in _MOVED and not part.is_custom:
             if part.name not in {"pose", "static"}:
                 text = f"{title(part)} of nested model `{name}` is left out: {migration.target} does not nest"
-                migration.lose(part, text, LossKind.DROPPED_ELEMENT)
+                migration.drop(part, text)
             continue
         part.remove()
         _rename(part, name, own)
@@ -65,6 +65,8 @@ def _into_parent(migration: Migration, nested: Node) -> None:
             _turn_axes(part, turn)
         parts.append(part)
     migration.note(nested, f"nested model `{name}` is written into the one around it", LossKind.MERGED_MODEL)
+    for part in [nested, *nested.children()]:
+        migration.enter_alone(part)
     if parts:
         nested.replace(parts)
     else:

@@ -7,10 +7,11 @@ from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.places import Places
-from sdfcheck.convert.writer import number
+from sdfcheck.convert.writer import number, settled
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.motion.mass import MassProperties, automatic
+from sdfcheck.robot.motion.mass import automatic
+from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.parts.link import Link
 
@@ -33,29 +34,29 @@ def write_inertias(migration: Migration) -> None:
                 migration.lose(inertial, text, LossKind.CHANGED_INERTIA, Severity.ERROR)
     for inertial in migration.root.of("inertial"):
         inertial.unset("auto")
-        _remove(inertial, "density", "auto_inertia_params")
+        _remove(migration, inertial)
     for collision in migration.root.of("collision"):
-        _remove(collision, "density", "auto_inertia_params")
+        _remove(migration, collision)
 
 
-def _remove(node: Node, *names: str) -> None:
-    for name in names:
+def _remove(migration: Migration, node: Node) -> None:
+    for name in ("density", "auto_inertia_params"):
         for child in node.children(name):
-            child.remove()
+            migration.merge(child)
 
 
 def _write(inertial: Node, body: MassProperties) -> None:
     pose = inertial.find("pose")
-    centre = numbers.vector((*body.center, 0, 0, 0))
+    center = numbers.vector((*body.center, 0, 0, 0))
     if pose is not None:
-        for name in list(pose.attributes()):
+        for name in ("relative_to", "rotation_format", "degrees"):
             pose.unset(name)
-        pose.write(centre)
+        pose.write(center)
     elif body.center.any():
-        inertial.add("pose", centre)
+        inertial.add("pose", center)
     (inertial.find("mass") or inertial.add("mass")).write(number(body.mass))
     inertia = inertial.find("inertia") or inertial.add("inertia")
+    largest = float(abs(body.moments).max())
     for name, row, column in _COMPONENTS:
         component = inertia.find(name) or inertia.add(name)
-        value = float(body.moments[row, column])
-        component.write(number(0.0 if abs(value) < 1e-18 else value))
+        component.write(number(settled(float(body.moments[row, column]), largest)))

@@ -1,7 +1,7 @@
 """What the target's table does not have: taken out and told, or kept on request.
 
 What no version knows is as dead as before, and stays. On the way up so does what is
-newer than the target: readers let a file use more than its version has.
+newer than the target: consumers let a file use more than its version has.
 """
 
 from __future__ import annotations
@@ -69,5 +69,4 @@ def _drop(migration: Migration, node: Node) -> None:
     if node.name == "mimic":
         migration.lost_mimics = True
         severity = Severity.ERROR
-    migration.lose(node, text, _KINDS.get(node.name, LossKind.DROPPED_ELEMENT), severity)
-    node.remove()
+    migration.drop(node, text, _KINDS.get(node.name, LossKind.DROPPED_ELEMENT), severity)

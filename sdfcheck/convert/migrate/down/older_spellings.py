@@ -48,7 +48,7 @@ def write_thread_pitch(migration: Migration) -> None:
             continue
         if old is not None:
             old.write(turned)
-            pitch.remove()
+            migration.merge(pitch)
         else:
             pitch.rename("thread_pitch")
             pitch.write(turned)
@@ -61,7 +61,7 @@ def name_plugins(migration: Migration) -> None:
             name = PurePosixPath(plugin.get("filename") or "plugin").stem.removeprefix("lib")
             plugin.set("name", name)
             migration.note(
-                plugin, f"{title(plugin)} was given this name: older readers want one", LossKind.RENAMED
+                plugin, f"{title(plugin)} was given this name: older consumers want one", LossKind.RENAMED
             )
 
 
@@ -104,9 +104,11 @@ def put_gravity_into_physics(migration: Migration) -> None:
             world.append(kept, before=fields[0])
         for node in fields:
             assert kept is not None
-            node.remove()
             if kept.find(node.name) is None:
+                node.remove()
                 kept.append(node)
+            else:
+                migration.drop(node, f"{title(node)} is left out: the physics has its own")
 
 
 def drop_frames(migration: Migration) -> None:
@@ -116,7 +118,7 @@ def drop_frames(migration: Migration) -> None:
     for holder in [migration.root, *migration.root.of("model", "world")]:
         for frame in holder.children("frame"):
             if frame.origin is not None and frame.origin.name != "frame":
-                frame.remove()  # it stood for a merged model, as an include that is written out says
+                migration.merge(frame)  # it stood for a merged model, as an include that is written out says
                 continue
             text = f"{title(frame)} is left out: before 1.7 nothing can be relative to it"
             migration.drop(frame, text, LossKind.DROPPED_FRAME)

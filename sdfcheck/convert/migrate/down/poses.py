@@ -49,7 +49,7 @@ def _write(migration: Migration, owner: Node, pose: Node | None, value: Array, *
     if migration.goes_below(8):
         owner.unset("placement_frame")
         if owner.name == "include" and (given := owner.find("placement_frame")) is not None:
-            given.remove()
+            migration.merge(given)
     if pose is None:
         pose = owner.add("pose", first=True)
     text = numbers.pose(value)

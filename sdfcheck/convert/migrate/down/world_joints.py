@@ -28,8 +28,7 @@ def move_world_joints(migration: Migration) -> None:
                 text = (
                     f"{title(joint)} is left out: {migration.target} has no joints between models of a world"
                 )
-                migration.lose(joint, text, LossKind.DROPPED_ELEMENT, Severity.ERROR)
-                joint.remove()
+                migration.drop(joint, text, severity=Severity.ERROR)
 
 
 def _only_model(world: Node, joint: Node) -> Node | None:
@@ -49,7 +48,7 @@ def _move(migration: Migration, places: Places, joint: Node, model: Node) -> Non
         migration.lose(joint, f"the joint cannot be resolved: {error}", LossKind.UNKNOWN_REFERENCE)
         return
     if pose is not None and (own := joint.find("pose")) is not None:
-        for name in own.attributes():
+        for name in ("relative_to", "rotation_format", "degrees"):
             own.unset(name)
         own.write(numbers.pose(pose))
     for xyz, direction in turns:

@@ -70,7 +70,7 @@ def _apply(migration: Migration, operation: Operation, node: Node) -> None:
             node.path(path).set(attribute, operation.value)
     elif name == "remove":
         for child in node.children(source):
-            child.remove()
+            migration.merge(child)
     elif name == "remove_empty" and source[0] == "@" and node.get(source[1:]) == "":
         node.unset(source[1:])
 
@@ -97,7 +97,7 @@ def _carry(migration: Migration, node: Node, operation: Operation) -> None:
         _move(node, found, target)
         return
     if operation.name != "copy":
-        found.remove()
+        migration.merge(found)
 
 
 def _move(node: Node, found: Node, target: str) -> None:

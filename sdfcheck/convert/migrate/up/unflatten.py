@@ -44,7 +44,7 @@ def _gather(migration: Migration, model: Node, head: str) -> None:
     for member in members:
         name = (member.get("name") or "")[len(prefix) :]
         if name == "__model__" and member.name == "frame":
-            _dissolve(nested, member, prefix)
+            _dissolve(migration, nested, member, prefix)
         elif _refers_out(member, prefix):
             kept = f"{head}__{name}"
             text = f"{title(member)} is called `{kept}`: it joins {head} with what is outside"
@@ -86,13 +86,13 @@ def _poses(migration: Migration, members: list[Node], own: str) -> dict[Node, Ar
     return found
 
 
-def _dissolve(nested: Node, frame: Node, prefix: str) -> None:
+def _dissolve(migration: Migration, nested: Node, frame: Node, prefix: str) -> None:
     """The frame that stood for the model says where it is and by which link it moves."""
     attached = (frame.get("attached_to") or "").strip()
     if attached.startswith(prefix):
         nested.set("canonical_link", attached[len(prefix) :])
     pose = frame.find("pose")
-    frame.remove()
+    migration.merge(frame)
     if pose is not None:
         pose.remove()
         nested.append(pose)

@@ -34,7 +34,7 @@ def go_up(migration: Migration) -> None:
 
 
 def _allow_no_friction_limit(migration: Migration) -> None:
-    """-1 meant endless friction up to 1.3; newer readers refuse the file."""
+    """-1 meant endless friction up to 1.3; newer consumers refuse the file."""
     for mu in migration.root.of("mu", "mu2"):
         if mu.content.startswith("-"):
             migration.note(
@@ -98,7 +98,7 @@ def _move_moved_elements(migration: Migration) -> None:
 def _look_for_lost_ends(migration: Migration) -> None:
     for child in migration.root.of("child"):
         if child.content == "world" and child.parent is not None and child.parent.name == "joint":
-            text = f"{title(child.parent)} has the world as child, which readers refuse from 1.7 on"
+            text = f"{title(child.parent)} has the world as child, which consumers refuse from 1.7 on"
             migration.lose(child, text, LossKind.UNKNOWN_REFERENCE, Severity.ERROR)
 
 
@@ -106,7 +106,7 @@ def _drop_inertial_references(migration: Migration) -> None:
     for inertial in migration.root.of("inertial"):
         pose = inertial.find("pose")
         if pose is not None and (reference := (pose.get("relative_to") or "").strip()):
-            text = f"the reference `{reference}` of an inertial's pose is left out: no reader regards it"
+            text = f"the reference `{reference}` of an inertial's pose is left out: no consumer regards it"
             migration.lose(pose, text, LossKind.UNKNOWN_REFERENCE)
             pose.unset("relative_to")
 

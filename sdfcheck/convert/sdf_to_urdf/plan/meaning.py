@@ -17,14 +17,19 @@ from sdfcheck.robot.motion.mass import default_mass
 from sdfcheck.robot.motion.mechanism import Axis, Joint, Link, Mechanism, Mimic
 from sdfcheck.robot.motion.rotations import Array
 
-ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw"})
+ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw", "planar"})
 TWO_AXES = frozenset({"universal", "revolute2"})
 _UP = (0.0, 0.0, 1.0)
 
 
-def understood(robot: Mechanism, planes: Planes = Planes.DROP) -> Mechanism:
-    """The robot with defaults filled in, without gearboxes: those are a coupling of two other joints."""
-    links = {name: _link(link, planes) for name, link in robot.links.items()}
+def understood(
+    robot: Mechanism, planes: Planes = Planes.DROP, natives: frozenset[str] = frozenset()
+) -> Mechanism:
+    """The robot with defaults filled in, without gearboxes: those are a coupling of two other joints.
+
+    ``natives`` are shapes that stay what they are.
+    """
+    links = {name: _link(link, planes, natives) for name, link in robot.links.items()}
     joints = {name: _joint(joint) for name, joint in robot.joints.items()}
     for gearbox in robot.joints.values():
         if gearbox.kind == "gearbox":
@@ -33,9 +38,13 @@ def understood(robot: Mechanism, planes: Planes = Planes.DROP) -> Mechanism:
     return Mechanism(robot.name, links, kept, robot.frames)
 
 
-def _link(link: Link, planes: Planes) -> Link:
+def _link(link: Link, planes: Planes, natives: frozenset[str]) -> Link:
     body = default_mass() if link.body is None else link.body
-    shown = [piece for geometry in link.geometries for piece in pieces(geometry, planes)]
+    shown = [
+        piece
+        for geometry in link.geometries
+        for piece in ([geometry] if geometry.kind in natives else pieces(geometry, planes))
+    ]
     return Link(link.name, link.pose, link.element, body, shown)
 
 

@@ -8,8 +8,9 @@ from importlib import util
 from pathlib import Path
 from zlib import crc32
 
-from sdfcheck.lint.rulebook.pack import BUILT_IN, Pack, PackError
+from sdfcheck.lint.rulebook.pack import Pack, PackError
 from sdfcheck.lint.rulebook.plugins.place import described
+from sdfcheck.lint.run import BUILT_IN
 
 GROUP = "sdfcheck.rules"
 """The entry points by which installed packs are known."""

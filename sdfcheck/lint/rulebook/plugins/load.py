@@ -14,7 +14,6 @@ from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor.files import SUFFIX, prefix_of
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import (
-    BUILT_IN,
     CONDITIONS,
     INDEX,
     Fault,
@@ -28,7 +27,7 @@ from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.plugins.place import at, described, place_of_class, place_of_error
 from sdfcheck.lint.rulebook.plugins.prints import aside
 from sdfcheck.lint.rulebook.plugins.soundness import flaws
-from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.run import BUILT_IN, RuleFacts
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
 
-from sdfcheck.lint.rulebook.pack import is_built_in
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.wrong_usage import REPORT_IT
 
@@ -50,7 +49,7 @@ def failure(facts: RuleFacts, error: BaseException) -> tuple[str, str]:
     place = error.place if isinstance(error, Misbehavior) else place_of_error(error, facts.module)
     where = f" at {place}" if place else ""
     message = f"rule {facts.code} {facts.name} failed{where}: {described(error)}"
-    if is_built_in(facts):
+    if facts.is_built_in:
         return message, REPORT_IT
     return message, f'correct the rule, or leave it out with `ignore = ["{facts.name}"]`'
 

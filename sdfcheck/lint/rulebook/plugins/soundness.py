@@ -13,7 +13,7 @@ from sdfcheck.lint.rule import Rule
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 
-_CODE = re.compile(r"[A-Z]+[0-9]{3,}")
+_CODE = re.compile(r"[A-Z][A-Z0-9]*[A-Z][0-9]{3,}|[A-Z][0-9]{3,}")
 _NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _DIALECTS = ("sdf", "urdf", "xacro", "model-config")
 
@@ -123,16 +123,17 @@ def _selector(selector: str) -> str | None:
 def _looks_at(value: object) -> str | None:
     if text := _tuple_of("looks_at", type, "classes, such as Joint")(value):
         return text
+    from sdfcheck.lint.subjects import OF_TEXT, OF_VENDORS
     from sdfcheck.robot.kinds import ELEMENTS
     from sdfcheck.robot.special import SPECIAL
 
-    known = (*ELEMENTS, *SPECIAL, Element.__name__)
+    known = (*ELEMENTS, *SPECIAL, *OF_TEXT, *OF_VENDORS, Element.__name__)
     strange = [kind.__name__ for kind in value if kind.__name__ not in known]  # type: ignore[attr-defined]
     return f"`looks_at` has `{strange[0]}`, which is not a part of a robot" if strange else None
 
 
 def _explains(value: object) -> str | None:
-    if text := _tuple_of("explains", type, "kinds of problem, such as `problems.UnknownTag`")(value):
+    if text := _tuple_of("explains", type, "kinds of problem, such as `problems.UnknownElement`")(value):
         return text
     problems = import_module("sdfcheck.problems")
 

@@ -1,0 +1,53 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, warns
+
+ARM = '<link name="arm"/><joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>'
+WHAT = {"link": "a link", "joint": "a joint", "robot": "the robot"}
+
+
+class UnreadSetting(Rule):
+    """A setting for Gazebo is in a block about something that does not have it.
+
+    `mu1`, `material` and `turnGravityOff` are settings of links, `stopCfm` and `provideFeedback` of joints,
+    `static` of the robot. libsdformat drops the others in silence: what is in a block without `reference` is not
+    for all links. Some settings are those of older releases, and nobody reads them any more.
+    """
+
+    code = "GAZ009"
+    name = "unread-setting"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("drops the setting")}
+    looks_at = (GazeboBlock,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad("<gazebo><«mu1»>0.5</mu1></gazebo>", says="`mu1` is a setting of a link, not of the robot"),
+        Bad(
+            f'{ARM}<gazebo reference="j"><«turnGravityOff»>true</turnGravityOff></gazebo>',
+            says="`turnGravityOff` is a setting of a link, not of a joint",
+        ),
+        Bad(
+            f'{ARM}<gazebo reference="j"><«stopKp»>1e6</stopKp></gazebo>',
+            says="`stopKp` was read by older releases only",
+        ),
+    )
+    good = (
+        Good('<gazebo reference="base"><mu1>0.5</mu1></gazebo>'),
+        Good("<gazebo><static>true</static></gazebo>"),
+        Good('<gazebo><plugin name="p" filename="p"><mu1>1</mu1></plugin></gazebo>', why="the plugin's own"),
+    )
+
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        return any(block.unread_settings)
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        for element, place in block.unread_settings:
+            message = f"`{element.name}` was read by older releases only"
+            if place:
+                about = "robot" if not block.reference else "joint" if block.link is None else "link"
+                message = (
+                    f"`{element.name}` is a setting of {WHAT[place]}, not of {WHAT[about]}: it is dropped"
+                )
+            yield self.diagnostic(element, message, severity=None if place else Severity.INFO)

@@ -1,0 +1,84 @@
+from collections.abc import Iterator
+from math import radians
+
+from sdfcheck import (
+    IN_JOINT,
+    IN_URDF_JOINT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Limit,
+    Rule,
+    Severity,
+    make_fix,
+    warns,
+)
+
+LEAST, MOST = 30.0, 720.0
+"""Whole numbers from here to there are usual limits in degrees. More is a way to write no limit."""
+
+
+class LimitsInDegrees(Rule):
+    """The limits of a joint that turns are whole numbers, as one would write them in degrees.
+
+    Both formats measure angles in radians: a joint from -90 to 90 turns fourteen times each way. Of 9,598
+    pairs of limits in public robots none that was meant in radians had two whole numbers and one of 30 or more.
+    """
+
+    code = "JNT014"
+    name = "limits-in-degrees"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("reads them as radians"))
+    looks_at = (Limit,)
+    scaffold = IN_JOINT
+
+    bad = (
+        Bad(
+            "<axis><xyz>0 0 1</xyz><limit><lower>«-90»</lower><upper>90</upper></limit></axis>",
+            fixed="<axis><xyz>0 0 1</xyz><limit><lower>-1.5707963</lower><upper>1.5707963</upper></limit></axis>",
+            unsafe=True,
+            says="limits -90 and 90 of joint `j` are read as radians, and look like degrees",
+        ),
+        Bad(
+            '<limit lower="«0»" upper="180" effort="5" velocity="2"/>',
+            fixed='<limit lower="0" upper="3.1415927" effort="5" velocity="2"/>',
+            unsafe=True,
+            scaffold=IN_URDF_JOINT,
+        ),
+    )
+    good = (
+        Good("<axis><xyz>0 0 1</xyz><limit><lower>-1.5</lower><upper>45</upper></limit></axis>"),
+        Good(
+            "<axis><xyz>0 0 1</xyz><limit><lower>-1000</lower><upper>1000</upper></limit></axis>",
+            why="written for no limit",
+        ),
+        Good(
+            '<joint name="k" type="prismatic"><parent link="base"/><child link="arm"/>'
+            '<limit lower="0" upper="60" effort="5" velocity="2"/></joint>',
+            scaffold='<robot name="r"><link name="base"/><link name="arm"/>{}</robot>',
+            why="m, not rad",
+        ),
+    )
+
+    @staticmethod
+    def applies(limit: Limit) -> bool:
+        lower, upper = limit.lower, limit.upper
+        if not (lower.is_given and upper.is_given and LEAST <= max(-lower, upper) <= MOST):
+            return False
+        is_whole = lower.number % 1 == 0 == upper.number % 1
+        return is_whole and limit.joint.type in TURNING and -lower <= MOST and limit.axis.limit is limit
+
+    def check(self, limit: Limit) -> Iterator[Diagnostic]:
+        lower, upper = limit.lower, limit.upper
+        edits = tuple(Edit(end.span, f"{radians(end):.8g}") for end in (lower, upper))
+        yield self.diagnostic(
+            lower,
+            f"limits {lower.text} and {upper.text} of {limit.joint.title} are read as radians, and look like degrees",
+            labels={upper: "the upper limit"},
+            fix=make_fix("convert them from degrees", edits, unsafe=True),
+        )
+
+
+TURNING = frozenset({"revolute", "revolute2", "universal"})

@@ -1,0 +1,72 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_JOINT,
+    IN_URDF_JOINT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Limit,
+    Number,
+    Rule,
+    Severity,
+    accepts,
+    warns,
+)
+
+
+class ZeroLimit(Rule):
+    """The effort or the velocity of a joint is limited to zero, so that nothing can drive it.
+
+    Exporters write 0 where nobody has entered a number. Controllers and planners take it as the
+    limit that it is; a joint that only swings freely is not affected.
+    """
+
+    code = "JNT016"
+    name = "zero-limit"
+    severity = Severity.INFO
+    default = False
+    affects = {
+        Consumer.GAZEBO: warns("cannot drive the joint"),
+        Consumer.URDFDOM: accepts("takes it as it is"),
+    }
+    looks_at = (Limit,)
+    scaffold = IN_JOINT
+
+    bad = (
+        Bad(
+            "<axis><xyz>0 0 1</xyz><limit><effort>«0»</effort></limit></axis>",
+            says="effort of joint `j` is limited to 0",
+        ),
+        Bad(
+            '<limit lower="-1" upper="1" effort="«0»" velocity="0"/>',
+            scaffold=IN_URDF_JOINT,
+            says="effort and velocity of joint `j` are limited to 0",
+        ),
+    )
+    good = (
+        Good("<axis><xyz>0 0 1</xyz><limit><effort>-1</effort></limit></axis>", why="no limit"),
+        Good('<limit lower="0" upper="0" effort="0" velocity="0"/>', why="locked", scaffold=IN_URDF_JOINT),
+    )
+
+    @staticmethod
+    def applies(limit: Limit) -> bool:
+        if not zeros(limit) or not limit.joint.moves:
+            return False
+        is_locked = limit.lower == limit.upper and limit.range[0] == limit.range[1]
+        return not is_locked and limit.axis.limit is limit
+
+    def check(self, limit: Limit) -> Iterator[Diagnostic]:
+        found = zeros(limit)
+        names, (first, *_) = " and ".join(found), found.values()
+        verb = "are" if len(found) > 1 else "is"
+        yield self.diagnostic(first, f"{names} of {limit.joint.title} {verb} limited to 0")
+
+
+def zeros(limit: Limit) -> dict[str, Number]:
+    """What is limited to 0."""
+    if limit.effort and limit.velocity:
+        return {}
+    limits = {"effort": limit.effort, "velocity": limit.velocity}
+    return {name: number for name, number in limits.items() if number.is_given and number.number == 0}

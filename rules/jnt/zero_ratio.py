@@ -1,0 +1,54 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Joint, Number, Rule, Severity, warns
+
+ENDS = '<link name="a"/><link name="b"/><joint name="j" type="{}"><parent>a</parent><child>b</child>'
+AXIS = "<axis><xyz>0 0 1</xyz></axis>"
+SCREW = f"{ENDS.format('screw')}{AXIS}<screw_thread_pitch>{{}}</screw_thread_pitch></joint>"
+GEARBOX = (
+    f"{ENDS.format('gearbox')}{AXIS}<axis2><xyz>0 0 1</xyz></axis2><gearbox_ratio>{{}}</gearbox_ratio>"
+    "<gearbox_reference_body>base</gearbox_reference_body></joint>"
+)
+
+
+class ZeroRatio(Rule):
+    """The ratio of a gearbox or the pitch of a screw is zero.
+
+    A gearbox of ratio 0 turns one side and holds the other, a screw of pitch 0 turns in its place: neither
+    does what its type is for. The default of both is 1.
+    """
+
+    code = "JNT019"
+    name = "zero-ratio"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("couples nothing"), Consumer.DRAKE: warns("couples nothing")}
+    looks_at = (Joint,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            SCREW.format("«0»"), says="`screw_thread_pitch` of joint `j` is 0, so that turning moves nothing"
+        ),
+        Bad(GEARBOX.format("«0.0»"), says="`gearbox_ratio` of joint `j` is 0", also=("DRK008",)),
+    )
+    good = (
+        Good(SCREW.format("-0.01"), why="a left-handed screw"),
+        Good(GEARBOX.format("-1"), why="turns the other way round"),
+    )
+
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        return joint.type in {"gearbox", "screw"} and bool(zeros(joint))
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        for name, number in zeros(joint).items():
+            yield self.diagnostic(number, f"`{name}` of {joint.title} is 0, so that turning moves nothing")
+
+
+def zeros(joint: Joint) -> dict[str, Number]:
+    """What is 0 of what couples the motions."""
+    if joint.type == "gearbox":
+        found = {"gearbox_ratio": joint.gearbox_ratio}
+    else:
+        found = {"screw_thread_pitch": joint.screw_thread_pitch, "thread_pitch": joint.thread_pitch}
+    return {name: number for name, number in found.items() if number.is_given and number.number == 0}

@@ -1,0 +1,45 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
+from sdfcheck_rules.r2c.scaffold import IN_ROBOT
+
+NEEDY = frozenset(
+    f"{prefix}{name}{suffix}"
+    for name in ("gz_ros2_control-system", "ign_ros2_control-system")
+    for prefix, suffix in (("", ""), ("lib", ".so"), ("lib", ""), ("", ".so"))
+)
+
+
+class ControlPluginWithoutParameters(Rule):
+    """Gazebo's plugin for `ros2_control` has no file of parameters.
+
+    `gz_ros2_control` and `ign_ros2_control` stop with an error if `<parameters>` is missing or empty: no
+    controller manager, and no joint moves.
+    """
+
+    code = "R2C027"
+    name = "control-plugin-without-parameters"
+    severity = Severity.ERROR
+    looks_at = (Plugin,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            '<gazebo><«plugin» filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin"/>'
+            "</gazebo>",
+            says="plugin `gz_ros2_control::GazeboSimROS2ControlPlugin` needs `<parameters>`",
+        ),
+    )
+    good = (
+        Good(
+            '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>controllers.yaml</parameters></plugin></gazebo>"
+        ),
+    )
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return plugin.filename in NEEDY and not any(each.content for each in plugin.children("parameters"))
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        yield self.diagnostic(plugin, f"{plugin.title} needs `<parameters>`, the file with its controllers")

@@ -1,0 +1,42 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity
+from sdfcheck_rules.r2c.scaffold import IN_LIFT
+
+
+class InvertedControlLimits(Rule):
+    """The minimum of an interface is above its maximum.
+
+    ros2_control never compares the two: no command is within the limits, and for velocity and effort
+    the smaller magnitude counts in both directions.
+    """
+
+    code = "R2C021"
+    name = "inverted-control-limits"
+    severity = Severity.ERROR
+    looks_at = (ControlInterface,)
+    scaffold = IN_LIFT
+
+    bad = (
+        Bad(
+            '<command_interface name="position"><param name="min">«1»</param><param name="max">-1</param>'
+            "</command_interface>",
+            says="`min` 1 of `position` is above `max` -1",
+        ),
+    )
+    good = (
+        Good(
+            '<command_interface name="position"><param name="min">0</param><param name="max">0</param>'
+            "</command_interface>",
+            why="locked on purpose",
+        ),
+    )
+
+    @staticmethod
+    def applies(interface: ControlInterface) -> bool:
+        return interface.minimum.number > interface.maximum.number
+
+    def check(self, interface: ControlInterface) -> Iterator[Diagnostic]:
+        low, high = interface.minimum, interface.maximum
+        message = f"`min` {low.text} of `{interface.name}` is above `max` {high.text}"
+        yield self.diagnostic(low, message, labels={high: "the maximum"})

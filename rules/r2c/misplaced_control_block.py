@@ -1,0 +1,42 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, GazeboBlock, Good, Rule, Severity
+from sdfcheck_rules.r2c.scaffold import HARDWARE, IN_ROBOT
+
+BLOCK = f'<{{}} name="arm" type="system">{HARDWARE}</ros2_control>'
+
+
+class MisplacedControlBlock(Rule):
+    """A `ros2_control` block is inside a `gazebo` block, where nothing reads it.
+
+    ros2_control looks for its blocks directly in `robot`, also when Gazebo runs it; a description
+    without any such block is refused.
+    """
+
+    code = "R2C004"
+    name = "misplaced-control-block"
+    severity = Severity.ERROR
+    looks_at = (GazeboBlock,)
+    selects = ("urdf:robot/gazebo",)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            f"<gazebo>{BLOCK.replace('{}', '«ros2_control»')}</gazebo>",
+            says="ros2_control `arm` is read directly in `robot` only, not in `gazebo`",
+        ),
+    )
+    good = (
+        Good(BLOCK.replace("{}", "ros2_control")),
+        Good("<gazebo><plugin><ros2_control/></plugin></gazebo>", why="a plugin's own parameter"),
+    )
+
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        return block.has("ros2_control")
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        for element in block.children("ros2_control"):
+            yield self.diagnostic(
+                element, f"{element.title} is read directly in `robot` only, not in `gazebo`"
+            )

@@ -1,0 +1,96 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity, replace, suggest
+from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
+
+OF_JOINTS = frozenset(
+    (
+        "acceleration",
+        "current",
+        "derivative",
+        "effort",
+        "feedforward",
+        "force",
+        "integral",
+        "jerk",
+        "position",
+        "position_pid",
+        "proportional",
+        "temperature",
+        "torque",
+        "velocity",
+        "velocity_pid",
+    )
+)
+OF_SENSORS = frozenset(
+    f"{what}.{axis}"
+    for what, axes in (
+        ("orientation", "xyzw"),
+        ("angular_velocity", "xyz"),
+        ("linear_acceleration", "xyz"),
+        ("force", "xyz"),
+        ("torque", "xyz"),
+        ("magnetic_field", "xyz"),
+    )
+    for axis in axes
+)
+SHORT = {"acc": "acceleration", "eff": "effort", "pos": "position", "vel": "velocity"}
+
+
+def meant(interface: ControlInterface) -> str | None:
+    """The known name that was meant; None for a name of its own."""
+    name, what = interface.name, interface.component.what
+    known = OF_JOINTS if what == "joint" else OF_SENSORS if what == "sensor" else frozenset[str]()
+    if name in known:
+        return None
+    if what == "joint" and name in SHORT:
+        return SHORT[name]
+    near = suggest(name.replace(".", "_"), {each.replace(".", "_"): each for each in known})
+    if near is None or name.startswith((f"{near}_", f"{near}.", f"{near}1", f"{near}2")):
+        return None
+    return next(each for each in known if each.replace(".", "_") == near)
+
+
+class MisspelledInterface(Rule):
+    """The name of an interface is nearly one that controllers ask for.
+
+    Names are free, and a controller and the hardware must agree on them letter by letter. Known ones are
+    `position`, `velocity`, `acceleration`, `effort` and those of ros2_control's own sensors; a name that is
+    nearly one of them is found when the controller does not start.
+    """
+
+    code = "R2C024"
+    name = "misspelled-interface"
+    severity = Severity.WARNING
+    looks_at = (ControlInterface,)
+    scaffold = IN_LIFT
+
+    bad = (
+        Bad(
+            '<command_interface name="«positon»"/>',
+            fixed='<command_interface name="position"/>',
+            unsafe=True,
+            says="interface `positon` of joint `lift`; did you mean `position`?",
+        ),
+        Bad('<state_interface name="«vel»"/>', says="did you mean `velocity`?"),
+        Bad(
+            '<sensor name="imu"><state_interface name="«orientation_x»"/></sensor>',
+            scaffold=IN_BLOCK,
+            says="did you mean `orientation.x`?",
+        ),
+    )
+    good = (
+        Good('<command_interface name="stiffness"/>', why="names are free"),
+        Good('<command_interface name="position_x"/>', why="made from a known name"),
+    )
+
+    @staticmethod
+    def applies(interface: ControlInterface) -> bool:
+        return interface.is_readable and meant(interface) is not None
+
+    def check(self, interface: ControlInterface) -> Iterator[Diagnostic]:
+        near, name = meant(interface), interface.name_value
+        assert near is not None
+        assert name is not None
+        message = f"interface `{interface.name}` of {interface.component.title}; did you mean `{near}`?"
+        yield self.diagnostic(name, message, fix=replace(name, near, f"write `{near}`", unsafe=True))

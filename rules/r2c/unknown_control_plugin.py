@@ -1,0 +1,77 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, replace, suggest
+from sdfcheck_rules.r2c.scaffold import IN_ROBOT
+
+BLOCK = '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
+KNOWN = (
+    "fake_components/GenericSystem",
+    "gazebo_ros2_control/GazeboSystem",
+    "gz_ros2_control/GazeboSimSystem",
+    "ign_ros2_control/IgnitionSystem",
+    "joint_state_topic_hardware_interface/JointStateTopicSystem",
+    "mock_components/GenericSystem",
+    "mujoco_ros2_control/MujocoSystem",
+    "topic_based_ros2_control/TopicBasedSystem",
+)
+OWNERS = {
+    "fake_components": "fake_components/GenericSystem",
+    "gz_ros2_control": "gz_ros2_control/GazeboSimSystem",
+    "ign_ros2_control": "ign_ros2_control/IgnitionSystem",
+    "mock_components": "mock_components/GenericSystem",
+}
+"""Packages all of whose plugins are known → the plugin."""
+
+
+def meant(plugin: str) -> str | None:
+    """The known plugin that was meant; None for plugins of others."""
+    return suggest(plugin, KNOWN) or OWNERS.get(plugin.partition("/")[0])
+
+
+class UnknownControlPlugin(Rule):
+    """The plugin of `ros2_control` is not known, and nearly that of a known package.
+
+    A class that is not there cannot be loaded: Gazebo ignores the block, elsewhere all hardware is given
+    up. Plugins of other packages are not judged.
+    """
+
+    code = "R2C009"
+    name = "unknown-control-plugin"
+    severity = Severity.WARNING
+    looks_at = (Ros2Control,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            BLOCK.replace("{}", "«gz_ros2_control/GazebSimSystem»"),
+            fixed=BLOCK.replace("{}", "gz_ros2_control/GazeboSimSystem"),
+            unsafe=True,
+            says="did you mean `gz_ros2_control/GazeboSimSystem`?",
+        ),
+        Bad(BLOCK.replace("{}", "«gz_ros2_control/GzSimSystem»"), says="`gz_ros2_control` has no plugin"),
+    )
+    good = (
+        Good(BLOCK.replace("{}", "gz_ros2_control/GazeboSimSystem")),
+        Good(BLOCK.replace("{}", "my_robot/MySystem"), why="anybody may write one"),
+    )
+
+    @staticmethod
+    def applies(block: Ros2Control) -> bool:
+        plugin = block.plugin_value
+        if plugin is None or plugin.text in KNOWN or "/" not in plugin.text:
+            return False
+        return meant(plugin.text) is not None
+
+    def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
+        plugin = block.plugin_value
+        assert plugin is not None
+        package, _, name = plugin.text.partition("/")
+        near = meant(plugin.text)
+        assert near is not None
+        message = (
+            f"`{package}` has no plugin `{name}`"
+            if package in OWNERS
+            else f"no package has the plugin `{plugin.text}`"
+        )
+        fix = replace(plugin, near, f"write `{near}`", unsafe=True)
+        yield self.diagnostic(plugin, f"{message}; did you mean `{near}`?", fix=fix)

@@ -1,0 +1,71 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity, suggest
+from sdfcheck_rules.r2c.scaffold import IN_ROBOT
+
+CLASSES: dict[str, tuple[str, ...]] = {
+    "gz_ros2_control-system": (
+        "gz_ros2_control::GazeboSimROS2ControlPlugin",
+        "ign_ros2_control::IgnitionROS2ControlPlugin",
+    ),
+    "ign_ros2_control-system": (
+        "ign_ros2_control::IgnitionROS2ControlPlugin",
+        "gz_ros2_control::GazeboSimROS2ControlPlugin",
+    ),
+}
+"""Library → the classes in it."""
+
+
+class UnknownControlSimulator(Rule):
+    """The name of Gazebo's plugin for `ros2_control` is nearly that of a known one.
+
+    Gazebo does not find such a library or class, logs an error and simulates the robot without controllers.
+    """
+
+    code = "R2C028"
+    name = "unknown-control-simulator"
+    severity = Severity.WARNING
+    looks_at = (Plugin,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            '<gazebo><plugin filename="«gz_ros2_contrl-system»" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters></plugin></gazebo>",
+            says="no library `gz_ros2_contrl-system`; did you mean `gz_ros2_control-system`?",
+        ),
+        Bad(
+            '<gazebo><plugin filename="gz_ros2_control-system" name="«gz_ros2_control::GazeboSimRos2Control»">'
+            "<parameters>c.yaml</parameters></plugin></gazebo>",
+            says="`gz_ros2_control-system` has no class `gz_ros2_control::GazeboSimRos2Control`",
+        ),
+    )
+    good = (
+        Good(
+            '<gazebo><plugin filename="libign_ros2_control-system.so"'
+            ' name="ign_ros2_control::IgnitionROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters></plugin></gazebo>"
+        ),
+        Good(
+            '<gazebo><plugin filename="libgazebo_ros2_control.so" name="any_name"/></gazebo>',
+            why="in Gazebo Classic the name is free",
+        ),
+    )
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        file = plugin.filename.removeprefix("lib").removesuffix(".so")
+        if file in CLASSES:
+            return bool(plugin.name) and plugin.name not in CLASSES[file]
+        return suggest(file, CLASSES) is not None
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        file = plugin.filename.removeprefix("lib").removesuffix(".so")
+        if file in CLASSES:
+            known = CLASSES[file][0]
+            message = f"`{file}` has no class `{plugin.name}`; did you mean `{known}`?"
+            yield self.diagnostic(plugin.name_value or plugin, message)
+        else:
+            near = suggest(file, CLASSES)
+            message = f"there is no library `{plugin.filename}`; did you mean `{near}`?"
+            yield self.diagnostic(plugin.filename_value or plugin, message)

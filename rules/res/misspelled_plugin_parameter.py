@@ -1,0 +1,62 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_MODEL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Element,
+    Fix,
+    Good,
+    Plugin,
+    Rule,
+    Severity,
+    make_fix,
+    warns,
+)
+
+DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
+
+
+class MisspelledPluginParameter(Rule):
+    """A parameter is nearly, but not quite, one that the plugin reads.
+
+    Plugins ask for their parameters by name, and never say what they did not ask for: the default is
+    taken. Case counts.
+    """
+
+    code = "RES019"
+    name = "misspelled-plugin-parameter"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("takes the default of the parameter")}
+    looks_at = (Plugin,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            DRIVE.format("<«wheel_seperation»>1.2</wheel_seperation>"),
+            fixed=DRIVE.format("<wheel_separation>1.2</wheel_separation>"),
+            unsafe=True,
+            says="does not read `wheel_seperation`; did you mean `wheel_separation`?",
+        ),
+    )
+    good = (
+        Good(DRIVE.format("<wheel_separation>1.2</wheel_separation>")),
+        Good(DRIVE.format("<comment>fast</comment>"), why="like nothing that it reads"),
+    )
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return any(plugin.misspelled_parameters)
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for parameter, meant in plugin.misspelled_parameters:
+            message = f"{plugin.title} does not read `{parameter.name}`; did you mean `{meant}`?"
+            yield self.diagnostic(parameter, message, fix=renaming(parameter, meant))
+
+
+def renaming(parameter: Element, meant: str) -> Fix:
+    spans = (parameter.span, parameter.document.spans.end_name(parameter))
+    edits = tuple(Edit(span, meant) for span in spans if span is not None)
+    return make_fix(f"rename it to `{meant}`", edits, unsafe=True)

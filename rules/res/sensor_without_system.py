@@ -1,0 +1,48 @@
+from collections.abc import Iterator
+
+from sdfcheck import SDF, Bad, Diagnostic, Good, Rule, Severity, World, named
+
+WORLD = (
+    '<world name="w">{}<model name="m"><link name="l">'
+    "<inertial><mass>1</mass></inertial>{}</link></model></world>"
+)
+PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
+IMU = '<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>'
+
+
+class SensorWithoutSystem(Rule):
+    """A sensor is of a type for which the world lists no system.
+
+    In Gazebo every type of sensor needs its system among the plugins of the world, or of a model; without it the
+    sensor never publishes, and nobody says so. Systems may also be added by programs that start Gazebo.
+    """
+
+    code = "RES018"
+    name = "sensor-without-system"
+    severity = Severity.INFO
+    looks_at = (World,)
+    scaffold = SDF
+
+    bad = (
+        Bad(
+            WORLD.format(PHYSICS, '<sensor name="s" type="«imu»"/>'),
+            says="no system of world `w` serves sensors of type `imu`: `gz-sim-imu-system` is missing",
+        ),
+    )
+    good = (
+        Good(WORLD.format(PHYSICS + IMU, '<sensor name="s" type="imu"/>')),
+        Good(WORLD.format("", '<sensor name="s" type="imu"/>'), why="Gazebo brings its own list of systems"),
+    )
+
+    @staticmethod
+    def applies(world: World) -> bool:
+        return any(world.unserved_sensors)
+
+    def check(self, world: World) -> Iterator[Diagnostic]:
+        seen: set[str] = set()
+        for sensor, systems in world.unserved_sensors:
+            if sensor.type not in seen and sensor.type_value is not None:
+                seen.add(sensor.type)
+                what = f"no system of {world.title} serves sensors of type `{sensor.type}`"
+                message = f"{what}: {named(systems, 'or')} is missing"
+                yield self.diagnostic(sensor.type_value, message)

@@ -1,0 +1,71 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+
+DRIVE = (
+    '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">'
+    "<left_joint>{}</left_joint><right_joint>wheel</right_joint></plugin>"
+)
+WHEEL = '<link name="w"/><joint name="wheel" type="fixed"><parent>base</parent><child>w</child></joint>'
+ROS_DRIVE = (
+    '<link name="w"><inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
+    '<joint name="wheel" type="{}"><parent link="base"/><child link="w"/></joint>'
+    '<gazebo><plugin name="drive" filename="libgazebo_ros_diff_drive.so">'
+    "<leftJoint>{}</leftJoint></plugin></gazebo>"
+)
+
+
+class UnknownPluginReference(Rule):
+    """A parameter of a plugin names a joint or link that its model does not have.
+
+    The plugin finds nothing: it reports an error and switches itself off, or waits for ever
+    in silence. Systems look among the joints and links of the model that they are in. Of a URDF
+    robot libsdformat merges fixed joints away, so that a plugin does not find those either.
+    """
+
+    code = "RES014"
+    name = "unknown-plugin-reference"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: warns("runs the plugin without it, or not at all")}
+    looks_at = (Plugin,)
+    scaffold = IN_MODEL
+
+    bad = (
+        Bad(
+            WHEEL + DRIVE.format("«wheal»"),
+            says="`left_joint` of plugin `gz::sim::systems::DiffDrive` names joint `wheal`, which is not in "
+            "model `m`; did you mean `wheel`?",
+        ),
+        Bad(WHEEL + DRIVE.format("«base»"), says="`base` is a link, not a joint"),
+        Bad(
+            ROS_DRIVE.format("fixed", "«wheel»"),
+            scaffold=IN_ROBOT,
+            says="joint `wheel` is fixed, and libsdformat merges it away",
+        ),
+    )
+    good = (
+        Good(WHEEL + DRIVE.format("wheel")),
+        Good(
+            WHEEL + DRIVE.format("arm::wheel") + "<include><uri>model://not_here</uri></include>",
+            why="what could not be read may hold it",
+        ),
+        Good(ROS_DRIVE.format("continuous", "wheel"), scaffold=IN_ROBOT),
+    )
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return bool(plugin.unresolved)
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for value, kind, model, node in plugin.unresolved:
+            name = value.text.strip()
+            parameter = value.attribute or value.element.name
+            message = f"`{parameter}` of {plugin.title} names {kind} `{name}`, which is not in {model.title}"
+            if node is not None and node.kind == kind:
+                message = f"{kind} `{name}` is fixed, and libsdformat merges it away"
+            elif node is not None:
+                message = f"`{name}` is a {node.kind}, not a {kind}, for `{parameter}` of {plugin.title}"
+            elif (meant := model.guess(name, kind=kind).meant) is not None:
+                message += f"; did you mean `{meant}`?"
+            yield self.diagnostic(value, message)

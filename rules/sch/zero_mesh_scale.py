@@ -1,0 +1,56 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_URDF_LINK,
+    IN_VISUAL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Geometry,
+    Good,
+    Rule,
+    Severity,
+    Vector,
+    warns,
+)
+
+MESH = "<geometry><mesh><uri>https://example.org/m.dae</uri><scale>{}</scale></mesh></geometry>"
+
+
+class ZeroMeshScale(Rule):
+    """A mesh is scaled by zero, so that nothing is left of it.
+
+    One zero makes it flat, without volume; three make it a point. Physics engines cannot
+    build a shape of it.
+    """
+
+    code = "SCH023"
+    name = "zero-mesh-scale"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("flattens the mesh"), Consumer.URDFDOM: warns("takes it as it is")}
+    looks_at = (Geometry,)
+    scaffold = IN_VISUAL
+
+    bad = (
+        Bad(MESH.format("«1 1 0»"), says="`scale` of the mesh has a zero: 1 1 0"),
+        Bad(
+            '<visual><geometry><mesh filename="package://arm/m.stl" scale="«0 0 0»"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+        ),
+    )
+    good = (Good(MESH.format("1 -1 1"), why="mirrored"), Good(MESH.format("0.001 0.001 0.001")))
+
+    @staticmethod
+    def applies(geometry: Geometry) -> bool:
+        return geometry.has("mesh") and 0 in scale(geometry)
+
+    def check(self, geometry: Geometry) -> Iterator[Diagnostic]:
+        factors = scale(geometry)
+        yield self.diagnostic(factors, f"`scale` of the mesh has a zero: {factors.text}")
+
+
+def scale(geometry: Geometry) -> Vector:
+    """The factors of its mesh."""
+    mesh = geometry.find("mesh")
+    value = None if mesh is None else mesh.value("scale")
+    return Vector.of(value, geometry.element, (1.0, 1.0, 1.0))

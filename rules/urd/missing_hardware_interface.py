@@ -1,0 +1,62 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Element, Good, Rule, Severity, Transmission
+
+JOINT = (
+    '<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>'
+    '<link name="arm"/><joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>'
+    '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>{}</transmission>'
+)
+POSITION = "<hardwareInterface>hardware_interface/PositionJointInterface</hardwareInterface>"
+RATIO = "<mechanicalReduction>1</mechanicalReduction>"
+
+
+class MissingHardwareInterface(Rule):
+    """A transmission says by no `hardwareInterface` how its joint is driven.
+
+    The parser of ros_control skips the transmission and reports an error, and no controller
+    finds the joint. Older files write the element in the actuator, which is read as well.
+    """
+
+    code = "URD024"
+    name = "missing-hardware-interface"
+    severity = Severity.WARNING
+    looks_at = (Transmission,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            JOINT.format(f'<«joint» name="j"/><actuator name="m">{RATIO}</actuator>'),
+            says="joint `j` of transmission `t` has no `hardwareInterface`",
+        ),
+    )
+    good = (
+        Good(JOINT.format(f'<joint name="j">{POSITION}</joint><actuator name="m">{RATIO}</actuator>')),
+        Good(JOINT.format(f'<joint name="j"/><actuator name="m">{POSITION}{RATIO}</actuator>'), why="older"),
+    )
+
+    @staticmethod
+    def applies(transmission: Transmission) -> bool:
+        value = transmission.type_value
+        is_ours = value is not None and value.text.strip().startswith(PREFIX)
+        return is_ours and bool(bare_joints(transmission)) and is_for_ros_control(transmission)
+
+    def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
+        for joint in bare_joints(transmission):
+            yield self.diagnostic(joint, f"{joint.title} of {transmission.title} has no `hardwareInterface`")
+
+
+PREFIX = "transmission_interface/"
+
+
+def is_for_ros_control(transmission: Transmission) -> bool:
+    """Does the robot name interfaces, or run ros_control? Drake reads transmissions as well, and needs none."""
+    text = transmission.document.source.text
+    return "<hardwareInterface" in text or "ros_control" in text
+
+
+def bare_joints(transmission: Transmission) -> list[Element]:
+    """The joints without interface, where no actuator has one either."""
+    if any(actuator.has("hardwareInterface") for actuator in transmission.actuators):
+        return []
+    return [joint for joint in transmission.joint_elements if not joint.has("hardwareInterface")]

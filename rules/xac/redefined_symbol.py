@@ -1,0 +1,42 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+
+
+class RedefinedSymbol(Rule):
+    """A property or parameter has the name of something that expressions know.
+
+    From there on `pi`, `e` or `len` mean the new value, also in the files that are included. xacro
+    warns: "redefining global symbol".
+    """
+
+    code = "XAC015"
+    name = "redefined-symbol"
+    severity = Severity.WARNING
+    explains = (problems.RedefinedSymbol,)
+    scaffold = IN_XACRO
+
+    bad = (
+        Bad(
+            '<xacro:property name="«pi»" value="3.14"/><link name="l${pi}"/>',
+            file=FILE,
+            says="`pi` is known to expressions",
+        ),
+        Bad(
+            '<xacro:macro name="m" params="«len»"><link name="${len}"/></xacro:macro><xacro:m len="a"/>',
+            file=FILE,
+        ),
+    )
+    good = (
+        Good('<xacro:property name="pi_half" value="${pi / 2}"/><link name="l${pi_half}"/>', file=FILE),
+        Good(
+            '<xacro:property name="message" value="a"/><link name="${message}"/>',
+            why="known as xacro.message only",
+            file=FILE,
+        ),
+    )
+
+    def check(self, problem: problems.RedefinedSymbol) -> Iterator[Diagnostic]:
+        message = f"`{problem.name}` is known to expressions, and means something else from here on"
+        yield self.diagnostic(problem.span, message)

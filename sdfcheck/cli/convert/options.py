@@ -1,0 +1,106 @@
+"""The options that all conversions share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from sdfcheck.cli.parts.descriptions import ARGUMENT, Around, around, surroundings
+from sdfcheck.cli.parts.options import F, colored, configured, path
+from sdfcheck.cli.parts.output import FORMATS
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.record import NamedTuple
+
+
+class Request(NamedTuple):
+    """What every command takes."""
+
+    inputs: tuple[str, ...]
+    output: Path | None
+    output_dir: Path | None
+    flat: bool
+    stdin_filename: Path | None
+    verify: bool
+    verify_with: str | None
+    strict: bool
+    lint: bool
+    expand: str
+    losses: str
+    min_severity: str
+    output_format: tuple[str, ...]
+    color: str
+    quiet: bool
+    around: Around
+
+    @property
+    def paths(self) -> tuple[Path, ...]:
+        """The files and folders that are named; ``-`` is stdin."""
+        return tuple(Path(text) for text in self.inputs if ARGUMENT not in text)
+
+
+_PATH = click.Path(path_type=Path)
+_OPTIONS = (
+    click.argument("inputs", nargs=-1, required=True, metavar="IN… [ARG:=VALUE]…"),
+    click.option("-o", "--output", type=_PATH, metavar="FILE", help="Where to write.  [default: stdout]"),
+    click.option("--output-dir", type=_PATH, metavar="FOLDER", help="Write a file for each input there."),
+    click.option(
+        "--flat", is_flag=True, help="Make no folders in --output-dir: refuse inputs with the same name."
+    ),
+    path("--stdin-filename", "What to call the text that `-` reads from stdin."),
+    click.option(
+        "--verify/--no-verify", default=True, help="Compare the result with its source.  [default: verify]"
+    ),
+    click.option(
+        "--verify-with", type=click.Choice(["yourdfpy"]), help="Let this library read the URDF as well."
+    ),
+    click.option("--strict", is_flag=True, help="Exit with 1 if anything is lost."),
+    click.option(
+        "--lint/--no-lint",
+        default=True,
+        help="Stop at errors for which the format's own parser refuses the source.  [default: lint]",
+    ),
+    click.option(
+        "--expand",
+        type=click.Choice(["auto", "never"]),
+        default="auto",
+        help="Expand xacro, or read what is left of it as URDF, whose consumers ignore it.  [default: auto]",
+    ),
+    click.option(
+        "--losses",
+        type=click.Choice(["grouped", "all"]),
+        default="grouped",
+        help="A line for each file and code, or each loss with its lines of code.  [default: grouped]",
+    ),
+    click.option(
+        "--min-severity",
+        type=click.Choice([severity.value for severity in Severity]),
+        default=Severity.WARNING.value,
+        help="Show what is at least so severe, and count the rest (text formats).  [default: warning]",
+    ),
+    click.option(
+        "--output-format",
+        multiple=True,
+        metavar="FORMAT[=FILE]",
+        help=f"How to report all losses: {', '.join(FORMATS)}.",
+    ),
+    surroundings,
+    configured,
+    colored(),
+    click.option("-q", "--quiet", is_flag=True, help="Report losses, and say nothing else."),
+)
+
+
+def common_options(command: F) -> F:
+    """Adds the options of all commands below the command's own."""
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+def common(given: dict[str, Any]) -> Request:
+    """Takes the common options out of what click has read; the rest is the command's own."""
+    given["arguments"] = [text for text in given["inputs"] if ARGUMENT in text]
+    given["around"] = around(given)
+    return Request(**{name: given.pop(name) for name in Request._fields})

@@ -1,0 +1,123 @@
+"""What came of converting one file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sdfcheck.cli.convert.options import Request
+from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.cli.convert.inputs import Input
+    from sdfcheck.convert.loss import Loss
+    from sdfcheck.convert.result import Conversion
+    from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.text import Span
+
+    Convert = Callable[[Document, bool], Conversion]
+    """Converts a document; compares the result with it if the second argument is true."""
+
+
+class Outcome(NamedTuple):
+    """What came of it; ``failed``: nothing is written."""
+
+    file: Path
+    errors: Sequence[Diagnostic]
+    """Those of the source."""
+    losses: Sequence[Diagnostic] = ()
+    conversion: Conversion | None = None
+    failed: bool = False
+    is_unsound: bool = False
+    """Whether errors of the source stopped it."""
+    broken: Span | None = None
+    """Where the text of the source is no XML."""
+    also_by: str = ""
+    """The library that has read the URDF as well."""
+    encoding: str = ""
+    """That of the source, where the result has another."""
+
+    def judged(self, errors: Sequence[Loss]) -> Outcome:
+        """With the errors of the result, for which it is not written."""
+        if not errors:
+            return self
+        from sdfcheck.convert.loss import to_diagnostic
+
+        return self._replace(losses=[*self.losses, *map(to_diagnostic, errors)], failed=True)
+
+    @property
+    def has_losses(self) -> bool:
+        """Whether anything is worse than worth knowing."""
+        return any(one.severity.value != "info" for one in self.losses)
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        return (*self.errors, *self.losses)
+
+    @property
+    def verdict(self) -> str:
+        """Whether the result is the same robot, and how that is known."""
+        verification = self.conversion.verification if self.conversion is not None else None
+        if self.failed:
+            return "not converted, nothing written" + (
+                "; --no-lint converts it anyway" if self.is_unsound else ""
+            )
+        if verification is not None:
+            return f"verified: {verification}" + (f", poses also by {self.also_by}" if self.also_by else "")
+        if self.broken is not None:
+            line, column = self.broken.begin
+            return f"not verified: the text is broken at {line}:{column}; `sdfcheck lint` says how"
+        return "not verified"
+
+    @property
+    def reason(self) -> str:
+        """Why nothing is written: the gravest finding."""
+        grave = max(self.diagnostics, key=lambda one: one.severity.rank, default=None)
+        if grave is None:
+            return "it has errors"
+        line, column = grave.span.begin
+        return f"{grave.message} ({line}:{column}, {grave.code})"
+
+
+def converted(given: Input, convert: Convert, request: Request) -> Outcome:
+    """Convert a document, and compare it with its source if that is asked for."""
+    from sdfcheck.convert.broken_text import guess_in
+    from sdfcheck.convert.loss import NotConvertible, to_diagnostic
+
+    if given.document is None or not given.is_sound:
+        return Outcome(given.file, given.errors, failed=True, is_unsound=given.document is not None)
+    try:
+        done = convert(given.document, request.verify)
+    except NotConvertible as error:
+        return Outcome(given.file, given.errors, [to_diagnostic(error.loss)], failed=True)
+    losses = [to_diagnostic(loss) for loss in done.losses]
+    different = _differences(done, given.document, request)
+    return Outcome(
+        given.file,
+        given.errors,
+        [*losses, *different],
+        done,
+        bool(different),
+        broken=guess_in(given.document) if request.verify else None,
+        also_by=request.verify_with or "",
+        encoding=given.encoding,
+    )
+
+
+def _differences(done: Conversion, document: Document, request: Request) -> list[Diagnostic]:
+    """What the comparison found, as diagnostics of the source."""
+    found = list(done.verification.differences) if done.verification is not None else []
+    if request.verify_with is not None:
+        from sdfcheck.convert.independent import differences
+
+        found += differences(done, document)
+    if not found or document.root is None:
+        return []
+    from sdfcheck.convert.loss import Loss, LossKind, to_diagnostic
+    from sdfcheck.lint.diagnostic import Severity
+
+    texts = (f"the result is not the same robot: {one.what} of `{one.name}` {one.text}" for one in found)
+    span = document.root.span
+    return [to_diagnostic(Loss(LossKind.NOT_VERIFIED, span, text, Severity.ERROR)) for text in texts]

@@ -1,0 +1,131 @@
+"""What is converted, and where each result goes."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Collection, Sequence
+from pathlib import Path
+
+from sdfcheck.cli.convert.options import Request
+from sdfcheck.cli.parts.output import Output, refuse_inputs
+from sdfcheck.files.discover import discover
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.wrong_usage import WrongUsage
+
+_STDIN = Path("-")
+
+
+class Source(NamedTuple):
+    """Something to convert; ``data`` is what stdin has given. ``named``: a person wrote its path."""
+
+    path: Path
+    named: bool = True
+    data: bytes | None = None
+
+
+def sources(request: Request) -> list[Source]:
+    """The files that are named, those in the folders that are named, and stdin for ``-``.
+
+    Raises:
+        WrongUsage: there are none.
+    """
+    paths = request.paths
+    if not paths:
+        raise WrongUsage("no file is named")
+    if request.stdin_filename is not None and _STDIN not in paths:
+        raise WrongUsage("--stdin-filename needs - among the inputs")
+    folders = [path for path in paths if path.is_dir()]
+    configuration = request.around.configuration
+    found = discover(folders, exclude=lambda path: configuration.settings_for(path).excludes(path))
+    if folders and not found.files and len(folders) == len(paths):
+        raise WrongUsage(f"no SDFormat, URDF or xacro file in {folders[0]}")
+    wanted = []
+    for path in paths:
+        if path == _STDIN:
+            name = request.stdin_filename or Path("<stdin>")
+            wanted.append(Source(name, data=sys.stdin.buffer.read()))
+        elif path not in folders:
+            wanted.append(Source(path))
+    inside = (Source(each.path, named=False) for each in found.files if each.path.name != "model.config")
+    return [*wanted, *inside]
+
+
+def targets(request: Request, files: Sequence[Source], suffix: str) -> list[Path | None]:
+    """Where each result goes; None is stdout.
+
+    Results of the same name go to folders as those of their sources, unless --flat forbids it.
+
+    Raises:
+        WrongUsage: the options contradict each other, or two results would go to one place.
+    """
+    if request.output is not None and request.output_dir is not None:
+        raise WrongUsage("--output and --output-dir exclude each other")
+    if request.flat and request.output_dir is None:
+        raise WrongUsage("--flat goes with --output-dir")
+    if request.output_dir is None:
+        if len(files) > 1:
+            raise WrongUsage("several inputs need --output-dir")
+        return [None if request.output in {None, _STDIN} else request.output]
+    paths = [file.path if file.data is None else Path(_stem(file.path.name).strip("<>")) for file in files]
+    names = [Path(f"{_stem(path.name)}{suffix}") for path in paths]
+    if len(set(names)) < len(names):
+        if request.flat:
+            raise WrongUsage(_clash(paths, names, request.output_dir))
+        names = _mirrored(paths, names)
+    if len(set(names)) < len(names):
+        taken = {name for name in names if names.count(name) > 1}
+        names = [
+            name.with_name(f"{path.name}{suffix}") if name in taken else name
+            for path, name in zip(paths, names, strict=True)
+        ]
+        if len(set(names)) < len(names):
+            raise WrongUsage(_clash(paths, names, request.output_dir))
+    return [request.output_dir / name for name in names]
+
+
+def _stem(name: str) -> str:
+    name = name.removesuffix(".xacro")
+    return name.rpartition(".")[0] or name
+
+
+def _mirrored(paths: Sequence[Path], names: Sequence[Path]) -> list[Path]:
+    """The names below folders that are those of the paths, as seen from the folder that holds all of them."""
+    folders = [os.path.abspath(path.parent) for path in paths]
+    try:
+        top = os.path.commonpath(folders)
+    except ValueError:  # several drives
+        return list(names)
+    return [Path(os.path.relpath(folder, top), name) for folder, name in zip(folders, names, strict=True)]
+
+
+def _clash(paths: Sequence[Path], names: Sequence[Path], folder: Path) -> str:
+    first: dict[Path, Path] = {}
+    for path, name in zip(paths, names, strict=True):
+        if name in first:
+            return f"{first[name]} and {path} would both go to {folder / name}"
+        first[name] = path
+    raise AssertionError("two of the names are equal")
+
+
+def refuse_to_overwrite(
+    files: Collection[Path], targets: Sequence[Path | None], wanted: Sequence[Output], *, stays: bool
+) -> None:
+    """Keep reports off inputs and results, and results off inputs unless the format ``stays`` the same.
+
+    Raises:
+        WrongUsage: one would be written over another.
+    """
+    reports = [output.file for output in wanted]
+    refuse_inputs(reports, files)
+    if not stays:
+        refuse_inputs(targets, files)
+    elif len(files) > 1:
+        inputs = {file.resolve() for file in files}
+        for target in targets:
+            if target is not None and target.resolve() in inputs:
+                raise WrongUsage(f"{target} is an input; name it with -o to replace it")
+    named = {report.resolve() for report in reports if report is not None}
+    for target in targets:
+        if target is not None and target.resolve() in named:
+            raise WrongUsage(f"the result and a report would both go to {target}")

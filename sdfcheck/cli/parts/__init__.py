@@ -1,0 +1,1 @@
+"""What the commands share: options, help, what they read, where output goes."""

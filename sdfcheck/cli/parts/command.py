@@ -1,0 +1,153 @@
+"""What every command is: its help lists options by what they are about, and ends with examples."""
+
+from __future__ import annotations
+
+import click
+
+_SECTIONS = {
+    "Input": (
+        "stdin_filename",
+        "kind",
+        "no_expand",
+        "expand",
+        "packages",
+        "package_paths",
+        "model_paths",
+        "variables",
+        "force_exclude",
+        "skip_unrelated",
+    ),
+    "Selection": ("select", "extend_select", "ignore", "target", "baseline", "write_baseline"),
+    "Fixes": ("fix", "unsafe_fixes", "fix_only", "show_fixes", "diff", "add_ignore", "reason"),
+    "Verification": ("verify", "verify_with", "strict", "lint"),
+    "Output": (
+        "output",
+        "output_dir",
+        "flat",
+        "output_format",
+        "output_file",
+        "form",
+        "losses",
+        "statistics",
+        "min_severity",
+        "max_diagnostics",
+        "no_fold",
+        "color",
+        "quiet",
+    ),
+    "Exit code": ("fail_on", "fail_on_missing", "max_warnings", "exit_zero"),
+    "Configuration": ("config", "isolated", "trust_config", "show_settings", "show_files"),
+}
+"""Heading → the options that are listed below it, by name; others come first."""
+_OWN = "Options"
+_REST = "Other"
+
+_EXAMPLES = {
+    "lint": (
+        ("sdfcheck lint", "all robot descriptions below the current folder"),
+        ("sdfcheck lint --fix models/", "apply the safe fixes"),
+        ("sdfcheck lint --target drake arm.urdf.xacro side:=left", "what matters to Drake"),
+    ),
+    "expand": (
+        ("sdfcheck expand arm.urdf.xacro side:=left", "what xacro makes of a file"),
+        ("sdfcheck expand --annotate arm.urdf.xacro", "with where each element came from"),
+    ),
+    "graph": (
+        ("sdfcheck graph joints arm.urdf", "the kinematic tree"),
+        ("sdfcheck graph frames --format mermaid arm.sdf", "for a page in Markdown"),
+    ),
+    "targets": (
+        ("sdfcheck targets arm.urdf", "who accepts it, and why others do not"),
+        ("sdfcheck targets --format json models/*.sdf", "for a program"),
+    ),
+    "describe": (
+        ("sdfcheck describe joint/axis", "an element of SDFormat"),
+        ("sdfcheck describe urdf:joint/limit", "an element of URDF"),
+    ),
+    "diff": (
+        ("sdfcheck diff old.sdf new.sdf", "what changed in the robot"),
+        ("sdfcheck diff arm.urdf arm.sdf", "between formats"),
+    ),
+    "inertia": (
+        ("sdfcheck inertia arm.urdf", "each link, and the total"),
+        ("sdfcheck inertia --format json arm.sdf", "for a program"),
+    ),
+    "print": (
+        ("sdfcheck print arm.sdf", "in canonical form"),
+        ("sdfcheck print --expand-includes world.sdf", "as one file"),
+    ),
+    "schema": (
+        ("sdfcheck schema --sdf-version 1.9 -o sdf.xsd", "for editors"),
+        ("sdfcheck schema --format rng -o sdf.rng", "for xmllint"),
+    ),
+    "rules": (
+        ("sdfcheck rules", "all of them"),
+        ("sdfcheck rules NS --output-format json", "a family, for a program"),
+    ),
+    "rule": (
+        ("sdfcheck rule NS", "a family"),
+        ("sdfcheck rule ALL --output-format json", "all, for a program"),
+    ),
+    "urdf-to-sdf": (
+        ("sdfcheck convert urdf-to-sdf arm.urdf -o arm.sdf", "one file"),
+        ("sdfcheck convert urdf-to-sdf robots/ --output-dir sdf", "a folder"),
+    ),
+    "sdf-to-urdf": (
+        ("sdfcheck convert sdf-to-urdf model.sdf -o arm.urdf", "one file"),
+        ("sdfcheck convert sdf-to-urdf --model arm world.sdf", "a model of a world"),
+    ),
+    "sdf-to-sdf": (
+        ("sdfcheck convert sdf-to-sdf old.sdf --to 1.12 -o new.sdf", "up"),
+        ("sdfcheck convert sdf-to-sdf new.sdf --to 1.6 -o old.sdf", "down"),
+    ),
+    "server": (
+        ("sdfcheck server", "what an editor starts"),
+        ("sdfcheck server --tcp --port 5007", "to look at what is said"),
+    ),
+    "view": (
+        ("sdfcheck view arm.urdf --open", "show a robot in the browser"),
+        ("sdfcheck view before.urdf after.sdf -o both.html", "two robots over each other"),
+    ),
+    "config": (
+        ("sdfcheck config", "all keys of a configuration"),
+        ("sdfcheck config --format schema -o sdfcheck.schema.json", "for editors"),
+    ),
+    "init": (
+        ("sdfcheck init", "write sdfcheck.toml here"),
+        ("sdfcheck init --target gazebo,drake", "for these simulators"),
+    ),
+    "completion": (
+        ("sdfcheck completion bash > ~/.local/share/bash-completion/completions/sdfcheck", "for bash"),
+        ("sdfcheck completion fish > ~/.config/fish/completions/sdfcheck.fish", "for fish"),
+    ),
+}
+"""Command → what to type, and what it does."""
+
+
+class Command(click.Command):
+    """A command whose help is in sections."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        sections: dict[str, list[tuple[str, str]]] = {heading: [] for heading in (_OWN, *_SECTIONS)}
+        sections[_REST] = []
+        for parameter in self.get_params(ctx):
+            row = parameter.get_help_record(ctx) if isinstance(parameter, click.Option) else None
+            if row:
+                sections[_heading(parameter)].append(row)
+        for heading, rows in sections.items():
+            if rows:
+                with formatter.section(heading):
+                    formatter.write_dl(rows)
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        super().format_epilog(ctx, formatter)
+        examples = _EXAMPLES.get(self.name or "", ())
+        if examples:
+            with formatter.section("Examples"):
+                formatter.write_dl([*examples])
+
+
+def _heading(option: click.Parameter) -> str:
+    if option.name == "jobs" or "--help" in option.opts:
+        return _REST
+    return next((heading for heading, names in _SECTIONS.items() if option.name in names), _OWN)

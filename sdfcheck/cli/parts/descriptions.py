@@ -1,0 +1,207 @@
+"""What every command takes that reads a description: where things are, and arguments for xacro."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sdfcheck.cli.parts.options import F, configured, folders
+from sdfcheck.cli.parts.terminal import pair, say
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind, sniff
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.config.configuration import Configuration, Settings
+    from sdfcheck.source.document import Document
+    from sdfcheck.xacro.expansion import Expander
+
+ARGUMENT = ":="
+"""What an argument for xacro has, and a path has not."""
+
+
+def surroundings(command: F) -> F:
+    """``--package``, ``--package-path``, ``--model-path`` and ``--env``: where things are."""
+    for option in (
+        click.option(
+            "--env",
+            "variables",
+            multiple=True,
+            metavar="NAME",
+            help="An environment variable to pass to xacro.",
+        ),
+        folders("--model-path", "model_paths", "A folder in which to look for models."),
+        folders("--package-path", "package_paths", "A folder below which to look for ROS packages."),
+        click.option(
+            "--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is."
+        ),
+    ):
+        command = option(command)
+    return command
+
+
+def described(command: Callable[..., Any]) -> Any:
+    """Arguments for xacro, after the files; where things are; and which configuration counts."""
+    command = surroundings(configured(command))
+    return click.argument("arguments", nargs=-1, metavar="[ARG:=VALUE]…")(command)
+
+
+class Around(NamedTuple):
+    """What the command line says about the surroundings of descriptions."""
+
+    configuration: Configuration
+    arguments: tuple[tuple[str, str], ...] = ()
+    search: SearchPaths = SearchPaths()
+    variables: tuple[str, ...] = ()
+
+    def settings_for(self, file: Path) -> Settings:
+        """The settings of a file, with what the command line adds."""
+        return self.configuration.settings_for(file).extended(self.search, self.variables)
+
+
+def around(given: dict[str, Any]) -> Around:
+    """Takes the shared options out of what click has read; the rest is the command's own.
+
+    Raises:
+        WrongUsage: an option names nothing.
+    """
+    return Around(
+        given.pop("configuration"),
+        arguments_in(given.pop("arguments")),
+        search_of(given.pop("packages"), given.pop("package_paths"), given.pop("model_paths")),
+        given.pop("variables"),
+    )
+
+
+def arguments_in(words: Iterable[str]) -> tuple[tuple[str, str], ...]:
+    """Names and values of arguments for xacro."""
+    return tuple(pair(word, ARGUMENT, "name:=value") for word in words)
+
+
+def search_of(
+    packages: Sequence[str], package_paths: Sequence[Path], model_paths: Sequence[Path]
+) -> SearchPaths:
+    """Where names are looked for; raises WrongUsage for a folder that is not there."""
+    named = tuple(
+        (name, Path(path)) for name, path in (pair(text, "=", "--package name=path") for text in packages)
+    )
+    for option, places in (
+        ("--package", [path for _, path in named]),
+        ("--package-path", package_paths),
+        ("--model-path", model_paths),
+    ):
+        for path in places:
+            if not path.is_dir():
+                raise WrongUsage(
+                    f"{option}: {'not a folder' if os.path.lexists(path) else 'no such folder'}: {path}"
+                )
+    return SearchPaths(tuple(model_paths), tuple(package_paths), named)
+
+
+def load(file: Path, around: Around, *, check: bool = True) -> Document:
+    """Read a description, expanded if it is xacro; ``check``: with arguments that it takes.
+
+    Raises:
+        WrongUsage: it is none, cannot be read or expanded, or brings too many models.
+    """
+    from sdfcheck.files.regular import read_regular
+    from sdfcheck.robot.includes.multiplied import refuse_too_many
+
+    settings = around.settings_for(file)
+    if check:
+        check_arguments(around.arguments, [file], settings)
+    library = Library(settings.search, settings.size_limit)
+    try:
+        kind = sniff(read_regular(file, settings.size_limit), file)
+    except OSError as error:
+        raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
+    document = library.document(file, None if kind is Kind.BROKEN_XML else kind)
+    if document is not None and document.kind is Kind.XACRO:
+        document = _expanded(document, settings, around)
+    if document is None or document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
+        raise WrongUsage(f"{file} looks like {kind.description}, not like a robot or world")
+    refuse_too_many(document)
+    return document
+
+
+def _expanded(document: Document, settings: Settings, around: Around) -> Document:
+    with expander_for(settings) as expander:
+        chosen = chosen_arguments(document.path, settings, around)
+        expanded = expander.expand(document, chosen).document
+    if expanded is None:
+        raise WrongUsage(f"{document.path} cannot be expanded; `sdfcheck expand` says why")
+    expanded.library = document.library
+    return expanded
+
+
+def expander_for(settings: Settings) -> Expander:
+    """What expands the files that have these settings."""
+    from sdfcheck.xacro.expansion import Expander, Surroundings
+
+    return Expander(Surroundings(dict(settings.packages), settings.package_paths, settings.env))
+
+
+def chosen_arguments(file: Path, settings: Settings, around: Around) -> dict[str, str]:
+    """The arguments of a file: the first set of the configuration, and over it those of the command line."""
+    sets = settings.arguments_for(file)
+    return {**(dict(sets[0]) if sets else {}), **dict(around.arguments)}
+
+
+def check_arguments(
+    given: Iterable[tuple[str, str]],
+    files: Iterable[Path],
+    settings: Settings,
+    texts: Mapping[Path, bytes] | None = None,
+) -> None:
+    """Make sure that some of the files take the arguments; says which do not seem to be taken.
+
+    ``texts`` are what stands for some of the files, such as stdin.
+
+    Raises:
+        WrongUsage: a name is misspelled.
+    """
+    names = [name for name, _ in given]
+    if not names:
+        return
+    from sdfcheck.xacro.static.arguments import taken_arguments
+    from sdfcheck.xacro.static.suggestions import nearest
+
+    library = Library(settings.search, settings.size_limit)
+    taken: set[str] = set()
+    knows_all = True
+    for file in files:
+        document = _xacro(file, library, settings.size_limit, (texts or {}).get(file))
+        if document is not None:
+            own = taken_arguments(document)
+            taken |= own.names
+            knows_all &= own.is_complete
+    for name in names:
+        if name in taken:
+            continue
+        near = nearest(name, taken)
+        if near is not None:
+            raise WrongUsage(f"no file takes the argument `{name}`; did you mean `{near}`?")
+        if knows_all:
+            say(f"warning: no file takes the argument `{name}`")
+
+
+def _xacro(file: Path, library: Library, limit: int, text: bytes | None) -> Document | None:
+    from sdfcheck.files.regular import read_regular
+    from sdfcheck.source.document import read
+
+    try:
+        kind = sniff(read_regular(file, limit) if text is None else text, file)
+    except OSError:
+        return None
+    if kind is not Kind.XACRO:
+        return None
+    if text is None:
+        return library.document(file, kind)
+    document = read(text, file, kind)
+    document.library = library
+    return document

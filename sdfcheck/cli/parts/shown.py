@@ -1,0 +1,88 @@
+"""How much a report for people shows, and which exit code it earns."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import click
+
+from sdfcheck.cli.parts.options import F
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.run import Run
+from sdfcheck.report.summary import View
+
+_SEVERITIES = click.Choice([severity.value for severity in Severity])
+_OPTIONS = (
+    click.option(
+        "--min-severity",
+        type=_SEVERITIES,
+        help="Show what is at least so severe, and count the rest (text formats).  [default: warning]",
+    ),
+    click.option(
+        "--max-diagnostics",
+        type=click.IntRange(0),
+        metavar="N",
+        help="Show at most N findings (text formats).",
+    ),
+    click.option(
+        "--no-fold",
+        is_flag=True,
+        help="Show repeated findings and what is not found one by one (text formats).",
+    ),
+    click.option(
+        "--fail-on",
+        type=_SEVERITIES,
+        help="Exit with 1 if a finding is at least this severe.  [default: warning]",
+    ),
+    click.option(
+        "--fail-on-missing",
+        is_flag=True,
+        help="Exit with 1 also if packages or models are not found on this computer.",
+    ),
+    click.option("--max-warnings", type=click.IntRange(0), metavar="N", help="Tolerate up to N warnings."),
+    click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found."),
+)
+
+
+def shown(command: F) -> F:
+    """The options about how much is shown, and about the exit code."""
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+class Request(Protocol):
+    """What the command line says about it."""
+
+    min_severity: str | None
+    max_diagnostics: int | None
+    no_fold: bool
+    fail_on: str | None
+    fail_on_missing: bool
+    max_warnings: int | None
+    exit_zero: bool
+
+
+def view_of(request: Request, usual: Severity) -> View:
+    """How much is shown; what fails a run is never hidden. ``usual`` is the configured severity that fails one."""
+    if request.min_severity is not None:
+        least = Severity(request.min_severity)
+    else:
+        failing = Severity(request.fail_on) if request.fail_on else usual
+        least = min(Severity.WARNING, failing, key=lambda severity: severity.rank)
+    return View(least, not request.no_fold, request.max_diagnostics)
+
+
+def exit_code(request: Request, done: Run, usual: Severity) -> int:
+    """The exit code that the findings earn."""
+    if request.exit_zero:
+        return 0
+    fail_on = Severity(request.fail_on) if request.fail_on else usual
+    found = [each.severity for each in done.diagnostics if each.missing is None or request.fail_on_missing]
+    if request.max_warnings is not None:
+        if found.count(Severity.WARNING) > request.max_warnings:
+            return 1
+        found = [severity for severity in found if severity is not Severity.WARNING]
+    if request.fail_on_missing and any(each.missing is not None for each in done.diagnostics):
+        return 1
+    return int(any(severity >= fail_on for severity in found))

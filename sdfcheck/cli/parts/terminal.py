@@ -1,0 +1,123 @@
+"""Where output goes, and whether it is colored: all text leaves the program here, and acts on nothing."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TextIO
+
+import click
+
+from sdfcheck.source.visible import harmless, harmless_document, visible
+from sdfcheck.source.wrong_usage import WrongUsage
+
+
+def wants_color(choice: str, stream: TextIO | None, environment: Mapping[str, str] = os.environ) -> bool:
+    """Whether to color what goes to ``stream``; ``choice`` is auto, always or never."""
+    if choice != "auto":
+        return choice == "always"
+    if environment.get("NO_COLOR"):
+        return False
+    if environment.get("FORCE_COLOR"):
+        return True
+    return stream is not None and stream.isatty() and environment.get("TERM") != "dumb"
+
+
+def emit_lines(lines: Iterable[str], *, color: bool = False) -> None:
+    """Write text for people to stdout, each line harmless; with ``color`` colors pass. Raises as ``emit`` does."""
+    _write("".join(f"{harmless(line, color=color)}\n" for line in lines))
+
+
+def emit(text: str) -> None:
+    """Write a document or what programs read to stdout: exactly, unless it is a terminal.
+
+    Raises:
+        WrongUsage: stdout is closed or takes no more.
+    """
+    is_shown = sys.stdout is not None and sys.stdout.isatty()
+    _write(harmless_document(text) if is_shown else text)
+
+
+def _write(text: str) -> None:
+    """Write to stdout, as UTF-8 wherever no person is looking; a consumer that has left is no error.
+
+    Raises:
+        WrongUsage: stdout is closed or takes no more.
+    """
+    if sys.stdout is None:
+        raise WrongUsage("cannot write the output: stdout is closed")
+    try:
+        if sys.stdout.isatty() or not hasattr(sys.stdout, "buffer"):
+            encoding = sys.stdout.encoding or "utf-8"
+            sys.stdout.write(text.encode(encoding, "backslashreplace").decode(encoding))
+        else:
+            sys.stdout.flush()
+            sys.stdout.buffer.write(text.encode("utf-8", "backslashreplace"))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # Python flushes once more at exit, which must not complain either.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        raise WrongUsage(f"cannot write the output: {error.strerror}") from None
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of a text of our own, in which names are visible already."""
+    return text.removesuffix("\n").split("\n") if text else []
+
+
+def say(text: str) -> None:
+    """Write one line to stderr, whatever is in it."""
+    click.echo(harmless(text), err=True)
+
+
+def say_lines(lines: Iterable[str], *, color: bool = False) -> None:
+    """Write text for people to stderr."""
+    click.echo("\n".join(harmless(line, color=color) for line in lines), err=True, color=color)
+
+
+def say_exactly(text: str) -> None:
+    """Write what programs read to stderr."""
+    click.echo(text, err=True, nl=False)
+
+
+class Progress:
+    """One line on a terminal that says which file is being read, once a run takes noticeably long."""
+
+    DELAY = 1.0
+    INTERVAL = 0.1
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._next = time.monotonic() + self.DELAY
+        self._drawn = False
+
+    def __call__(self, done: int, total: int, path: Path) -> None:
+        now = time.monotonic()
+        if now < self._next:
+            return
+        self._next = now + self.INTERVAL
+        self._drawn = True
+        self._stream.write(f"\r\x1b[K[{done}/{total}] {visible(str(path)[-60:])}")
+        self._stream.flush()
+
+    def clear(self) -> None:
+        if self._drawn:
+            self._stream.write("\r\x1b[K")
+            self._stream.flush()
+            self._drawn = False
+
+
+def pair(text: str, sign: str, form: str) -> tuple[str, str]:
+    """The two sides of ``sign`` in an argument.
+
+    Raises:
+        WrongUsage: the text is not of the ``form``.
+    """
+    name, found, value = text.partition(sign)
+    if not found or not name:
+        raise WrongUsage(f"`{text}` is not of the form {form}")
+    return name, value

@@ -1,0 +1,192 @@
+"""What a URDF file says beyond bodies and joints that move, in SDFormat's words.
+
+That is ``<gazebo>`` blocks, materials and custom data.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.entry import Entry, entry_of
+from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
+from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.parts.material import Material
+from sdfcheck.robot.parts.shape import Shape, Visual
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+
+_SURFACE = {
+    "mu1": ("friction", "ode", "mu"), "mu": ("friction", "ode", "mu"), "mu2": ("friction", "ode", "mu2"),
+    "fdir1": ("friction", "ode", "fdir1"), "kp": ("contact", "ode", "kp"), "kd": ("contact", "ode", "kd"),
+    "maxVel": ("contact", "ode", "max_vel"), "minDepth": ("contact", "ode", "min_depth"),
+}  # fmt: skip
+"""Setting → where a surface has it."""
+_COLLISION = {"maxContacts": "max_contacts", "max_contacts": "max_contacts", "laserRetro": "laser_retro"}
+_LINK = {"turnGravityOff": ("gravity", True), "selfCollide": ("self_collide", False)}
+_JOINT = {
+    "stopCfm": ("physics", "ode", "limit", "cfm"), "stopErp": ("physics", "ode", "limit", "erp"),
+    "fudgeFactor": ("physics", "ode", "fudge_factor"), "provideFeedback": ("physics", "provide_feedback"),
+    "implicitSpringDamper": ("physics", "ode", "implicit_spring_damper"),
+    "cfmDamping": ("physics", "ode", "implicit_spring_damper"),
+    "springReference": ("axis", "dynamics", "spring_reference"),
+    "springStiffness": ("axis", "dynamics", "spring_stiffness"),
+}  # fmt: skip
+_KEPT = ("transmission", "ros2_control")
+"""What SDFormat has under a prefix only."""
+_HINTS = frozenset({"preserveFixedJoint", "disableFixedJointLumping", "material"})
+_OF_MODELS = frozenset({"pose", "static", "frame", "joint", "link", "model", "include"})
+_MOTION = frozenset({"axis", "pose", "parent", "child"})
+_TRUE = frozenset({"true", "yes", "1"})
+
+
+def of_urdf(model: Model) -> Contents:
+    """The contents of a robot."""
+    found = Contents(model.name)
+    sdf = schema(NEWEST).root.children["model"]
+    robot = found.add("model", "", Entry("model", "", model.element, sdf))
+    _add_customs(robot, model.element.children(), ("drake:joint",))
+    for element in (element for name in _KEPT for element in model.element.children(name)):
+        kept = robot.add(custom_entry(element, Kind.URDF))
+        for actuator in (child for child in kept.children if child.name == "actuator"):
+            # What vendors say of it is the joint's.
+            actuator.children = [child for child in actuator.children if ":" not in child.name]
+    for link in model.links:
+        _link(found, link, sdf.children["link"])
+    for joint in model.joints:
+        _joint(found, joint, sdf.children["joint"])
+    for block in model.blocks_by_reference.get("", ()):
+        for entry in block.element.children():
+            if entry.name not in _OF_MODELS and entry.name not in _SURFACE:
+                _add(robot, entry)
+    _drive(found, model)
+    return found
+
+
+def _link(found: Contents, link: Link, definition: Definition) -> None:
+    made = found.add("link", link.name, Entry("link", "", link.element, definition))
+    _add_customs(made, link.element.children())
+    shapes = [(shape, _shape(shape, definition)) for shape in link.shapes]
+    for shape, entry in shapes:
+        found.shapes[shape.element] = entry
+    for element in (element for block in link.gazebo_blocks for element in block.element.children()):
+        name = element.name
+        role = "collision" if name in _SURFACE or name in _COLLISION else name
+        if role in {"visual", "collision"}:
+            for entry in (entry for shape, entry in shapes if shape.kind == role):
+                _of_shape(entry, element, definition.children.get(role))
+        elif name in _LINK:
+            own, negated = _LINK[name]
+            made.reach((own,), element).text = str((_value(element).lower() in _TRUE) is not negated).lower()
+        elif name == "dampingFactor":
+            for kind in ("linear", "angular"):
+                made.reach(("velocity_decay", kind), element).text = _value(element)
+        elif name not in _HINTS and name not in _JOINT:
+            _add(made, element)
+
+
+def _of_shape(made: Entry, element: Element, definition: Definition | None) -> None:
+    """What a block says of all visuals or collisions of a link."""
+    name = element.name
+    if name == made.name:
+        _lay_over(made, entry_of(element, definition))
+    else:
+        path = ("surface", *_SURFACE[name]) if name in _SURFACE else (_COLLISION[name],)
+        made.reach(path, element).text = _value(element)
+
+
+def _shape(shape: Shape, definition: Definition) -> Entry:
+    made = Entry(shape.kind, "", shape.element, definition.children.get(shape.kind))
+    _add_customs(made, shape.element.children())
+    geometry = shape.geometry.shape_element
+    _add_customs(made, () if geometry is None else geometry.children())
+    if isinstance(shape, Visual) and shape.own_material.is_given:
+        _material(made, shape.material)
+    return made
+
+
+def _material(shape: Entry, material: Material) -> None:
+    color, texture = material.element.find("color"), material.element.find("texture")
+    if color is not None and (rgba := color.attributes.get("rgba", "").split()):
+        # URDF has one color, in whatever light.
+        shape.reach(("material", "diffuse"), color).text = " ".join(rgba)
+    if texture is not None and (file := texture.attributes.get("filename", "").strip()):
+        shape.reach(("material", "pbr", "metal", "albedo_map"), texture).text = file
+
+
+def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
+    made = found.add("joint", joint.name, Entry("joint", "", joint.element, definition))
+    _add_customs(made, joint.element.children())
+    for name in ("axis", "limit", "dynamics"):
+        inner = joint.find(name)
+        if inner is not None:
+            _add_customs(made, inner.children())
+            made.children += attribute_entries(inner)
+    for element in (element for block in joint.gazebo_blocks for element in block.element.children()):
+        if element.name in _JOINT:
+            text = _value(element)
+            is_flag = element.name in {"provideFeedback", "implicitSpringDamper", "cfmDamping"}
+            made.reach(_JOINT[element.name], element).text = (
+                str(text.lower() in _TRUE).lower() if is_flag else text
+            )
+        elif element.name not in _HINTS and element.name not in _MOTION and not _is_of_link(joint, element):
+            _add(made, element)
+
+
+def _is_of_link(joint: Joint, element: Element) -> bool:
+    """Where a link has the joint's name: is a setting the link's?"""
+    model = joint.model
+    return (
+        model is not None
+        and any(link.name == joint.name for link in model.links)
+        and element.name != "physics"
+    )
+
+
+def _drive(found: Contents, model: Model) -> None:
+    """What vendors say of the actuator of a joint."""
+    for transmission in model.transmissions:
+        kind, names = transmission.type_value, transmission.joint_names
+        if kind is None or "SimpleTransmission" not in kind.text or not names or not transmission.actuators:
+            continue
+        joint = found.parts.get(("joint", names[0].text))
+        if joint is not None:
+            _add_customs(joint, transmission.actuators[0].children())
+
+
+def _add(made: Entry, element: Element) -> None:
+    """A setting that a block has as SDFormat has it."""
+    definition = made.definition.children.get(element.name) if made.definition is not None else None
+    entry = custom_entry(element, Kind.SDF) if element.is_custom else entry_of(element, definition)
+    there = made.find(element.name) if definition is not None and definition.single else None
+    if there is not None:
+        _lay_over(there, entry)
+    else:
+        made.add(entry)
+
+
+def _lay_over(entry: Entry, other: Entry) -> None:
+    """What one setting says goes before what the other said."""
+    entry.attributes.update(other.attributes)
+    entry.text = other.text or entry.text
+    for child in other.children:
+        there = entry.find(child.name) if child.name not in {"plugin", "sensor"} else None
+        if there is None:
+            entry.add(child)
+        else:
+            _lay_over(there, child)
+
+
+def _add_customs(made: Entry, elements: Iterable[Element], without: tuple[str, ...] = ()) -> None:
+    for name, text in made.element.attributes.items() if made.element is not None else ():
+        if ":" in name and tag_of(name, Kind.URDF) is None:
+            made.attributes.setdefault(name, text)
+    made.children += custom_entries((e for e in elements if e.name not in without), Kind.URDF)
+
+
+def _value(element: Element) -> str:
+    return " ".join((element.content or element.attributes.get("value", "")).split())

@@ -1,0 +1,132 @@
+"""Tags of vendors as trees in which it does not show which dialect wrote them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from sdfcheck.convert.contents.entry import Entry
+from sdfcheck.formats.vendor.carriers import value_at
+from sdfcheck.formats.vendor.definitions import Slot, Tag, Vendor
+from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.values import as_read
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+
+_KEPT = "urdf:"
+"""Before the names of elements that a conversion kept from URDF."""
+
+
+def custom_entries(elements: Iterable[Element], kind: Kind) -> Iterator[Entry]:
+    """The custom ones among some elements; tags of a table only where they are read."""
+    for element in elements:
+        if element.is_custom and _is_read(element, kind):
+            yield custom_entry(element, kind)
+
+
+def custom_entry(element: Element, kind: Kind) -> Entry:
+    """A custom element; one that a table is about by the values that are read alone."""
+    tag = tag_of(element.name, kind)
+    if tag is not None:
+        return _tag_entry(element, tag, kind)
+    made = Entry(element.name.removeprefix(_KEPT), " ".join(element.content.split()), element)
+    for name, text in element.attributes.items():
+        if name.removeprefix(_KEPT) == "name":
+            made.own = text
+        else:
+            made.attributes[name.removeprefix(_KEPT)] = text
+    made.children += [custom_entry(child, kind) for child in element.children()]
+    return made
+
+
+def _tag_entry(element: Element, tag: Tag, kind: Kind) -> Entry:
+    made = Entry(element.name, "", element)
+    place = next((place for place in tag.places if place.slot is not None), None)
+    value = value_at(element, place.carrier) if place is not None else None
+    if place is not None and place.slot is not None and value is not None:
+        made.text = _read(place.slot, value.text)
+    for name, slot in tag.attributes.items():
+        if (given := element.attribute(name)) is None:
+            continue
+        if name == "name":
+            made.own = given.text
+        else:
+            made.add(Entry(name, _read(slot, given.text), element))
+    for child in element.children():
+        if child.name in tag.parts:
+            made.add(Entry(child.name, _read(tag.parts[child.name], child.content), child))
+    for inner in custom_entries(element.children(), kind):
+        inner.name = _local(inner.name)
+        made.add(inner)
+    return made
+
+
+def _read(slot: Slot, text: str) -> str:
+    """A value as it is read, by the lenient of the dialects."""
+    words = " ".join(text.split())
+    if slot.type in {"bool", "truth"}:
+        return str(words.lower() in {"true", "1"}).lower()
+    return as_read(slot, words)
+
+
+def _is_read(element: Element, kind: Kind) -> bool:
+    """Does its consumer look for it where it is? What no table is about is anybody's."""
+    if not element.name.startswith(tuple(f"{prefix_of(table)}:" for table in BUILT_IN)):
+        return True
+    tag, parent = tag_of(element.name, kind), element.parent
+    if tag is None or parent is None:
+        return False
+    if any(above.tag == "gazebo" for above in element.iterancestors()):
+        return True  # it is kept there for SDFormat
+    return any(place.encloses(parent) and place.holds(parent) for place in tag.places)
+
+
+def attribute_entry(element: Element, name: str, text: str) -> Entry | None:
+    """A tag that is an attribute; None if it is none that a table knows."""
+    tag = tag_of(name, Kind.URDF)
+    slot = (
+        next((place.slot for place in tag.places if place.slot is not None), None)
+        if tag is not None
+        else None
+    )
+    return None if slot is None else Entry(name, _read(slot, text), element)
+
+
+def attribute_entries(element: Element) -> Iterator[Entry]:
+    """The attributes of an element that are custom, each as an entry of its own."""
+    for name, text in element.attributes.items():
+        if ":" not in name or name.startswith("xmlns:"):
+            continue
+        if name.startswith(tuple(f"{prefix_of(table)}:" for table in BUILT_IN)):
+            entry = attribute_entry(element, name, text)
+        else:
+            entry = Entry(name.removeprefix(_KEPT), text, element)
+        if entry is not None:
+            yield entry
+
+
+def tag_of(name: str, kind: Kind) -> Tag | None:
+    """What a table says of a name; None if none is about it."""
+    for table in BUILT_IN:
+        if name.startswith(f"{prefix_of(table)}:"):
+            return _vendor(kind, table.name).tags.get(name)
+    return None
+
+
+def seen_from_links() -> frozenset[str]:
+    """The tags, without prefix, whose numbers change when the frame of a link does."""
+    tables = (_vendor(Kind.SDF, table.name) for table in BUILT_IN)
+    tags = (tag for table in tables for tag in table.tags.values())
+    return frozenset(
+        _local(tag.name) for tag in tags if tag.keys.text("point-in") or tag.keys.text("direction-in")
+    )
+
+
+def _vendor(kind: Kind, name: str) -> Vendor:
+    path = next(table for table in BUILT_IN if table.name == name)
+    return vendor(path, "urdf" if kind is Kind.URDF else "sdf")
+
+
+def _local(name: str) -> str:
+    """The name without the vendor's prefix: what is a tag in one dialect is an attribute in the other."""
+    return name.rpartition(":")[2]

@@ -1,0 +1,96 @@
+"""Proof that settings have arrived: each that the source has is in the result, or is reported as a loss."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePosixPath
+
+from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.entry import Divergence, Entry, divergences, same_text
+from sdfcheck.convert.contents.vendor import seen_from_links
+from sdfcheck.convert.loss import Loss, LossKind
+from sdfcheck.robot.motion.mechanism import Geometry
+from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
+
+_NO_EXCUSE = frozenset({LossKind.KEPT_AS_EXTENSION})
+"""What is said to be there has to be there."""
+_NOT_COMPARED = ("/pose", "material/ambient", "material/script", "material/pbr")
+"""Where the formats differ: what a merged link carries moves, and URDF has one color and one texture."""
+
+
+class Counterparts(NamedTuple):
+    """A shape of a link of the source, and the shapes of the result that are as large and in the same place."""
+
+    link: str
+    shape: Geometry
+    equal: Sequence[Geometry]
+
+
+class Settings(NamedTuple):
+    """The settings of source and result, and what was reported."""
+
+    source: Contents
+    result: Contents
+    losses: Sequence[Loss]
+
+    def unequal(
+        self, links: Mapping[str, str], joints: Mapping[str, str], shapes: Iterable[Counterparts]
+    ) -> Iterator[tuple[str, Divergence]]:
+        """The parts of the source, and what differs; ``links`` and ``joints`` are those compared, and their names."""
+        excused = _Excuses(self.losses)
+
+        def apart(a: Entry, b: Entry, path: str = "") -> list[Divergence]:
+            found = divergences(a, b, same, path, deep=True)
+            return [one for one in found if one.before != "none" and not excused.excuse(one, a)]
+
+        def same(a: str, b: str) -> bool:
+            known = same_text(a, b) or b in {links.get(a), joints.get(a), a.replace("::", "__")}
+            return known or (("/" in a or "/" in b) and PurePosixPath(a).name == PurePosixPath(b).name)
+
+        named = [("link", name, other) for name, other in links.items()]
+        named += [("joint", name, other) for name, other in joints.items()]
+        for kind, name, other in (*named, ("model", "", "")):
+            for one in apart(self.source.of(kind, name), self.result.of(kind, other)):
+                yield name or self.source.name, one
+        for link, shape, equal in shapes:
+            mine = self.source.shapes.get(shape.element)
+            theirs = [
+                found for other in equal if (found := self.result.shapes.get(other.element)) is not None
+            ]
+            if mine is not None and theirs:
+                # Of several shapes in one place any may be the one.
+                best = min((apart(mine, other, shape.role) for other in theirs), key=len)
+                yield from ((link, one) for one in best)
+
+
+class _Excuses:
+    """The places of what was reported."""
+
+    def __init__(self, losses: Sequence[Loss]) -> None:
+        self.seen_from_links = seen_from_links()
+        self.spans = {
+            (loss.span.source.path, loss.span.start) for loss in losses if loss.kind not in _NO_EXCUSE
+        }
+
+    def excuse(self, one: Divergence, part: Entry) -> bool:
+        if any(path in one.path for path in _NOT_COMPARED) or _last(one.path) in self.seen_from_links:
+            return True
+        at = one.element
+        while at is not None and at is not part.element:
+            if self.knows(at):
+                return True
+            at = at.parent
+        return one.element is part.element and part.element is not None and self.knows(part.element)
+
+    def knows(self, element: Element) -> bool:
+        """Is something reported about an element, its attributes or its text?"""
+        spans = [element.span, element.own_value.span]
+        spans += [
+            value.name_span for name in element.attributes if (value := element.attribute(name)) is not None
+        ]
+        return any((span.source.path, span.start) in self.spans for span in spans)
+
+
+def _last(path: str) -> str:
+    return path.rpartition("/")[2].rpartition(":")[2]

@@ -1,0 +1,52 @@
+"""The items of a source, as messages call them, and whether the format has them where they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+
+_SHOWN = 30
+
+
+def belongs(element: Element) -> bool:
+    """Does the format have an element of that name at that place?"""
+    if element.document.kind is Kind.URDF:
+        from sdfcheck.formats.urdf.misspellings import definition as urdf_definition
+
+        return urdf_definition(element) is not None
+    from sdfcheck.formats.sdf.schema import Definition, schema
+    from sdfcheck.formats.sdf.version import NEWEST
+
+    names: list[str] = []
+    at: Element | None = element
+    while at is not None:
+        names.append(at.name)
+        at = at.parent
+    definition: Definition | None = schema(NEWEST).root
+    for name in reversed(names[:-1]):
+        definition = definition.children.get(name) if definition is not None else None
+    return definition is not None
+
+
+def texts(element: Element) -> Iterator[str]:
+    """The texts right in an element that are not blank."""
+    found = (element.text, *(node.tail for node in element))
+    return (text for text in found if text and not text.isspace())
+
+
+def shortened(text: str) -> str:
+    """The beginning of a text, on one line."""
+    words = " ".join(text.split())
+    return words if len(words) <= _SHOWN else f"{words[:_SHOWN]}…"
+
+
+def shown(element: Element) -> str:
+    """What to call an element, with its value if that is short, and what it is in."""
+    text = element.content
+    value = ""
+    if text and len(text) <= _SHOWN and next(element.children(), None) is None:
+        value = f" ({text})"
+    where = f" in {element.parent.title}" if element.parent is not None else ""
+    return f"{element.title}{value}{where}"

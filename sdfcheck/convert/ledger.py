@@ -1,0 +1,278 @@
+"""The books of a conversion: each item of the source, and what became of it.
+
+Items are elements, attributes, texts and comments. A writer enters what it carries, translates
+or merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so
+that nothing disappears in silence. What a writer should have entered is a bug of the converter,
+and says so (CNV030). ``prove`` looks into the result for what is said to be carried as it is.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from lxml import etree
+
+from sdfcheck.convert.items import belongs, shortened, shown, texts
+from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.element import Element
+from sdfcheck.source.text import Span
+
+TEXT = "#text"
+"""Among the attributes of an element: its text is its value."""
+EVERYTHING = "#everything"
+"""Among the attributes: all texts and comments right in the element, and if it is alone, all attributes."""
+Words = Mapping[str, frozenset[str]]
+"""The elements that a converter has words for, and the attributes in which they say something."""
+_KINDS = {
+    "fluid_added_mass": LossKind.CHANGED_INERTIA,
+    "frame": LossKind.DROPPED_FRAME,
+    "material": LossKind.CHANGED_MATERIAL,
+    "mimic": LossKind.DROPPED_MIMIC,
+    "plugin": LossKind.DROPPED_PLUGIN,
+    "sensor": LossKind.DROPPED_SENSOR,
+}
+
+
+class Ledger:
+    """What became of the items of a source; ``target`` is the format that it is written in.
+
+    Without ``words`` the converter is to have an outcome for each element that is not custom.
+    """
+
+    def __init__(self, words: Words | None, target: str) -> None:
+        self.losses: list[Loss] = []
+        self._words = words
+        self._target = target
+        self._taken: dict[etree._Element, frozenset[str]] = {}
+        """Elements and comments, with the attributes that are entered."""
+        self._whole: set[etree._Element] = set()
+        self._lost: set[etree._Element] = set()
+        self._copied: set[etree._Element] = set()
+        self._copies: list[tuple[Element, str]] = []
+        """Custom elements and attributes that are said to be in the result."""
+        self._reported: set[tuple[LossKind, Span, str]] = set()
+
+    # What is in the result
+
+    def take(self, element: Element | None, *attributes: str) -> None:
+        """An element is said in the result, by its value and these attributes; without any, by all that mean something.
+
+        What is in it is entered apart. ``TEXT`` among the attributes is a value that is not in the words.
+        """
+        if element is not None:
+            names = frozenset(attributes) if attributes else self._known(element)
+            before = self._taken.get(element)
+            self._taken[element] = names if before is None else before | names
+
+    def _known(self, element: Element) -> frozenset[str]:
+        """What of an element means something: attributes, and maybe its text."""
+        if self._words is not None:
+            return self._words.get(element.name, frozenset())
+        return frozenset((TEXT, *(name for name in element.attributes if ":" not in name)))
+
+    def take_parts(self, element: Element | None, *names: str) -> None:
+        """An element, and its children of these names."""
+        if element is not None:
+            self.take(element)
+            for child in element.children():
+                if child.name in names:
+                    self.take_all(child)
+
+    def take_all(self, element: Element) -> None:
+        """An element and all of the format in it are said in the result; custom data is entered apart."""
+        self.take(element)
+        for child in element.children():
+            if not child.is_custom:
+                self.take_all(child)
+
+    def take_whole(self, element: Element) -> None:
+        """An element is in the result, as it is or translated, with everything in it."""
+        self._whole.add(element)
+
+    def take_comment(self, comment: etree._Element) -> bool:
+        """A comment is in the result; False if it was before."""
+        is_new = comment not in self._taken and not self._is_within(comment, self._whole)
+        self._taken[comment] = frozenset()
+        return is_new
+
+    def copy(self, element: Element) -> None:
+        """An element with all that is in it is in the result; what is custom there under its own name."""
+        if element in self._copied:
+            return
+        self.take_whole(element)
+        self._copied.add(element)
+        for part in element.iter(etree.Element):
+            assert isinstance(part, Element)
+            self._copies += [(part, name) for name in (part.name, *part.attributes) if ":" in name]
+
+    def copy_attribute(self, element: Element, name: str) -> None:
+        """A custom attribute is in the result under its own name."""
+        self._enter(element, name)
+        self._copies.append((element, name))
+
+    def is_free(self, element: Element) -> bool:
+        """Has nobody but copies made anything of an element?"""
+        return element in self._copied or not self.is_entered(element)
+
+    def _enter(self, element: Element, attribute: str) -> None:
+        self._taken[element] = self._taken.get(element, frozenset()) | {attribute}
+
+    # What is not
+
+    def lose(
+        self, kind: LossKind, element: Element, message: str, severity: Severity = Severity.WARNING
+    ) -> None:
+        """An element, with what is in it, is not in the result."""
+        self._lost.add(element)
+        self.note(kind, element, message, severity)
+
+    def drop(self, element: Element) -> None:
+        """An element is not in the result, as a loss at another place says."""
+        self._lost.add(element)
+
+    def lose_attribute(
+        self,
+        element: Element,
+        name: str,
+        message: str,
+        kind: LossKind = LossKind.DROPPED_ELEMENT,
+        severity: Severity = Severity.WARNING,
+    ) -> None:
+        """An attribute is not in the result."""
+        self._enter(element, name)
+        loss = loss_at(element, kind, message, severity)
+        value = element.attribute(name)
+        self._report(loss if value is None else loss.at(value.name_span))
+
+    def note(
+        self, kind: LossKind, element: Element, message: str, severity: Severity = Severity.WARNING
+    ) -> None:
+        """Something about an element is not in the result as it was; what is in the element is entered apart."""
+        if element not in self._taken:
+            self.take(element)
+        self._report(loss_at(element, kind, message, severity))
+
+    def _report(self, loss: Loss) -> None:
+        key = (loss.kind, loss.span, loss.message)
+        if key not in self._reported:  # an included model may come several times
+            self._reported.add(key)
+            self.losses.append(loss)
+
+    # The balance
+
+    def is_entered(self, element: Element) -> bool:
+        """Is there an outcome for an element?"""
+        return element in self._taken or self._is_within(element, self._whole | self._lost)
+
+    def _is_within(self, node: etree._Element, covered: set[etree._Element]) -> bool:
+        at: etree._Element | None = node
+        while at is not None:
+            if at in covered:
+                return True
+            at = at.getparent()
+        return False
+
+    def close(self, root: Element) -> None:
+        """Report what is below a root (itself included) and has no outcome."""
+        waiting = [root]
+        while waiting:
+            element = waiting.pop()
+            if element in self._whole:
+                continue
+            if element not in self._taken and element not in self._lost:
+                self._leave(element)
+            if element in self._lost:
+                self._report_custom(element)
+                continue
+            self._close_attributes(element)
+            self._close_texts(element)
+            waiting.extend(reversed(list(element.children())))
+
+    def prove(self, result: Element) -> None:
+        """Report what is said to be carried and is not in the result, whose root this is."""
+        if not self._copies:
+            return
+        found: Counter[str] = Counter()
+        for element in result.iter(etree.Element):
+            assert isinstance(element, Element)
+            found.update(name for name in (element.name, *element.attributes) if ":" in name)
+        for element, name in self._copies:
+            found[name] -= 1
+            if found[name] < 0:
+                self.forget(element, f"`{name}` of {element.title} is not in the result")
+
+    def _leave(self, element: Element) -> None:
+        """Nobody entered an element: the target has no word for it, or a writer forgot it."""
+        if element.is_custom:
+            text = f"{shown(element)} is left out: it has no place in {self._target}"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
+        elif self._words is not None and element.name not in self._words:
+            kind = _KINDS.get(element.name, LossKind.DROPPED_ELEMENT)
+            self.lose(kind, element, f"{self._target} has no {shown(element)}")
+        elif any(True for _ in element.itersiblings(element.tag, preceding=True)):
+            text = f"{shown(element)} is left out: there is another one before it"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
+        elif not belongs(element):
+            text = f"{shown(element)} is left out: it means nothing there"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
+        else:
+            self._lost.add(element)
+            self.forget(element, shown(element))
+
+    def forget(self, element: Element, item: str) -> None:
+        """An item should have been entered, and was not."""
+        self._report(loss_at(element, LossKind.UNACCOUNTED, f"{item} is not accounted for"))
+
+    def _report_custom(self, lost: Element) -> None:
+        """Name the custom data in what is lost; what is of its own prefix goes with it."""
+        waiting, own = [lost], f"{lost.name.partition(':')[0]}:" if lost.is_custom else ":"
+        while waiting:
+            element = waiting.pop()
+            if element in self._whole:
+                continue
+            if element.is_custom and not element.name.startswith(own):
+                self._report(_left_out(element, f"`{element.name}` is left out with {lost.title}"))
+                continue
+            for name in element.attributes:
+                is_new = name not in self._taken.get(element, ())
+                if ":" in name and not name.startswith(own) and is_new:
+                    self.lose_attribute(element, name, f"`{name}` is left out with {lost.title}")
+            waiting.extend(element.children())
+
+    def _close_attributes(self, element: Element) -> None:
+        entered, known = self._taken[element], self._known(element)
+        if entered == {EVERYTHING}:
+            return
+        for name in element.attributes:
+            if name in entered:
+                continue
+            item = f"attribute `{name}` of {element.title}"
+            if name in known and ":" not in name:
+                self.forget(element, item)
+            else:
+                text = f"{item} is left out: it has no place in {self._target}"
+                self.lose_attribute(element, name, text)
+
+    def _close_texts(self, element: Element) -> None:
+        """Words between elements, and comments."""
+        entered = self._taken[element]
+        if EVERYTHING in entered:
+            return
+        has_value = TEXT in entered or TEXT in self._known(element)
+        for text in texts(element):
+            if has_value:
+                has_value = False
+                continue
+            message = f"the text `{shortened(text)}` in {element.title} is left out: it has no place in {self._target}"
+            self._report(loss_at(element, LossKind.DROPPED_ELEMENT, message))
+        for node in element:
+            if not isinstance(node.tag, str) and node not in self._taken:
+                what = "a comment" if isinstance(node, etree._Comment) else "an instruction"
+                message = f"{what} in {element.title} is left out: `{shortened(node.text or '')}`"
+                self._report(loss_at(element, LossKind.DROPPED_COMMENT, message, Severity.INFO))
+
+
+def _left_out(element: Element, message: str) -> Loss:
+    return loss_at(element, LossKind.DROPPED_ELEMENT, message)

@@ -1,0 +1,89 @@
+"""Is a result as sound as its source? Errors that the source does not have."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+
+from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+
+ELSEWHERE = frozenset({"RES"})
+"""Families whose errors are about other files, which a conversion can do without."""
+_KEPT = frozenset({"INR", "RES"})
+"""Families whose warnings are about what a conversion does not touch."""
+
+
+def new_errors(
+    source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
+) -> list[Loss]:
+    """The errors of a result that its source does not have.
+
+    Each is placed at the element of the source that has the name of what it is in.
+    """
+    found = [one for one in after if one.severity is Severity.ERROR and one.code[:3] not in ELSEWHERE]
+    if not found:
+        return []
+    had = Counter(one.code for one in before if not _is_for_the_result(source, one))
+    now = Counter(one.code for one in found)
+    losses = {
+        loss_at(_counterpart(source, result, one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
+        for one in found
+        if now[one.code] > had[one.code]
+    }
+    return sorted(losses, key=lambda loss: (loss.span.start, loss.message))
+
+
+def _is_for_the_result(source: Document, error: Diagnostic) -> bool:
+    """Is it in a ``<gazebo>`` block, which no parser of the source's own format reads?"""
+    root, spans = source.root, source.spans
+    if root is None or error.span.source.path != source.source.path:
+        return False
+    blocks = (spans.place(block) for block in root.children("gazebo"))
+    return any(block.start <= error.span.start < block.close_end for block in blocks)
+
+
+def means_another_robot(found: Diagnostic) -> bool:
+    """Is it a warning about something that Gazebo, who reads results, takes otherwise than it is written?"""
+    if found.severity is not Severity.WARNING or found.code[:3] in _KEPT:
+        return False
+    reaction = dict(found.affects).get(Consumer.GAZEBO.value)
+    return reaction is not None and reaction.verdict is Verdict.WARN and "ignores" not in reaction.words
+
+
+def _text(error: Diagnostic) -> str:
+    line = error.span.begin.line
+    return f"the result would have an error in line {line} ({error.code}): {error.message}"
+
+
+def _counterpart(source: Document, result: Document, error: Diagnostic) -> Element:
+    """The element of the source that has the name of the nearest element around an error, or its root."""
+    assert source.root is not None
+    around = None if result.root is None else _named_around(result.root, error.span.start)
+    for name, kind in reversed(around or []):
+        same = [
+            e for e in source.root.iter("{*}*") if isinstance(e, Element) and e.attributes.get("name") == name
+        ]
+        exact = [element for element in same if element.name == kind]
+        if exact or same:
+            return (exact or same)[0]
+    return source.root
+
+
+def _named_around(root: Element, place: int) -> list[tuple[str, str]]:
+    """Name and kind of the elements around a place, from the outside in."""
+    spans, found = root.document.spans, []
+    at: Element | None = root
+    while at is not None:
+        if name := at.attributes.get("name", "").strip():
+            found.append((name, at.name))
+        inside = (
+            child
+            for child in at.children()
+            if spans.place(child).start <= place < spans.place(child).close_end
+        )
+        at = next(inside, None)
+    return found

@@ -1,0 +1,159 @@
+"""Vendors' own elements and attributes, in the words and at the places that SDFormat has for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.convert.urdf_to_sdf.plan import Plan
+from sdfcheck.convert.vendor.spelling import Spelling, moved, spellings
+from sdfcheck.convert.writer import Node
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.parts.actuation import Transmission
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+
+_SIMPLE = "SimpleTransmission"
+"""The only kind of transmission that Drake looks into."""
+
+
+class VendorTags:
+    """Writes the tags that a table is about; what no table knows is left to others."""
+
+    def __init__(self, plan: Plan, options: Options, lose: Callable[..., None]) -> None:
+        self.plan = plan
+        self.options = options
+        self.lose = lose
+        self.spellings = spellings(Kind.URDF, Kind.SDF, self)
+        self.named: dict[tuple[str, str], str] = {}
+        """Kind and name of a frame or tag → its name in the model, where all names differ."""
+        self.moved: list[str] = []
+        """What was said of names while the last tag was written."""
+        for child in plan.root.children():
+            own = child.attributes.get("name", "")
+            is_named = child.name == "frame" or (child.name != "drake:joint" and self.of(child) is not None)
+            if own and is_named:
+                self.named[child.name, own] = plan.names.free(own)
+
+    def of(self, element: Element) -> Spelling | None:
+        """How to write an element; None if it is no vendor's tag that SDFormat can say."""
+        made = self.spellings.get(element.name.partition(":")[0])
+        return made if made is not None and made.knows(element.name) else None
+
+    def put(self, element: Element, node: Node) -> bool:
+        """Write a tag into the counterpart of what it is in; False if it is none that a table knows."""
+        made = self.spellings.get(element.name.partition(":")[0])
+        if made is None:
+            return False
+        if made.must_drop(element):
+            self._drop(element, made)
+            return True
+        if not made.knows(element.name):
+            return False
+        self.moved.clear()
+        written = made.element(element)
+        for child in made.dropped:
+            self._drop(child, made)
+        made.dropped.clear()
+        if (own := self.named.get((element.name, written.attributes.get("name", "")))) is not None:
+            self._rename(element, written, own)
+        node.append(written)
+        for text in dict.fromkeys(self.moved):
+            self.lose(element, LossKind.RENAMED, f"{text} in {element.title}", Severity.INFO)
+        return True
+
+    def _drop(self, element: Element, made: Spelling) -> None:
+        text = (
+            f"{element.title} is left out: {made.source.name} ignores it here, "
+            "and in SDFormat would read it or refuse the file"
+        )
+        self.lose(element, LossKind.DROPPED_ELEMENT, text)
+
+    def _rename(self, element: Element, written: Node, own: str) -> None:
+        if written.attributes["name"] != own:
+            self.lose(element, LossKind.RENAMED, f"{element.title} is named `{own}`")
+            written.attributes["name"] = own
+
+    def name(self, text: str, kinds: tuple[str, ...]) -> str:
+        """The new name of a link, joint, frame or tag; a link that was merged is what it was merged into."""
+        new = self._new_name(text, kinds)
+        if new != text:
+            self.moved.append(f"`{text}` is now `{new}`")
+        return new
+
+    def vector(self, link: str, text: str, *, is_point: bool) -> str:
+        """A point or direction of a link, in the frame of the link that it was merged into."""
+        home = self.plan.home.get(link)
+        return text if home is None else moved(text, home[1], is_point=is_point)
+
+    def _new_name(self, name: str, kinds: tuple[str, ...]) -> str:
+        plan = self.plan
+        for kind in kinds:
+            if (kind, name) in self.named:
+                return self.named[kind, name]
+            if kind == "joint" and name in plan.names.joints:
+                return plan.names.joints[name]
+            if kind == "link" and name in plan.home:
+                has_frame = "frame" in kinds and self.options.has_frames
+                return plan.names.links[name if has_frame else plan.home[name][0]]
+        return name
+
+    def knows(self, attribute: str) -> bool:
+        """Is it an attribute that SDFormat has as an element?"""
+        made = self.spellings.get(attribute.partition(":")[0])
+        return made is not None and made.knows(attribute)
+
+    def attributes(self, element: Element | None, node: Node) -> Iterator[str]:
+        """What vendors say in attributes of an element, as elements of its counterpart; the names of those."""
+        for name, text in () if element is None else element.attributes.items():
+            if self.knows(name):
+                node.add(name, " ".join(text.split()))
+                yield name
+
+    # Actuators
+
+    def drive(self, transmission: Transmission, joints: Mapping[str, Node]) -> set[Element]:
+        """Put what vendors say of an actuator into the written joint that it drives; returns what was put there."""
+        kind = transmission.type_value
+        names, actuators = transmission.joint_names, transmission.actuators
+        if kind is None or _SIMPLE not in kind.text or not names or not actuators:
+            return set()
+        joint = joints.get(names[0].text)
+        if joint is None or joint.attributes.get("type") == "fixed":
+            return set()
+        done = set()
+        for child in actuators[0].children():
+            if joint.find(child.name) is None and self.put(child, joint):
+                done.add(child)
+        return done
+
+    # Frames
+
+    def frame(self, element: Element) -> Node | None:
+        """Drake's ``frame`` of a robot; None where SDFormat cannot have it."""
+        plan = self.plan
+        link, own = element.attributes.get("link", ""), element.attributes.get("name", "")
+        if not self.options.has_frames or link not in plan.home or plan.is_world(link) or not own:
+            return None
+        node = Node("frame", None, name=self.named["frame", own], attached_to=plan.names.links[link])
+        if node.attributes["name"] != own:
+            text = f"{element.title} is named `{node.attributes['name']}`"
+            self.lose(element, LossKind.RENAMED, text)
+        texts = (" ".join(element.attributes.get(name, "").split()) or "0 0 0" for name in ("xyz", "rpy"))
+        node.add("pose", " ".join(texts))
+        return node
+
+
+def without(node: Node, source: Element, gone: set[Element]) -> None:
+    """Take the copies of some elements out of the copy of ``source``."""
+    for copy, child in _pairs(node, source):
+        if child in gone:
+            node.children.remove(copy)
+        else:
+            without(copy, child, gone)
+
+
+def _pairs(node: Node, source: Element) -> Iterator[tuple[Node, Element]]:
+    copies = [child for child in node.children if isinstance(child, Node)]
+    yield from zip(copies, list(source.children()), strict=True)

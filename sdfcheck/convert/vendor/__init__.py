@@ -1,0 +1,1 @@
+"""Vendors' own elements, as the other dialect writes them."""

@@ -1,0 +1,38 @@
+"""What came of comparing two robots."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """One thing in which source and result are not equal."""
+
+    what: str
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """What was compared, and the largest differences that were met (m, rad, relative for the mass)."""
+
+    links: int
+    configurations: int
+    position: float
+    angle: float
+    inertia: float
+    differences: tuple[Difference, ...]
+    counts: Mapping[str, int] = field(default_factory=dict)
+    """What else was compared: joints, shapes, sensors, plugins and so on."""
+
+    @property
+    def is_equal(self) -> bool:
+        return not self.differences
+
+    def __str__(self) -> str:
+        counts = {"link": self.links, **self.counts, "configuration": self.configurations}
+        said = [f"{n} {word}{'s' * (n != 1)}" for word, n in counts.items() if n or word == "link"]
+        return f"{', '.join(said)}, max pose error {max(self.position, self.angle):.0e} m"

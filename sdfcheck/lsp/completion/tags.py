@@ -1,0 +1,179 @@
+"""Which elements and attributes can be written at a place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from sdfcheck.formats.describe.spot import Spot, spot
+from sdfcheck.formats.sdf.history import unit
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.urdf.table import UrdfAttribute, extension
+from sdfcheck.formats.vendor.definitions import Place
+from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.lsp.completion.context import Context
+from sdfcheck.lsp.completion.item import Item, Sort
+from sdfcheck.lsp.completion.snippets import Snippet, plain
+from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED
+from sdfcheck.xacro.static.definitions import Definitions
+
+_IN_GAZEBO = ("robot", "gazebo")
+
+
+def element_items(around: tuple[str, ...], version: Version, *, is_urdf: bool) -> Iterator[Item]:
+    """The elements that the format allows in the innermost open one."""
+    if not around:
+        for name in ("sdf", "robot"):
+            yield _item(name, spot([name], version), 1)
+        return
+    place = spot(around, version)
+    if place is not None:
+        yield from _children(place, version)
+    yield from _custom(around, is_urdf=is_urdf)
+
+
+def _children(place: Spot, version: Version) -> Iterator[Item]:
+    if place.definition is not None:
+        for name, child in place.definition.children.items():
+            is_old = child.deprecated or child.multiplicity == "-1"
+            detail = " ".join(filter(None, (child.type or "", unit(child) or "")))
+            rank = 1 if name in place.definition.required_children else 8 if is_old else 3
+            yield _item(name, Spot(child, place.definition), rank, detail, is_old)
+    elif place.urdf is not None:
+        for name, element in place.urdf.children.items():
+            rank = 1 if element.required else 6 if element.consumers else 3
+            detail = f"read by {', '.join(element.consumers)}" if element.consumers else ""
+            yield _item(name, Spot(urdf=element, path=(*place.path, name)), rank, detail)
+        if place.path == _IN_GAZEBO:
+            yield from _in_gazebo(version)
+
+
+def _in_gazebo(version: Version) -> Iterator[Item]:
+    for name, element in extension().children.items():
+        yield _item(name, Spot(urdf=element, path=(*_IN_GAZEBO, name)), 3)
+    for name in ("plugin", "sensor", "light"):
+        yield _item(name, spot([*_IN_GAZEBO, name], version), 2)
+
+
+def _item(name: str, place: Spot | None, rank: int, detail: str = "", is_old: bool = False) -> Item:
+    snippet = Snippet().element(name, place or Spot())
+    return Item(name, Sort.ELEMENT, plain(snippet), snippet, detail, rank, is_old)
+
+
+def _custom(around: tuple[str, ...], *, is_urdf: bool) -> Iterator[Item]:
+    """What vendors' tables have in the innermost open element."""
+    dialect = "urdf" if is_urdf else "sdf"
+    for path in BUILT_IN:
+        table = vendor(path, dialect)
+        for tag in table.tags.values():
+            place = next((p for p in tag.places if p.carrier != "attribute" and _fits(p, around)), None)
+            if place is None:
+                continue
+            snippet = Snippet()
+            inner = "".join(
+                f" {snippet.attribute(each, slot.choices, slot.default)}"
+                for each, slot in tag.attributes.items()
+                if slot.required
+            )
+            slot = place.slot
+            if place.carrier.startswith("@"):
+                inner += " " + snippet.attribute(place.carrier[1:])
+                text = f"{tag.name}{inner}/>"
+            else:
+                text = f"{tag.name}{inner}>{snippet._stop(slot.choices if slot else (), '')}</{tag.name}>"
+            detail = " ".join(
+                filter(None, (table.name, slot.type if slot else "", slot.unit if slot else ""))
+            )
+            yield Item(tag.name, Sort.ELEMENT, plain(text), text, detail, 2 if place.needed else 7)
+
+
+def _fits(place: Place, around: tuple[str, ...]) -> bool:
+    names = tuple(step.name for step in reversed(place.path))
+    return around[-len(names) :] == names
+
+
+def attribute_items(context: Context, version: Version, *, is_urdf: bool) -> Iterator[Item]:
+    """The attributes that the format allows in a tag, and that it has not."""
+    around = (*context.around, context.tag)
+    given = {name for name, _ in context.given}
+    place = spot(around, version)
+    if place is not None and place.definition is not None:
+        for name, attribute in place.definition.attributes.items():
+            if name not in given:
+                choices = attribute.choices.listed if attribute.choices else ()
+                snippet = Snippet().attribute(name, choices)
+                rank = 1 if attribute.required else 3
+                yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, attribute.type, rank)
+    elif place is not None and place.urdf is not None:
+        for name, own in place.urdf.attributes.items():
+            if name not in given:
+                yield _urdf_attribute(name, own)
+    if ":" in context.tag and not context.tag.startswith("xacro:"):
+        yield from _custom_attributes(context.tag, given, is_urdf=is_urdf)
+    yield from _carried(around, given, is_urdf=is_urdf)
+
+
+def _urdf_attribute(name: str, attribute: UrdfAttribute) -> Item:
+    snippet = Snippet().attribute(name, attribute.choices)
+    detail = " ".join((attribute.type, " | ".join(attribute.units))).strip()
+    return Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, detail, 1 if attribute.required else 3)
+
+
+def _custom_attributes(tag: str, given: set[str], *, is_urdf: bool) -> Iterator[Item]:
+    for path in BUILT_IN:
+        known = vendor(path, "urdf" if is_urdf else "sdf").tags.get(tag)
+        if known is None:
+            continue
+        slots = {name: slot.choices for name, slot in known.attributes.items()}
+        slots |= {place.carrier[1:]: () for place in known.places if place.carrier.startswith("@")}
+        for name, choices in slots.items():
+            if name not in given:
+                snippet = Snippet().attribute(name, choices)
+                yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, rank=2)
+
+
+def _carried(around: tuple[str, ...], given: set[str], *, is_urdf: bool) -> Iterator[Item]:
+    """Vendors' tags that are attributes of standard elements."""
+    for path in BUILT_IN:
+        table = vendor(path, "urdf" if is_urdf else "sdf")
+        for tag in table.tags.values():
+            places = [place for place in tag.places if place.carrier == "attribute"]
+            if tag.name not in given and any(_fits(place, around) for place in places):
+                snippet = Snippet().attribute(tag.name)
+                yield Item(tag.name, Sort.ATTRIBUTE, plain(snippet), snippet, table.name, 7)
+
+
+def xacro_elements(visible: Definitions) -> Iterator[Item]:
+    """The elements of xacro, and the macros that a file can see."""
+    for name in sorted(KEYWORDS):
+        snippet = Snippet()
+        head = f"xacro:{name}" + "".join(f" {snippet.attribute(each)}" for each in REQUIRED.get(name, ()))
+        has_body = name in {"macro", "if", "unless", "call", "element"}
+        text = f"{head}>\n\t$0\n</xacro:{name}>" if has_body else f"{head}/>"
+        yield Item(f"xacro:{name}", Sort.ELEMENT, plain(text), text, "xacro", 6)
+    for name, macros in sorted(visible.macros.items()):
+        parameters = macros[0].parameters
+        snippet = Snippet()
+        given = [p.name for p in parameters if not p.is_block and not p.is_optional]
+        head = f"xacro:{name}" + "".join(f" {snippet.attribute(each)}" for each in given)
+        has_blocks = any(p.is_block for p in parameters)
+        text = f"{head}>\n\t$0\n</xacro:{name}>" if has_blocks else f"{head}/>"
+        detail = " ".join(p.name for p in parameters)
+        yield Item(f"xacro:{name}", Sort.MACRO, plain(text).replace("$0", ""), text, detail, 4)
+
+
+def xacro_attributes(context: Context, visible: Definitions) -> Iterator[Item]:
+    """The attributes of an element of xacro, or the parameters of a macro that is called."""
+    given = {name for name, _ in context.given}
+    name = context.tag.removeprefix("xacro:")
+    if name in KEYWORDS:
+        names: Iterable[tuple[str, int]] = [(each, 1) for each in REQUIRED.get(name, ())]
+        names = [*names, *((each, 4) for each in OPTIONAL.get(name, ()))]
+    else:
+        macros = visible.macros.get(name, [])
+        parameters = macros[0].parameters if macros else ()
+        names = [(p.name, 3 if p.is_optional else 1) for p in parameters if not p.is_block]
+    for each, rank in names:
+        if each not in given:
+            snippet = Snippet().attribute(each)
+            yield Item(each, Sort.ATTRIBUTE, plain(snippet), snippet, "xacro", rank)

@@ -1,0 +1,136 @@
+"""Values that the formats and their consumers know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.formats.describe.spot import spot
+from sdfcheck.formats.sdf.schema import NOT_GIVEN
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.lsp.completion.context import Context, Where
+from sdfcheck.lsp.completion.item import Item, Sort
+
+_INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")
+_HARDWARE = {
+    "gz_ros2_control/GazeboSimSystem": "Gazebo",
+    "ign_ros2_control/IgnitionSystem": "Gazebo Fortress",
+    "gazebo_ros2_control/GazeboSystem": "Gazebo classic",
+    "mock_components/GenericSystem": "no hardware, for tests",
+    "mujoco_ros2_control/MujocoSystem": "MuJoCo",
+    "topic_based_ros2_control/TopicBasedSystem": "topics",
+}
+_SYSTEMS = """
+    ackermann-steering air-pressure air-speed altimeter apply-joint-force apply-link-wrench battery
+    breadcrumbs buoyancy buoyancy-engine camera-video-recorder collada-world-exporter comms-endpoint contact
+    detachable-joint diff-drive dvl elevator follow-actor force-torque hydrodynamics imu joint-controller
+    joint-position-controller joint-state-publisher joint-trajectory-controller kinetic-energy-monitor label
+    lift-drag lighter-than-air-dynamics log linear-battery-plugin logical-audio-sensor-plugin logical-camera
+    magnetometer mecanum-drive model-photo-shoot multicopter-control multicopter-motor-model navsat odometry-publisher
+    optical-tactile-plugin particle-emitter performer-detector perfect-comms physics pose-publisher
+    rf-comms scene-broadcaster sensors shader-param spacecraft-thruster-model thermal thermal-sensor thruster
+    touchplugin track-controller tracked-vehicle trajectory-follower triggered-publisher user-commands
+    velocity-control wheel-slip wind-effects
+""".split()
+_XACRO_COMMANDS = ("arg ", "find ", "env ", "optenv ", "eval ", "dirname", "cwd", "anon ")
+
+
+def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterator[Item]:
+    """What an attribute or text can be, where that is a closed list or well known."""
+    tag, attribute = context.tag, context.attribute
+    if tag == "plugin" and attribute == "filename":
+        for name in _SYSTEMS:
+            yield Item(f"gz-sim-{name}-system", Sort.FILE, f"gz-sim-{name}-system", detail="Gazebo")
+        return
+    if "ros2_control" in context.around:
+        yield from _of_control(context)
+        return
+    yield from _of_format(context, version)
+    if ":" in tag or ":" in attribute:
+        yield from _of_vendor(context, is_urdf=is_urdf)
+    if tag == "sdf" and attribute == "version":
+        yield from (
+            Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
+        )
+
+
+def _of_control(context: Context) -> Iterator[Item]:
+    tag, attribute = context.tag, context.attribute
+    if tag in {"command_interface", "state_interface"} and attribute == "name":
+        yield from (Item(name, Sort.CHOICE, name, rank=2) for name in _INTERFACES)
+    elif tag == "plugin" and context.where is Where.TEXT:
+        yield from (Item(name, Sort.CHOICE, name, detail=what, rank=2) for name, what in _HARDWARE.items())
+
+
+def control_items(around: tuple[str, ...]) -> Iterator[Item]:
+    """The elements of a ``ros2_control`` block, which are nobody's format but its own."""
+    inner = {
+        "ros2_control": ("hardware", "joint", "sensor", "gpio"),
+        "hardware": ("plugin", "param"),
+        "joint": ("command_interface", "state_interface", "param"),
+        "sensor": ("state_interface", "param"),
+        "gpio": ("command_interface", "state_interface", "param"),
+        "command_interface": ("param",),
+        "state_interface": ("param",),
+    }
+    if "ros2_control" not in around:
+        return
+    for name in inner.get(around[-1], ()):
+        if name in {"hardware", "plugin"}:
+            text = f"{name}>$1</{name}>"
+        elif name == "param":
+            text = 'param name="$1">$2</param>'
+        elif name.endswith("interface"):
+            text = f'{name} name="${{1|{",".join(_INTERFACES[:3])}|}}"/>'
+        else:
+            text = f'{name} name="$1">\n\t$2\n</{name}>'
+        bare = (
+            text.replace("$1", "")
+            .replace("$2", "")
+            .replace(f"${{1|{','.join(_INTERFACES[:3])}|}}", "position")
+        )
+        yield Item(name, Sort.ELEMENT, bare, text, "ros2_control", 2)
+
+
+def _of_format(context: Context, version: Version) -> Iterator[Item]:
+    around = context.around if context.where is Where.TEXT else (*context.around, context.tag)
+    place = spot(around, version)
+    if place is None:
+        return
+    kind, default = "", ""
+    choices: tuple[str, ...] = ()
+    if place.definition is not None:
+        own = place.definition.attributes.get(context.attribute) if context.attribute else place.definition
+        if own is not None:
+            kind, default = own.type or "", own.default or ""
+            choices = own.choices.listed if own.choices else ()
+    elif place.urdf is not None:
+        value = place.urdf.attributes.get(context.attribute) if context.attribute else place.urdf.value
+        if value is not None:
+            kind, choices, default = value.type, value.choices, value.default
+    yield from (Item(choice, Sort.CHOICE, choice, rank=2) for choice in choices if choice)
+    if kind == "bool" and not choices:
+        yield from (Item(word, Sort.CHOICE, word, rank=2) for word in ("true", "false"))
+    if default and default != NOT_GIVEN and not choices and kind != "bool":
+        yield Item(default, Sort.CHOICE, default, detail="default", rank=7)
+
+
+def _of_vendor(context: Context, *, is_urdf: bool) -> Iterator[Item]:
+    for path in BUILT_IN:
+        tags = vendor(path, "urdf" if is_urdf else "sdf").tags
+        tag = tags.get(context.tag) or tags.get(context.attribute)
+        if tag is None:
+            continue
+        slots = [place.slot for place in tag.places]
+        if context.attribute:
+            slots.append(tag.attributes.get(context.attribute))
+        for choice in dict.fromkeys(choice for slot in slots if slot is not None for choice in slot.choices):
+            yield Item(choice, Sort.CHOICE, choice, rank=2)
+
+
+def command_items() -> Iterator[Item]:
+    """What a substitution of xacro can begin with."""
+    yield from (
+        Item(f"$({word.strip()} …)", Sort.WORD, f"$({word}", detail="xacro") for word in _XACRO_COMMANDS
+    )

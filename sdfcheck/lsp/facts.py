@@ -1,0 +1,146 @@
+"""What a named part of a robot is: where it is, what it weighs, what hangs on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, cast
+
+from sdfcheck.lsp.names.symbol import Occurrence, Symbol
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.link import Link
+
+
+def of_symbol(document: Document, named: Occurrence) -> Iterator[str]:
+    """What there is to say about a name, a paragraph each."""
+    symbol = named.symbol
+    where = "" if symbol.span.source is document.source else f" ({symbol.span.source.path.name})"
+    yield f"**{symbol.kind} `{symbol.name}`**{where}"
+    if document.kind is Kind.XACRO:
+        yield from _of_xacro(document, symbol)
+        return
+    node = _node(document, named)
+    if node is not None:
+        if node.scoped_name != symbol.name:
+            yield f"`{node.scoped_name}`"
+        yield from _poses(node)
+        if node.kind == "link":
+            yield from _masses(cast("Link", node))
+        elif node.kind == "joint":
+            yield from _joint(cast("Joint", node))
+
+
+def _of_xacro(document: Document, symbol: Symbol) -> Iterator[str]:
+    from sdfcheck.lsp.cursor import at
+
+    source = symbol.span.source
+    cursor = at(document, symbol.span.start) if source is document.source else None
+    text = source.line(symbol.span.begin.line).strip()
+    if symbol.kind in {"property", "argument", "macro", "parameter"}:
+        yield f"set in line {symbol.span.begin.line}: `{text.replace('`', ' ')}`"
+    if (
+        cursor is not None
+        and symbol.kind == "property"
+        and (value := cursor.element.attribute("value")) is not None
+    ):
+        yield f"value `{value.text}`" if value.text else "value: empty"
+
+
+def _node(document: Document, named: Occurrence) -> Node | None:
+    """The node that a name means, in the scope that the file itself sees."""
+    from sdfcheck.lsp.names.robot_names import symbol_of
+
+    if named.symbol.kind not in {"link", "joint", "frame", "model", "world"}:
+        return None
+    for scope in root_of(document).scopes:
+        if _matches(scope, named.symbol):
+            return scope
+        for _, node in scope.all_nodes():
+            own = symbol_of(node)
+            if own is not None and own.key == named.symbol.key and own.kind == named.symbol.kind:
+                return node
+        if document.kind is Kind.URDF and named.symbol.kind == "joint":
+            for joint in scope.joints:
+                own = symbol_of(joint)
+                if own is not None and own.key == named.symbol.key:
+                    return joint
+    return None
+
+
+def _matches(node: Node, symbol: Symbol) -> bool:
+    from sdfcheck.lsp.names.robot_names import symbol_of
+
+    own = symbol_of(node)
+    return own is not None and own.key == symbol.key and node.kind == symbol.kind
+
+
+def _poses(node: Node) -> Iterator[str]:
+    if node.kind == "world":
+        return
+    try:
+        own, outer = node.pose(), node.pose("world")
+    except DescriptionError as error:
+        yield f"its pose is not known: {error}"
+        return
+    yield f"in its {getattr(node.holder, 'kind', '') or 'model'}: {_pose(own.xyz, own.rpy)}"
+    if _pose(own.xyz, own.rpy) != _pose(outer.xyz, outer.rpy):
+        yield f"in the world: {_pose(outer.xyz, outer.rpy)}"
+
+
+def _pose(xyz: Sequence[float], rpy: Sequence[float]) -> str:
+    place = " ".join(_number(each) for each in xyz)
+    if not any(abs(angle) > 1e-9 for angle in rpy):
+        return f"`{place}` m"
+    turn = " ".join(_number(math.degrees(each)) for each in rpy)
+    return f"`{place}` m, rpy `{turn}`°"
+
+
+def _number(value: float) -> str:
+    return f"{round(value, 6) + 0.0:g}"
+
+
+def _masses(link: Link) -> Iterator[str]:
+    try:
+        own = link.mass_properties
+    except DescriptionError as error:
+        yield f"its mass is not known: {error}"
+        return
+    yield "no inertial" if own is None else _mass(own)
+    below = [each for each in link.below() if each is not link]
+    if not below:
+        return
+    try:
+        bodies = [each.mass_properties for each in below]
+    except DescriptionError:
+        bodies = []
+    total = sum(body.mass for body in bodies if body is not None)
+    links = "1 link hangs" if len(below) == 1 else f"{len(below)} links hang"
+    yield f"{links} on it: {_number(total)} kg"
+
+
+def _mass(body: MassProperties) -> str:
+    center = " ".join(_number(each) for each in body.center.tolist())
+    moments = " ".join(f"{body.moments[n, n]:.4g}" for n in range(3))
+    return f"{_number(body.mass)} kg, center of mass `{center}` m, ixx iyy izz `{moments}` kg·m²"
+
+
+def _joint(joint: Joint) -> Iterator[str]:
+    kind = joint.element.attributes.get("type", "") or "no type"
+    yield f"{kind}: `{joint.parent_name or '?'}` → `{joint.child_name or '?'}`"
+
+
+def element_of(document: Document, symbol: Symbol) -> Element | None:
+    """The element that gives a symbol its name, in the document itself."""
+    from sdfcheck.lsp.cursor import at
+
+    cursor = at(document, symbol.span.start)
+    return None if cursor is None else cursor.element

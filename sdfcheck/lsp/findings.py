@@ -1,0 +1,190 @@
+"""The diagnostics of what is open, by the files in which they are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.fold import said_once
+from sdfcheck.lint.one_file import Selected, lint_file, lint_included
+from sdfcheck.lsp.workspace import Buffer, Workspace
+from sdfcheck.source.document import Document
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.text import Source
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.source.element import Value
+
+MOST_INCLUDERS = 4
+"""So many files that are not open are linted because they use an open one."""
+
+
+class _Foreign(NamedTuple):
+    """The diagnostics of a file that is included, without the way there."""
+
+    document: Document
+    diagnostics: tuple[Diagnostic, ...]
+    is_of: int
+    """The generation of documents that it was found in."""
+
+
+class Findings:
+    """What is known to be wrong, for each root that was linted and each file that one of them includes."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self.workspace = workspace
+        self._by_root: dict[str, tuple[Diagnostic, ...]] = {}
+        self._looked: dict[str, tuple[Source, int]] = {}
+        """Open file → the text that was looked at last, and the generation of documents."""
+        self._roots_for: dict[str, set[str]] = {}
+        """Open file of macros → the robots on disk that were linted for it."""
+        self._foreign: dict[str, _Foreign] = {}
+
+    def lint(self, buffer: Buffer) -> None:
+        """Look at an open text, and at what it includes for the first time; at the same text once."""
+        key, state = self.workspace.key(buffer.path), (buffer.source, self.workspace.generation)
+        if self._looked.get(key) != state:
+            self._lint(buffer.path, buffer.data, buffer)
+            self._looked[key] = state
+
+    def lint_from_disk(self, path: Path) -> None:
+        """Look at a file that is not open, for what it shows about those that are."""
+        from sdfcheck.files.regular import read_regular
+
+        try:
+            self._lint(path, read_regular(path), None)
+        except OSError:
+            self.forget(path)
+
+    def lint_includers(self, buffer: Buffer) -> bool:
+        """Look at the robots that are not open and use a file of macros; False if there are none."""
+        if buffer.kind is not Kind.XACRO:
+            return False
+        key = self.workspace.key(buffer.path)
+        before = self._roots_for.pop(key, set())
+        roots = self._robots_with(self.workspace.document(buffer.path))
+        self._roots_for[key] = {self.workspace.key(root) for root in roots}
+        for gone in before - self._roots_for[key]:
+            self._by_root.pop(gone, None)
+        for root in roots:
+            self.lint_from_disk(root)
+        return bool(roots or before)
+
+    def _robots_with(self, document: Document | None) -> list[Path]:
+        """The robots on disk whose files include a document."""
+        from sdfcheck.xacro.static.definitions import is_robot
+        from sdfcheck.xacro.static.project import includers
+
+        waiting = [document]
+        seen: set[str] = set()
+        found: list[Path] = []
+        while waiting and len(found) < MOST_INCLUDERS:
+            one = waiting.pop(0)
+            for path in [] if one is None else includers(one):
+                key = self.workspace.key(path)
+                if key in seen or key in self.workspace.buffers:
+                    continue
+                seen.add(key)
+                other = self.workspace.library(path).document(path, Kind.XACRO)
+                if other is not None and is_robot(other):
+                    found.append(path)
+                waiting.append(other)
+        return found[:MOST_INCLUDERS]
+
+    def forget(self, path: Path) -> None:
+        """What was found from a root is no longer so."""
+        key = self.workspace.key(path)
+        self._by_root.pop(key, None)
+        self._looked.pop(key, None)
+        for root in self._roots_for.pop(key, set()):
+            self._by_root.pop(root, None)
+
+    def _lint(self, path: Path, data: bytes, buffer: Buffer | None) -> None:
+        workspace, key = self.workspace, self.workspace.key(path)
+        if buffer is not None and not buffer.is_linted:
+            self._by_root[key] = ()
+            return
+        settings = workspace.settings_for(path)
+        if settings.excludes(path):
+            self._by_root[key] = ()
+            return
+        self._loosen(key)
+        kind = buffer.kind if buffer is not None else sniff(data[:HEAD], path)
+        try:
+            found, _ = lint_file(Selected(path, data, kind), workspace.book, settings, workspace.caches)
+        except WrongUsage as error:  # a selector that names no rule
+            workspace.fault = str(error)
+            found = ()
+        self._by_root[key] = tuple(found)
+        self._lint_included(path)
+
+    def _lint_included(self, path: Path) -> None:
+        workspace = self.workspace
+        own = [path, *(buffer.path for buffer in workspace.buffers.values())]
+        for document in workspace.caches.included(own):
+            try:
+                found, _ = lint_included(document, workspace.book, workspace.configuration)
+            except WrongUsage as error:
+                workspace.fault = str(error)
+                continue
+            steps = len(document.included_by)
+            bare = (each._replace(origins=each.origins[: len(each.origins) - steps]) for each in found)
+            self._foreign[workspace.key(document.path)] = _Foreign(
+                document, tuple(bare), workspace.generation
+            )
+
+    def _loosen(self, key: str) -> None:
+        """Let included files note anew where a root, whose text has changed, includes them."""
+        for library in self.workspace.caches.libraries:
+            for document in library.documents():
+                by = document.included_by
+                if by and self.workspace.key(by[0].element.document.path) == key:
+                    document.included_by = ()
+
+    # What to show
+
+    def all(self) -> dict[str, list[Diagnostic]]:
+        """Real path → what was found there, sorted, from whichever root; each once."""
+        by_path: dict[str, list[Diagnostic]] = {}
+        keys: dict[Source, str] = {}
+        seen: set[tuple[object, ...]] = set()
+        for diagnostic in sorted(said_once(self._found()), key=lambda each: each.sort_key):
+            source = diagnostic.span.source
+            if source not in keys:
+                keys[source] = self.workspace.key(source.path)
+            key = keys[source]
+            same = key, diagnostic.code, diagnostic.message, diagnostic.span.start, diagnostic.span.end
+            if same not in seen and self._is_current(source, key):
+                seen.add(same)
+                by_path.setdefault(key, []).append(diagnostic)
+        return by_path
+
+    def _found(self) -> list[Diagnostic]:
+        found = [diagnostic for diagnostics in self._by_root.values() for diagnostic in diagnostics]
+        for foreign in self._foreign.values():
+            if foreign.is_of == self.workspace.generation:
+                found += _with_way(foreign)
+        return found
+
+    def _is_current(self, source: Source, key: str) -> bool:
+        """Are places still right? They are not in a text that has changed since it was looked at."""
+        buffer = self.workspace.buffers.get(key)
+        return buffer is None or source is buffer.source or source.text == buffer.source.text
+
+    def at(self, path: Path) -> list[Diagnostic]:
+        """What was found in one file."""
+        return self.all().get(self.workspace.key(path), [])
+
+
+def _with_way(foreign: _Foreign) -> Sequence[Diagnostic]:
+    from sdfcheck.lint.diagnostic import Origin
+
+    by: tuple[Value, ...] = foreign.document.included_by
+    if not by:
+        return ()
+    steps = tuple(Origin(uri.span, "included here") for uri in reversed(by))
+    return [each._replace(origins=(*each.origins, *steps)) for each in foreign.diagnostics]

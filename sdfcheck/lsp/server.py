@@ -1,0 +1,269 @@
+"""The language server: what the client sends, in order, and what it is sent without asking."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TypeVar
+
+from lsprotocol import types
+from pygls.lsp.server import LanguageServer
+from pygls.protocol import LanguageServerProtocol, lsp_method
+
+from sdfcheck.lsp.cursor import at
+from sdfcheck.lsp.findings import Findings
+from sdfcheck.lsp.names.index import occurrences
+from sdfcheck.lsp.positions import Units, changed
+from sdfcheck.lsp.schedule import Schedule
+from sdfcheck.lsp.speech import NAME, Speech, path_of
+from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Worker
+from sdfcheck.lsp.workspace import Buffer, Choices, Workspace
+from sdfcheck.release import __version__
+from sdfcheck.source.wrong_usage import REPORT_IT
+
+T = TypeVar("T")
+
+
+class Protocol(LanguageServerProtocol):
+    """Leaves the texts to the server, which counts lines and columns as the protocol does."""
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
+    def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> Iterator[Any]:
+        yield self.fm.features[types.TEXT_DOCUMENT_DID_OPEN], (params,), None
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CHANGE)
+    def lsp_text_document__did_change(self, params: types.DidChangeTextDocumentParams) -> Iterator[Any]:
+        yield self.fm.features[types.TEXT_DOCUMENT_DID_CHANGE], (params,), None
+
+    @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
+    def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> Iterator[Any]:
+        yield self.fm.features[types.TEXT_DOCUMENT_DID_CLOSE], (params,), None
+
+
+class Server(LanguageServer):
+    """One session with one client.
+
+    Everything about documents is done in the worker's thread, everything that is sent in
+    the thread of the event loop.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(NAME, __version__, protocol_cls=Protocol)
+        self.worker = Worker()
+        self.robots = Workspace()
+        self.findings = Findings(self.robots)
+        self.speech = Speech(self.robots)
+        self.lints = Schedule(self._lint)
+        self.open: dict[str, str] = {}
+        """Open URI → key of the text."""
+        self._edits: dict[str, int] = {}
+        self._published: dict[str, list[types.Diagnostic]] = {}
+        self._reported: set[str] = set()
+        self._fault = ""
+        self.is_finished = False
+        """Did the client end the session as it should?"""
+
+    # Work
+
+    async def work(self, job: Callable[[], T], otherwise: T, urgency: int = ANSWER) -> T:
+        """The result of a job on documents; where it fails, that is reported, and the session goes on."""
+        try:
+            return await self.worker.run(job, urgency)
+        except Exception as error:
+            self.report(error)
+            return otherwise
+
+    async def ask(self, uri: str, answer: Callable[[Buffer], T], otherwise: T) -> T:
+        """What an open text answers."""
+
+        def job() -> T:
+            buffer = self.robots.buffers.get(self.robots.key(path_of(uri)))
+            return otherwise if buffer is None else answer(buffer)
+
+        return await self.work(job, otherwise)
+
+    def report(self, error: BaseException) -> None:
+        """Write a failure to the log; show it to the person once."""
+        story = "".join(traceback.format_exception(error))
+        self.window_log_message(types.LogMessageParams(types.MessageType.Error, story))
+        words = f"{type(error).__name__}: {error}"
+        if words not in self._reported:
+            self._reported.add(words)
+            self.show(f"sdfcheck: internal error: {' '.join(words.split())} ({REPORT_IT})")
+
+    def show(self, text: str, kind: types.MessageType = types.MessageType.Error) -> None:
+        """Show a message to the person."""
+        self.window_show_message(types.ShowMessageParams(kind, text))
+
+    # Texts
+
+    async def opened(self, params: types.DidOpenTextDocumentParams) -> None:
+        given = params.text_document
+        path = path_of(given.uri)
+        self.open[given.uri] = key = self.robots.key(path)
+        self._edits[key] = self._edits.get(key, 0) + 1
+        await self.work(lambda: self.robots.open(given.uri, path, given.text, given.version), None)
+        self._relint(key)
+
+    async def changed(self, params: types.DidChangeTextDocumentParams) -> None:
+        uri, version = params.text_document.uri, params.text_document.version
+        key = self.open.get(uri)
+        if key is None:
+            return
+        self._edits[key] += 1
+        changes = self.speech.changes(params.content_changes)
+
+        def job() -> bool:
+            buffer = self.robots.buffers[key]
+            is_shared = self.robots.is_referred_to(buffer.path)
+            source, kept = changed(buffer.source, changes, self.speech.units)
+            self.robots.write(buffer, source, version, kept)
+            return is_shared
+
+        is_shared = await self.work(job, False)
+        self.lints.note(key)
+        if is_shared:
+            self._relint(key)
+
+    async def closed(self, params: types.DidCloseTextDocumentParams) -> None:
+        uri = params.text_document.uri
+        key = self.open.pop(uri, None)
+        if key is None:
+            return
+        self._edits.pop(key, None)
+        self.lints.drop(key)
+        path = path_of(uri)
+
+        def job() -> None:
+            self.robots.drop(path)
+            self.findings.forget(path)
+
+        await self.work(job, None)
+        await self._publish()
+
+    async def refreshed(self, job: Callable[[], None]) -> None:
+        """Files, configuration or settings have changed: do what that takes, and lint all again."""
+        await self.work(job, None)
+        self._relint()
+
+    def _relint(self, first: str = "") -> None:
+        """Lint all open texts, one before the others."""
+        for key in sorted(set(self.open.values()), key=lambda each: each != first):
+            self.lints.note(key)
+
+    # Diagnostics
+
+    @property
+    def is_pulled(self) -> bool:
+        """Does the client ask for the diagnostics of what is open?"""
+        return self.speech.is_able("text_document", "diagnostic")
+
+    async def _lint(self, key: str) -> None:
+        number = self._edits.get(key)
+
+        def job() -> None:
+            buffer = self.robots.buffers.get(key)
+            if buffer is not None:
+                self.findings.lint(buffer)
+
+        await self.work(job, None, LINT)
+        if self._edits.get(key) == number:  # else another run follows, and this one is stale
+            await self._publish()
+            await self._survey(key)
+            await self.work(lambda: self._prime(key, number), None, SURVEY)
+
+    def _prime(self, key: str, number: int | None) -> None:
+        """Work out what the next question about a text will need."""
+        buffer = self.robots.buffers.get(key)
+        document = None if buffer is None else self.robots.document(buffer.path)
+        if buffer is not None and document is not None and self._edits.get(key) == number:
+            at(document, 0)
+            occurrences(document)
+            buffer.checkpoints.around(buffer.source.text, len(buffer.source.text))
+
+    async def _survey(self, key: str) -> None:
+        """Look at files that are not open and use this one: what they bring out is shown here as well."""
+
+        def job() -> bool:
+            buffer = self.robots.buffers.get(key)
+            return buffer is not None and self.findings.lint_includers(buffer)
+
+        if await self.work(job, False, LINT):
+            await self._publish()
+
+    async def _publish(self) -> None:
+        """Send what has changed of the diagnostics."""
+
+        def job() -> dict[str, tuple[list[types.Diagnostic], int | None]]:
+            shown: dict[str, tuple[list[types.Diagnostic], int | None]] = {}
+            for buffer in self.robots.buffers.values():
+                shown[buffer.uri] = [], buffer.version
+            for key, found in self.findings.all().items():
+                known = self.robots.buffers.get(key)
+                sent = list(map(self.speech.diagnostic, found))
+                shown[self.speech.uri(Path(key))] = sent, None if known is None else known.version
+            return shown
+
+        shown = await self.work(job, None)
+        if shown is None:
+            return
+        for uri in self._published.keys() - shown.keys():
+            shown[uri] = [], None
+        for uri, (found, version) in sorted(shown.items(), key=lambda item: item[0]):
+            sent = [] if self.is_pulled and uri in self.open else found
+            if self._published.get(uri) != sent and (sent or uri in self._published or uri in self.open):
+                params = types.PublishDiagnosticsParams(uri, sent, version)
+                self.text_document_publish_diagnostics(params)
+            if sent or uri in self.open:
+                self._published[uri] = sent
+            else:
+                self._published.pop(uri, None)
+        self._report_fault()
+
+    def _report_fault(self) -> None:
+        """Show what is wrong with the configuration, once for each fault."""
+        fault = self.robots.fault
+        if fault and fault != self._fault:
+            self.show(f"sdfcheck: {fault}", types.MessageType.Warning)
+        self._fault = fault
+
+    async def pulled(self, uri: str) -> list[types.Diagnostic]:
+        """The diagnostics of an open text, as it is now."""
+
+        def answer(buffer: Buffer) -> list[types.Diagnostic]:
+            self.findings.lint(buffer)
+            return list(map(self.speech.diagnostic, self.findings.at(buffer.path)))
+
+        return await self.ask(uri, answer, [])
+
+    # The session
+
+    def began(self, params: types.InitializeParams) -> None:
+        """Note what the client can do and what it wants."""
+        self.speech.client = params.capabilities
+        encodings = self.speech.client.general.position_encodings if self.speech.client.general else None
+        known = {units.value: units for units in Units}
+        for name in encodings or ():
+            if str(getattr(name, "value", name)) in known:
+                self.speech.units = known[str(getattr(name, "value", name))]
+                break
+        folders = [path_of(folder.uri) for folder in params.workspace_folders or ()]
+        if not folders and params.root_uri:
+            folders = [path_of(params.root_uri)]
+        self.robots.folders = tuple(folders)
+
+    async def chosen(self, choices: Choices) -> None:
+        """Take other settings."""
+
+        def job() -> None:
+            self.robots.caches.close()
+            self.robots.choose(choices)
+
+        await self.refreshed(job)
+
+    def ended(self) -> None:
+        """Stop what runs beside the server."""
+        self.is_finished = True
+        self.robots.close()
+        self.worker.close()

@@ -1,0 +1,147 @@
+"""From the project's own values to those of the protocol, and back."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from lsprotocol import types
+from pygls.uris import from_fs_path, to_fs_path
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lsp.positions import Change, Place, Units, offset_of, place_of
+from sdfcheck.lsp.workspace import Workspace
+from sdfcheck.source.text import Source, Span
+
+NAME = "sdfcheck"
+
+_SEVERITIES = {
+    Severity.ERROR: types.DiagnosticSeverity.Error,
+    Severity.WARNING: types.DiagnosticSeverity.Warning,
+    Severity.INFO: types.DiagnosticSeverity.Information,
+}
+
+
+def path_of(uri: str) -> Path:
+    """The file that a URI means; what is in no file yet goes by its name."""
+    parts = urlsplit(uri)
+    if parts.scheme == "file" and (path := to_fs_path(uri)):
+        return Path(path)
+    return Path(unquote(parts.path.rpartition("/")[2]) or "untitled")
+
+
+class Speech:
+    """What the client and the server agreed on: units, and what the client understands."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self.workspace = workspace
+        self.units = Units.UTF16
+        self.client = types.ClientCapabilities()
+
+    # Places
+
+    def uri(self, path: Path) -> str:
+        """The name of a file for the client; of an open one as the client wrote it."""
+        buffer = self.workspace.buffers.get(self.workspace.key(path))
+        return buffer.uri if buffer is not None else str(from_fs_path(os.path.abspath(path)))
+
+    def position(self, source: Source, offset: int) -> types.Position:
+        return types.Position(*place_of(source, offset, self.units))
+
+    def range(self, span: Span) -> types.Range:
+        source = span.source
+        return types.Range(self.position(source, span.start), self.position(source, span.end))
+
+    def location(self, span: Span) -> types.Location:
+        return types.Location(self.uri(span.source.path), self.range(span))
+
+    def offset(self, source: Source, position: types.Position) -> int:
+        return offset_of(source, Place(position.line, position.character), self.units)
+
+    def span(self, source: Source, given: types.Range) -> Span:
+        return source.span(self.offset(source, given.start), self.offset(source, given.end))
+
+    def changes(self, given: Iterable[types.TextDocumentContentChangeEvent]) -> list[Change]:
+        """The changes of a text, as the client reports them."""
+        return [
+            Change(
+                change.text,
+                Place(change.range.start.line, change.range.start.character),
+                Place(change.range.end.line, change.range.end.character),
+            )
+            if isinstance(change, types.TextDocumentContentChangePartial)
+            else Change(change.text)
+            for change in given
+        ]
+
+    # Edits
+
+    def text_edits(self, edits: Iterable[Edit]) -> list[types.TextEdit]:
+        return [types.TextEdit(self.range(edit.span), edit.text) for edit in edits]
+
+    def workspace_edit(self, edits: Iterable[Edit]) -> types.WorkspaceEdit:
+        """Edits in any number of files; with the versions that they are meant for, where the client takes them."""
+        by_path: dict[str, list[Edit]] = {}
+        for edit in edits:
+            by_path.setdefault(self.workspace.key(edit.span.source.path), []).append(edit)
+        able = self.client.workspace.workspace_edit if self.client.workspace else None
+        if able is not None and able.document_changes:
+            return types.WorkspaceEdit(
+                document_changes=[self._versioned(Path(key), own) for key, own in sorted(by_path.items())]
+            )
+        return types.WorkspaceEdit(
+            changes={self.uri(Path(key)): self.text_edits(own) for key, own in sorted(by_path.items())}
+        )
+
+    def _versioned(self, path: Path, edits: list[Edit]) -> types.TextDocumentEdit:
+        buffer = self.workspace.buffers.get(self.workspace.key(path))
+        identifier = types.OptionalVersionedTextDocumentIdentifier(
+            uri=self.uri(path), version=buffer.version if buffer is not None else None
+        )
+        return types.TextDocumentEdit(identifier, list(self.text_edits(edits)))
+
+    # Diagnostics
+
+    def diagnostic(self, found: Diagnostic) -> types.Diagnostic:
+        related = [(label.span, label.text) for label in found.labels]
+        related += [(origin.span, origin.text) for origin in found.origins]
+        message = found.message if found.help is None else f"{found.message}\nhelp: {found.help}"
+        facts = self.workspace.facts(found.span.source.path).get(found.code)
+        page = facts.page if facts is not None else None
+        return types.Diagnostic(
+            range=self.range(found.span),
+            message=message,
+            severity=_SEVERITIES[found.severity],
+            code=found.code,
+            code_description=types.CodeDescription(page) if page else None,
+            source=NAME,
+            tags=_tags(found) or None,
+            related_information=[
+                types.DiagnosticRelatedInformation(self.location(span), text) for span, text in related
+            ]
+            or None,
+            data={"name": found.name},
+        )
+
+    def is_able(self, *steps: str) -> bool:
+        """Does the client understand something? ``steps`` lead to it in its capabilities."""
+        at: object = self.client
+        for step in steps:
+            at = getattr(at, step, None)
+            if not at:
+                return False
+        return True
+
+
+def _tags(found: Diagnostic) -> list[types.DiagnosticTag]:
+    """Unused names are shown faded, old spellings struck through."""
+    words = set(found.name.split("-"))
+    tags = []
+    if words & {"unused", "ignored", "redundant", "unread"}:
+        tags.append(types.DiagnosticTag.Unnecessary)
+    if words & {"deprecated", "outdated"}:
+        tags.append(types.DiagnosticTag.Deprecated)
+    return tags

@@ -1,0 +1,273 @@
+"""What is open in the editor and what lies on disk, as one set of documents."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.lint.config.configuration import Configuration, Settings
+from sdfcheck.lint.one_file import Caches
+from sdfcheck.lint.rulebook.rulebook import RuleBook
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.select import Choice
+from sdfcheck.lsp.completion.context import Checkpoints
+from sdfcheck.source.document import Document
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
+from sdfcheck.source.text import Source
+from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.xacro.expansion import Surroundings
+
+
+class Choices(NamedTuple):
+    """What the client's settings say, over the configuration files."""
+
+    configuration: Path | None = None
+    select: tuple[str, ...] | None = None
+    extend_select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    target: tuple[str, ...] | None = None
+    trust: bool = False
+    expand: bool = True
+
+
+class Buffer:
+    """A text that is open in the editor; its document is made when it is asked for."""
+
+    __slots__ = ("_document", "checkpoints", "path", "source", "uri", "version")
+
+    def __init__(self, uri: str, path: Path, text: str, version: int | None) -> None:
+        self.uri = uri
+        self.path = path
+        self.source = Source(path, text)
+        self.version = version
+        self.checkpoints = Checkpoints()
+        self._document: Document | None = None
+
+    def write(self, source: Source, version: int | None, kept: int = 0) -> None:
+        """Take a new text, which begins with ``kept`` characters of the old one."""
+        self.forget()
+        self.source, self.version = source, version
+        self.checkpoints.cut(kept)
+
+    def forget(self) -> None:
+        """Make the document anew when it is asked for next."""
+        if self._document is not None:
+            self._document.release()
+        self._document = None
+
+    @property
+    def data(self) -> bytes:
+        return self.source.text.encode("utf-8", "surrogatepass")
+
+    @property
+    def kind(self) -> Kind:
+        """What the text looks like."""
+        head = self.source.text[:HEAD].encode("utf-8", "surrogatepass")
+        return sniff(head, self.path)
+
+    @property
+    def document(self) -> Document:
+        """The text as it is read; not to be looked at by two threads."""
+        if self._document is None:
+            kind = self.kind
+            self._document = Document(self.source, None if kind is Kind.BROKEN_XML else kind, [])
+        return self._document
+
+    @property
+    def is_linted(self) -> bool:
+        """Is it something that has diagnostics?"""
+        return treatment(self.kind, self.path, named=True) is Treatment.LINT
+
+
+Buffers = dict[str, Buffer]
+"""Real path → what is open."""
+
+
+class LiveLibrary(Library):
+    """A library in which open texts take the place of files."""
+
+    __slots__ = ("_buffers",)
+
+    def __init__(self, buffers: Buffers, search: SearchPaths, limit: int) -> None:
+        super().__init__(search, limit)
+        self._buffers = buffers
+
+    def known(self, data: bytes, path: Path) -> Document | None:
+        buffer = self._buffers.get(self.disk.real(path))
+        if buffer is None:
+            return super().known(data, path)
+        return buffer.document if buffer.data == data else None
+
+    def _read(self, path: Path, key: str, kind: Kind | None) -> Document | None:
+        buffer = self._buffers.get(key)
+        if buffer is None:
+            return super()._read(path, key, kind)
+        document = buffer.document
+        if kind is not None and document.kind is not kind:
+            document = Document(buffer.source, kind, [])
+        self._hashes[key] = hash(buffer.data)
+        document.library = self
+        return document
+
+
+class LiveCaches(Caches):
+    """Libraries and expanders that know the open texts."""
+
+    __slots__ = ("_buffers",)
+
+    def __init__(self, buffers: Buffers, *, expand: bool) -> None:
+        super().__init__(expand=expand)
+        self._buffers = buffers
+
+    def library(self, settings: Settings) -> LiveLibrary:
+        search = settings.search
+        if search not in self._libraries:
+            self._libraries[search] = LiveLibrary(self._buffers, search, settings.size_limit)
+        found = self._libraries[search]
+        assert isinstance(found, LiveLibrary)
+        return found
+
+    @property
+    def libraries(self) -> tuple[Library, ...]:
+        """Those that were asked for."""
+        return tuple(self._libraries.values())
+
+    def _surroundings(self, settings: Settings) -> Surroundings:
+        return super()._surroundings(settings)._replace(texts=_Texts(self._buffers))
+
+
+class _Texts(Mapping[str, str]):
+    """Absolute path → text, of what is open now and xacro may read."""
+
+    def __init__(self, buffers: Buffers) -> None:
+        self._buffers = buffers
+
+    def _open(self) -> dict[str, str]:
+        return {
+            os.path.abspath(buffer.path): buffer.source.text
+            for buffer in self._buffers.values()
+            if buffer.kind in {Kind.XACRO, Kind.URDF}
+        }
+
+    def __getitem__(self, path: str) -> str:
+        return self._open()[path]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._open())
+
+    def __len__(self) -> int:
+        return len(self._open())
+
+
+class Workspace:
+    """The open texts with their settings, rules and libraries; everything here belongs to one thread."""
+
+    def __init__(self) -> None:
+        self.folders: tuple[Path, ...] = ()
+        self.buffers: Buffers = {}
+        self.generation = 0
+        """How often documents were forgotten: what was worked out before has no worth after."""
+        self.fault = ""
+        """What is wrong with the configuration, as a sentence for people."""
+        self.choose(Choices())
+
+    def choose(self, choices: Choices) -> None:
+        """Take other settings of the client; whatever was known is worked out anew."""
+        self.choices = choices
+        self.configuration = self._configuration()
+        self.book = RuleBook(
+            Choice(choices.select, choices.extend_select, choices.ignore), choices.target or None
+        )
+        self.caches = LiveCaches(self.buffers, expand=choices.expand)
+        self.forget()
+
+    def refresh(self) -> None:
+        """Find configuration files, packages and documents again."""
+        self.caches.close()
+        self.choose(self.choices)
+
+    def forget(self) -> None:
+        """Read all documents again when they are asked for."""
+        self.generation += 1
+        for library in self.caches.libraries:
+            library.forget()
+        for buffer in self.buffers.values():
+            buffer.forget()
+
+    def close(self) -> None:
+        """End what expands xacro."""
+        self.caches.close()
+
+    # Texts
+
+    def key(self, path: Path) -> str:
+        """By what a file is known, whatever links lead to it."""
+        return os.path.realpath(path)
+
+    def open(self, uri: str, path: Path, text: str, version: int | None) -> Buffer:
+        """Take a text that the editor shows."""
+        self._turn(path)
+        buffer = self.buffers[self.key(path)] = Buffer(uri, path, text, version)
+        return buffer
+
+    def write(self, buffer: Buffer, source: Source, version: int | None, kept: int = 0) -> None:
+        """Take a new text of what is open, which begins with ``kept`` characters of the old one."""
+        self._turn(buffer.path)
+        buffer.write(source, version, kept)
+
+    def drop(self, path: Path) -> None:
+        """What the editor shows no more is again what the file holds."""
+        if self.buffers.pop(self.key(path), None) is not None:
+            self._turn(path)
+
+    def is_referred_to(self, path: Path) -> bool:
+        """Did another document ask for this one?"""
+        return any(library.holds(path) for library in self.caches.libraries)
+
+    def _turn(self, path: Path) -> None:
+        """Whoever looked into a file must look again."""
+        if self.is_referred_to(path):
+            self.forget()
+
+    # Documents
+
+    def settings_for(self, path: Path) -> Settings:
+        """The settings of a file; the defaults where the configuration is faulty."""
+        try:
+            return self.configuration.settings_for(path)
+        except WrongUsage as error:
+            self.fault = str(error)
+            return Settings()
+
+    def library(self, path: Path) -> LiveLibrary:
+        """The library that the file at a path looks others up in."""
+        return self.caches.library(self.settings_for(path))
+
+    def facts(self, path: Path) -> dict[str, RuleFacts]:
+        """The rules that there are for a file, by their codes."""
+        try:
+            return {facts.code: facts for facts in self.book.rules(self.settings_for(path))}
+        except WrongUsage as error:
+            self.fault = str(error)
+            return {}
+
+    def document(self, path: Path) -> Document | None:
+        """What is open at a path, or what the file holds; None where nothing can be read."""
+        library = self.library(path)
+        buffer = self.buffers.get(self.key(path))
+        if buffer is None:
+            return library.document(path)
+        document = buffer.document
+        document.library = library
+        return document
+
+    def _configuration(self) -> Configuration:
+        self.fault = ""
+        try:
+            return Configuration(self.choices.configuration, trusted=self.choices.trust)
+        except WrongUsage as error:
+            self.fault = str(error)
+            return Configuration(isolated=True)

@@ -1,0 +1,279 @@
+"""The manual page of a rule, in Markdown: what it reports, shown on its examples."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
+from itertools import product
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from sdfcheck.consumers.reaction import READS, Consumer, Reaction
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.example import Bad, Good, fill, unmark
+from sdfcheck.lint.rulebook.example_run import ExampleRunner, file_name
+from sdfcheck.lint.rulebook.packs import RuleIndex
+from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
+from sdfcheck.release import FIRST_RELEASE
+from sdfcheck.report.block import block
+from sdfcheck.report.colors import painter
+from sdfcheck.report.example_layout import laid_out
+from sdfcheck.report.paths import Paths
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.xacro.expansion import Expander
+
+_OWN = (UnusedSuppression, MalformedSuppression)
+_LONGEST = 1500
+"""Characters that are shown of either end of a long example."""
+_DIALECTS = {"sdf": "SDFormat", "urdf": "URDF"}
+_NAMES = {Consumer.GAZEBO: "Gazebo", Consumer.DRAKE: "Drake", Consumer.MUJOCO: "MuJoCo"}
+
+
+class Shown(NamedTuple):
+    """An example as a page shows it."""
+
+    name: str
+    """Of the file."""
+    text: str
+    """The whole document."""
+    files: Mapping[str, str]
+    """The other files: path → text."""
+    report: str = ""
+    """What is reported about it."""
+    fixed: str | None = None
+    is_safe: bool = True
+    why: str = ""
+
+
+class Manual(NamedTuple):
+    """All that there is to say about a rule."""
+
+    facts: RuleFacts
+    documentation: str
+    """The rule's documentation, in Markdown."""
+    bad: tuple[Shown, ...]
+    good: tuple[Shown, ...]
+    sources: tuple[str, ...] = ()
+    """Addresses of what the rule follows."""
+    since: str = ""
+    """The first version that has the rule."""
+    is_own: bool = False
+    """Whether the engine reports it, whatever the rules say; comments do not silence it."""
+
+
+class Manuals:
+    """The manuals of an index's rules; one process expands what is xacro in their examples."""
+
+    def __init__(self, index: RuleIndex) -> None:
+        self._index = index
+        self._expander = Expander()
+
+    def of(self, facts: RuleFacts) -> Manual:
+        """The manual of a rule, imported from where the rule is; its examples are linted."""
+        own = next((rule for rule in _OWN if rule.code == facts.code), None)
+        if own is None and facts not in self._index.facts:
+            return Manual(facts, markdown(facts.summary), (), (), is_own=True)
+        rule = own or type(self._index.rule(facts))
+        runners = self._runners(() if own else (facts,), facts.affects)
+        return Manual(
+            facts,
+            markdown(rule.__doc__),
+            tuple(_bad(example, rule.scaffold, facts.code, runners) for example in rule.bad),
+            tuple(_good(example, rule.scaffold) for example in rule.good),
+            _sources(rule),
+            getattr(rule, "since", "") or (FIRST_RELEASE if facts.is_built_in else ""),
+            is_own=own is not None,
+        )
+
+    def _runners(self, rules: Sequence[RuleFacts], targets: Iterable[str]) -> tuple[ExampleRunner, ...]:
+        """Some rules judge some things only for those who ask for a consumer."""
+        asked = ((), targets)
+        return tuple(ExampleRunner(self._index, rules, targets, expander=self._expander) for targets in asked)
+
+
+def _sources(rule: Any) -> tuple[str, ...]:
+    """The rule's own, or those of its family: the package that it is in."""
+    family = sys.modules.get(rule.__module__.rpartition(".")[0])
+    return tuple(getattr(rule, "sources", ()) or getattr(family, "SOURCES", ()))
+
+
+def _good(example: Good, scaffold: str) -> Shown:
+    text = laid_out(fill(scaffold, example))
+    return Shown(file_name(text, example), text, _files(example), why=example.why)
+
+
+def _files(example: Bad | Good) -> Mapping[str, str]:
+    return {name: laid_out(text) for name, text in (example.files or {}).items()}
+
+
+def _bad(example: Bad, scaffold: str, code: str, runners: Sequence[ExampleRunner]) -> Shown:
+    """The example with lines broken, unless that moves or removes what is reported."""
+    written = fill(scaffold, example)
+    lined = example if example.files is None else example._replace(files=_files(example))
+    for marked, runner in product((laid_out(written), written), runners):
+        text, start, end = unmark(marked)
+        with nullcontext("") if example.files is None else TemporaryDirectory() as made:
+            found = runner.lint(text, lined, Path(made))
+            own = [d for d in found if d.code == code and (d.span.start, d.span.end) == (start, end)]
+            if own:
+                report = "\n".join(block(own[0], False, _Beside(made), painter(False)))
+                return _shown(example, text, report, own[0])
+    return Shown(file_name(written, example), unmark(laid_out(written))[0], _files(example))
+
+
+def _shown(example: Bad, text: str, report: str, diagnostic: Diagnostic) -> Shown:
+    fix = diagnostic.fix if example.fixed is not None else None
+    fixed = None
+    if fix is not None:
+        fixed = text
+        for edit in sorted(fix.edits, key=lambda edit: -edit.span.start):
+            fixed = fixed[: edit.span.start] + edit.text + fixed[edit.span.end :]
+    is_safe = fix is None or fix.is_safe
+    return Shown(file_name(text, example), text, _files(example), report, fixed, is_safe)
+
+
+class _Beside(Paths):
+    """Names files as seen from the folder of the example."""
+
+    def __init__(self, folder: str) -> None:
+        super().__init__()
+        if folder:
+            self._here, self._root = folder, f"{folder}/"
+
+
+def record(page: Manual) -> Mapping[str, Any]:
+    """A manual as JSON values."""
+    return {
+        **facts_record(page.facts),
+        "documentation": page.documentation,
+        "sources": list(page.sources),
+        "bad": [_record(bad, "report", "fixed") for bad in page.bad],
+        "good": [_record(good, "why") for good in page.good],
+    }
+
+
+def _record(example: Shown, *keys: str) -> Mapping[str, Any]:
+    return {key: getattr(example, key) for key in ("name", "text", "files", *keys)}
+
+
+def facts_record(facts: RuleFacts) -> Mapping[str, Any]:
+    """What the list of rules says about one, as JSON values."""
+    return {
+        "code": facts.code,
+        "name": facts.name,
+        "family": facts.family,
+        "severity": facts.severity.value,
+        "summary": markdown(facts.summary),
+        "fix": facts.fixable or None,
+        "default": facts.default,
+        "url": facts.page,
+        "affects": {consumer: dict(reactions) for consumer, reactions in facts.affects.items()},
+    }
+
+
+def render(page: Manual) -> str:
+    """A manual as Markdown."""
+    return "\n\n".join(_sections(page)) + "\n"
+
+
+def _sections(page: Manual) -> Iterator[str]:
+    facts = page.facts
+    yield f"# {facts.name} ({facts.code})"
+    fix = f"{facts.fixable} fix" if facts.fixable else "no fix"
+    when = "on by default" if facts.default else "preview: off unless selected"
+    since = f" · since {page.since}" if page.since else ""
+    yield f"**{facts.severity.value}** · {when} · {fix}{since}"
+    yield page.documentation
+    if facts.affects:
+        yield "## What consumers do"
+        yield _consumers(facts.affects)
+    seen: set[tuple[str, str]] = set()
+    if page.bad:
+        yield "## Reported"
+        for bad in page.bad:
+            yield from _reported(bad, seen)
+    if page.good:
+        yield "## Not reported"
+        for good in page.good:
+            yield f"{good.why[:1].upper()}{good.why[1:]}:" if good.why else "This is as it should be:"
+            yield from _document(good, seen)
+    if not page.is_own:
+        yield "## Turn it off"
+        yield _silencing(facts.name)
+    if page.sources:
+        yield "## See also"
+        yield "\n".join(f"- <{address}>" for address in page.sources)
+
+
+def _consumers(affects: Mapping[str, Mapping[str, str]]) -> str:
+    rows = ["| consumer | SDFormat | URDF |", "|---|---|---|"]
+    for consumer, dialects in READS.items():
+        said = affects.get(consumer.value, {})
+        cells = (
+            Reaction.of(said[dialect]).words
+            if dialect in said
+            else "–"
+            if dialect not in dialects
+            else "accepts it"
+            for dialect in _DIALECTS
+        )
+        if said:
+            rows.append(f"| {_NAMES.get(consumer, consumer.value)} | {' | '.join(cells)} |")
+    return "\n".join(rows)
+
+
+def _reported(example: Shown, seen: set[tuple[str, str]]) -> Iterator[str]:
+    yield from _document(example, seen)
+    if example.report:
+        yield _code(example.report, "text")
+    if example.fixed is not None:
+        yield "The fix:" if example.is_safe else "The fix, which `--unsafe-fixes` applies:"
+        yield _code(_difference(example.text, example.fixed), "diff")
+
+
+def _document(example: Shown, seen: set[tuple[str, str]]) -> Iterator[str]:
+    """The example and the other files that it names; those in ``seen`` are only named."""
+    yield _code(_shortened(example.text), "xml")
+    for name, text in example.files.items():
+        if name == example.name:
+            continue
+        is_known = (name, text) in seen
+        seen.add((name, text))
+        yield f"with `{name}`" + (" as above" if is_known else ":" if text.strip() else " (empty)")
+        if text.strip() and not is_known:
+            yield _code(text, "xml" if text.lstrip().startswith("<") else "text")
+
+
+def _shortened(text: str) -> str:
+    left_out = len(text) - 2 * _LONGEST
+    return text if left_out <= 0 else f"{text[:_LONGEST]}\n… {left_out} characters …\n{text[-_LONGEST:]}"
+
+
+def _silencing(name: str) -> str:
+    return (
+        f"- for one element: `<!-- sdfcheck: ignore[{name}] reason -->` before it\n"
+        f"- for a file: `<!-- sdfcheck: ignore-file[{name}] -->` in it\n"
+        f'- everywhere: `ignore = ["{name}"]` in `sdfcheck.toml`'
+    )
+
+
+def _difference(before: str, after: str) -> str:
+    from difflib import unified_diff
+
+    lines = unified_diff(before.splitlines(), after.splitlines(), lineterm="", n=1)
+    return "\n".join(line for line in lines if not line.startswith(("---", "+++", "@@")))
+
+
+def _code(text: str, language: str) -> str:
+    fence = "`" * max(3, 1 + max((len(run) for run in re.findall("`+", text)), default=0))
+    return f"{fence}{language}\n{text.strip(chr(10))}\n{fence}"
+
+
+def markdown(documentation: str | None) -> str:
+    """Documentation as rules carry it, as Markdown."""
+    return inspect.cleandoc(documentation or "").replace("``", "`")

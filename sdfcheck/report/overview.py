@@ -1,0 +1,76 @@
+"""The first screen of a large run: its findings by rule, in the order in which to take them on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.run import Run
+from sdfcheck.lint.wording import counted
+from sdfcheck.report.colors import INK_OF, Ink, Paint
+from sdfcheck.report.digest import files_of
+from sdfcheck.report.paths import Paths
+from sdfcheck.report.summary import View
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.visible import visible
+
+_ROWS = 20
+"""So many rules are listed under a heading."""
+
+
+class _Row(NamedTuple):
+    """What a rule has found."""
+
+    found: list[Diagnostic]
+
+    @property
+    def first(self) -> Diagnostic:
+        return self.found[0]
+
+
+def overview(run: Run, view: View, paths: Paths, paint: Paint) -> Iterator[str]:
+    """Fixable findings first, then errors, then warnings; what is not shown is counted."""
+    apart, shown = view.singles(run), view.shown(run)
+    fixable = [each for each in shown if each.fix is not None and each.fix.is_safe]
+    others = [each for each in shown if each.fix is None or not each.fix.is_safe]
+    headings = {
+        Severity.ERROR: "Errors: a simulator refuses the file, or builds another robot",
+        Severity.WARNING: "Warnings: very likely not what is meant",
+        Severity.INFO: "Infos",
+    }
+    yield paint(
+        f"{counted(len(apart), 'finding')} in {counted(len(files_of(apart)), 'file')}, by rule", Ink.STRONG
+    )
+    yield from _section(
+        "Fix first: `sdfcheck lint --fix` corrects these without changing a robot", fixable, paths, paint
+    )
+    for severity in (Severity.ERROR, Severity.WARNING, Severity.INFO):
+        yield from _section(
+            headings[severity], [each for each in others if each.severity is severity], paths, paint
+        )
+    hidden = [each for each in apart if not each.severity >= view.least]
+    if hidden:
+        codes = sorted({each.code for each in hidden})
+        yield ""
+        yield f"{counted(len(hidden), 'info')} of {counted(len(codes), 'rule')}: not shown, and rarely urgent"
+
+
+def _section(heading: str, found: Sequence[Diagnostic], paths: Paths, paint: Paint) -> Iterator[str]:
+    if not found:
+        return
+    by_code: dict[str, list[Diagnostic]] = {}
+    for each in found:
+        by_code.setdefault(each.code, []).append(each)
+    rows = sorted(map(_Row, by_code.values()), key=lambda row: (-len(row.found), row.first.code))
+    digits = max(len(str(len(row.found))) for row in rows)
+    width = max(len(f"{row.first.code} {row.first.name}") for row in rows[:_ROWS])
+    yield ""
+    yield paint(heading, Ink.STRONG)
+    for row in rows[:_ROWS]:
+        first = row.first
+        rule = paint(f"{first.code} {first.name:{width - len(first.code) - 1}}", INK_OF[first.severity])
+        files = counted(len(files_of(row.found)), "file")
+        yield f"  {len(row.found):>{digits}}  {rule}  in {files}, first at {visible(paths.place(first.span))}"
+    if len(rows) > _ROWS:
+        rest = sum(len(row.found) for row in rows[_ROWS:])
+        yield f"  {rest:>{digits}}  of {counted(len(rows) - _ROWS, 'other rule')}"

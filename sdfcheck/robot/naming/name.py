@@ -1,0 +1,42 @@
+"""One name that a file gives."""
+
+from __future__ import annotations
+
+from sdfcheck.robot.reserved import NODES
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.record import NamedTuple
+
+
+class Name(NamedTuple):
+    """What something is called: ``kind`` is what it counts as, ``parent`` what it is in.
+
+    For an include that gives no name of its own ``value`` is the uri that brings it, and
+    so for the parts of a model that it merges (``is_merged``).
+    """
+
+    kind: str
+    name: str
+    value: Value
+    parent: Element
+    is_merged: bool = False
+    is_extension: bool = False
+    """Is it in a ``<gazebo>`` block of a URDF file?"""
+
+    @property
+    def makes_frame(self) -> bool:
+        """Is it the name of a frame?"""
+        return self.kind in NODES
+
+    @property
+    def is_compared(self) -> bool:
+        """Does libsdformat compare it with the names that it reserves?"""
+        from sdfcheck.formats.sdf.history import reserved_name_holders
+
+        return self.kind in reserved_name_holders()
+
+
+class Namesakes(NamedTuple):
+    """Two siblings that share a name."""
+
+    first: Name
+    later: Name

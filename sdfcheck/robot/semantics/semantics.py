@@ -1,0 +1,244 @@
+"""SRDF: groups, states, end effectors and collisions of a robot that another file describes.
+
+Source: srdfdom (ros2, noetic) and MoveIt's robot model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.suggest import suggest_in
+from sdfcheck.formats.urdf.table import is_expression
+from sdfcheck.robot.values import lazy
+from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.text import Span
+
+ROOT_JOINT = "root_joint"
+"""What Pinocchio calls the joint of a floating robot, which no URDF has."""
+
+_REQUIRED = {
+    "chain": ("base_link", "tip_link"),
+    "disable_collisions": ("link1", "link2"),
+    "disable_default_collisions": ("link",),
+    "enable_collisions": ("link1", "link2"),
+    "end_effector": ("name", "group", "parent_link"),
+    "group": ("name",),
+    "group_state": ("name", "group"),
+    "joint": ("name",),
+    "link": ("name",),
+    "link_sphere_approximation": ("link",),
+    "passive_joint": ("name",),
+    "virtual_joint": ("name", "type", "parent_frame", "child_link"),
+}
+"""Element → the attributes without which srdfdom drops it; a joint of a state needs its value, too."""
+
+_NAMES = {
+    ("chain", "base_link"): "link",
+    ("chain", "tip_link"): "link",
+    ("disable_collisions", "link1"): "link",
+    ("disable_collisions", "link2"): "link",
+    ("disable_default_collisions", "link"): "link",
+    ("enable_collisions", "link1"): "link",
+    ("enable_collisions", "link2"): "link",
+    ("end_effector", "parent_link"): "link",
+    ("joint", "name"): "joint",
+    ("link", "name"): "link",
+    ("link_sphere_approximation", "link"): "link",
+    ("passive_joint", "name"): "joint",
+    ("virtual_joint", "child_link"): "link",
+}
+"""Element and attribute → what of the robot it names."""
+
+_GROUPS = {("end_effector", "group"), ("end_effector", "parent_group"), ("group_state", "group")}
+"""Elements and attributes that name groups; a group in a group does by its name."""
+
+_COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
+
+
+class NamedPart(NamedTuple):
+    """A name of a link or joint of the robot, with its place."""
+
+    kind: str
+    value: Value
+
+
+class StateValue(NamedTuple):
+    """The value of a joint in a state of a group."""
+
+    state: Element
+    joint: Element
+    value: Value
+
+
+class Semantics:
+    """What an SRDF file says; ``robots`` are those that it may be about, empty where none is found."""
+
+    def __init__(self, document: Document) -> None:
+        root = document.root
+        assert root is not None, "a document without elements says nothing"
+        self.document = document
+        self.element: Element = root
+        self.robots: tuple[Model, ...] = ()
+
+    @property
+    def span(self) -> Span:
+        """The place of its root's name."""
+        return self.element.span
+
+    @property
+    def name(self) -> str:
+        """The name of the robot."""
+        return self.element.attributes.get("name", "").strip()
+
+    @lazy
+    def parts(self) -> tuple[Element, ...]:
+        """The elements that srdfdom reads."""
+        found = []
+        for child in self.element.children():
+            if child.name in _REQUIRED and child.name not in {"link", "joint", "chain"}:
+                found.append(child)
+                if child.name == "group":
+                    found += [
+                        each for each in child.children() if each.name in {"link", "joint", "chain", "group"}
+                    ]
+                elif child.name == "group_state":
+                    found += child.children("joint")
+        return tuple(found)
+
+    @lazy
+    def groups(self) -> dict[str, Element]:
+        """Name → its group, of several the first."""
+        found: dict[str, Element] = {}
+        for group in self.element.children("group"):
+            if name := group.attributes.get("name", "").strip():
+                found.setdefault(name, group)
+        return found
+
+    @property
+    def lacking(self) -> Iterator[tuple[Element, str]]:
+        """The elements without an attribute that they need."""
+        for part in self.parts:
+            is_value = part.name == "joint" and part.parent is not None and part.parent.name == "group_state"
+            for name in (*_REQUIRED[part.name], *(("value",) if is_value else ())):
+                if part.attribute(name) is None:
+                    yield part, name
+
+    @lazy
+    def named(self) -> tuple[NamedPart, ...]:
+        """The names of links and joints of the robot."""
+        found = []
+        for part in self.parts:
+            for (element, attribute), kind in _NAMES.items():
+                value = part.attribute(attribute) if element == part.name else None
+                if value is not None and value.text.strip() and not is_expression(value.text):
+                    found.append(NamedPart(kind, value))
+        return tuple(found)
+
+    @lazy
+    def virtual_joints(self) -> dict[str, str]:
+        """The joints that it adds itself: name → type."""
+        return {
+            each.attributes.get("name", "").strip(): each.attributes.get("type", "").strip().lower()
+            for each in self.element.children("virtual_joint")
+        }
+
+    @property
+    def unknown(self) -> Iterator[NamedPart]:
+        """The names that no robot has which the file may be about."""
+        for part in self.named if self.robots else ():
+            name = part.value.text.strip()
+            if part.kind == "joint" and (name == ROOT_JOINT or name in self.virtual_joints):
+                continue
+            if not any(name in names(robot, part.kind) for robot in self.robots):
+                yield part
+
+    def guess(self, part: NamedPart) -> str | None:
+        """The name that was probably meant."""
+        known = {name for robot in self.robots for name in names(robot, part.kind)}
+        return suggest_in(self.document, part.value.text.strip(), known)
+
+    @property
+    def unknown_groups(self) -> Iterator[Value]:
+        """The names of groups that it does not define."""
+        for part in self.parts:
+            attributes = [attribute for element, attribute in _GROUPS if element == part.name]
+            if part.name == "group" and part.parent is not self.element:
+                attributes = ["name"]
+            for attribute in sorted(attributes):
+                value = part.attribute(attribute)
+                if (
+                    value is not None
+                    and value.text.strip() not in self.groups
+                    and not is_expression(value.text)
+                ):
+                    yield value
+
+    @property
+    def doubled(self) -> Iterator[tuple[Value, Value]]:
+        """The names of groups, and of states of a group, that are given before, with the first."""
+        seen: dict[tuple[str, str, str], Value] = {}
+        for part in self.element.children():
+            value = part.attribute("name")
+            if part.name in {"group", "group_state", "end_effector"} and value is not None:
+                group = part.attributes.get("group", "") if part.name == "group_state" else ""
+                first = seen.setdefault((part.name, group, value.text.strip()), value)
+                if first is not value:
+                    yield value, first
+
+    @property
+    def state_values(self) -> Iterator[StateValue]:
+        """The values of joints in states."""
+        for state in self.element.children("group_state"):
+            for joint in state.children("joint"):
+                value = joint.attribute("value")
+                if value is not None and not is_expression(value.text):
+                    yield StateValue(state, joint, value)
+
+    def joint_of(self, state: StateValue) -> Joint | None:
+        """The joint of the robot that a value is for; None where that is not certain."""
+        name = state.joint.attributes.get("name", "").strip()
+        found = [robot.joints_by_name[name] for robot in self.robots if name in robot.joints_by_name]
+        return found[0] if len(self.robots) == 1 and found else None
+
+    def miscounted(self, state: StateValue) -> str | None:
+        """Why a value is not the numbers that its joint needs; None where it is, or that cannot be told."""
+        words = state.value.text.split()
+        if not words or not all(map(_is_number, words)):
+            return "a number"
+        joint = self.joint_of(state)
+        name = state.joint.attributes.get("name", "").strip()
+        kind = joint.type if joint is not None else self.virtual_joints.get(name, "")
+        count = _COUNTS.get(kind, len(words))
+        return None if count == len(words) else f"{count} number{'s' * (count > 1)}"
+
+    def outside(self, state: StateValue) -> Joint | None:
+        """The joint whose limits a value is outside of."""
+        joint = self.joint_of(state)
+        if joint is None or joint.axis_count != 1 or joint.type not in {"revolute", "prismatic"}:
+            return None
+        low, high = joint.axis.limit.range
+        number = state.value.number
+        slack = 1e-6 * max(abs(low), abs(high), 1)
+        return joint if number < low - slack or number > high + slack else None
+
+
+def names(robot: Model, kind: str) -> frozenset[str]:
+    """The names of the links or joints of a robot."""
+    if kind == "joint":
+        return frozenset(robot.joints_by_name)
+    return frozenset(link.name for link in robot.links)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return "_" not in text

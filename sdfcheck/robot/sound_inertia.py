@@ -1,0 +1,126 @@
+"""A quick look at a link's mass and inertia, for the many that are sound.
+
+It reads the numbers straight from the tree. What it does not call sound is looked at
+again, with places, by the rules about inertials.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+from sdfcheck.robot.parts import solids
+from sdfcheck.source.element import Element
+
+_PLAUSIBLE = (0.01, 10.0)
+"""Traces within these factors of a solid's are beyond suspicion."""
+
+_MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+_ORIGIN = [0.0, 0.0, 0.0]
+
+_MAKERS = {
+    "box": lambda t: solids.box(*_three(t["size"])),
+    "ellipsoid": lambda t: solids.ellipsoid(*_three(t["radii"])),
+    "sphere": lambda t: solids.sphere(float(t["radius"])),
+    "cylinder": lambda t: solids.cylinder(float(t["radius"]), float(t["length"])),
+    "capsule": lambda t: solids.capsule(float(t["radius"]), float(t["length"])),
+    "cone": lambda t: solids.cone(float(t["radius"]), float(t["length"])),
+}
+
+
+def is_sound(link: Element) -> bool:
+    """True only if there is surely nothing to say about a link's mass properties."""
+    parts: dict[Any, list[Element]] = {}
+    for child in link:
+        parts.setdefault(child.tag, []).append(child)
+    shapes = parts.get("collision") or parts.get("visual") or []
+    try:
+        mass, moments, center = _read(parts["inertial"][0])
+        return _is_possible(mass, moments) and _is_plausible(mass, moments, center, shapes)
+    except (KeyError, TypeError, ValueError, ZeroDivisionError):
+        return False
+
+
+def _read(inertial: Element) -> tuple[float, tuple[float, ...], list[float]]:
+    if any(key == "auto" for key, _ in inertial.items()):
+        raise ValueError
+    mass, center = math.nan, _ORIGIN
+    moments: tuple[float, ...] = ()
+    for child in inertial:
+        tag = child.tag
+        if tag == "mass":
+            mass = float(_texts(child).get("value") or child.text or "")
+        elif tag == "inertia":
+            texts = _texts(child)
+            moments = tuple([float(texts.get(name) or 0) for name in _MOMENTS])
+        elif tag in {"pose", "origin"}:
+            center = _position(child)
+    return mass, moments, center
+
+
+def _texts(element: Element) -> dict[str, str | None]:
+    """The attributes of an element and the texts of its children, by name."""
+    texts: dict[str, str | None] = dict(element.items())
+    for child in element:
+        texts[child.tag] = child.text
+    return texts
+
+
+def _position(origin: Element) -> list[float]:
+    if origin.tag == "origin":
+        return _three(dict(origin.items()).get("xyz", "0 0 0"))
+    if origin.items():
+        raise ValueError
+    return _three(" ".join((origin.text or "0 0 0").split()[:3]))
+
+
+def _three(text: str | None) -> list[float]:
+    x, y, z = (text or "").split()
+    return [float(x), float(y), float(z)]
+
+
+@lru_cache(maxsize=1000)
+def _is_possible(mass: float, moments: tuple[float, ...]) -> bool:
+    if not (mass > 0 and math.isfinite(mass) and moments):
+        return False
+    low, middle, high = solids.Moments(*moments).principal()
+    return low > 0 and low + middle >= high
+
+
+def _is_plausible(
+    mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]
+) -> bool:
+    volume = total = 0.0
+    for shape in shapes:
+        at, geometry = _ORIGIN, None
+        for child in shape:
+            tag = child.tag
+            if tag == "geometry":
+                geometry = child
+            elif tag in {"pose", "origin"}:
+                at = _position(child)
+        solid = _solid_of(geometry)
+        if solid is not None:
+            distance = math.dist(at, center) if at != center else 0.0
+            volume += solid.volume
+            total += solid.volume * (solid.moments.trace + 2 * distance * distance)
+    if not volume:
+        return True
+    low, high = _PLAUSIBLE
+    return low <= sum(moments[:3]) / (mass * total / volume) <= high
+
+
+def _solid_of(geometry: Element | None) -> solids.Solid | None:
+    if geometry is not None:
+        for shape in geometry:
+            if shape.tag in _MAKERS:
+                return _solid(shape.tag, *_texts(shape).items())
+            return None
+    return None
+
+
+@lru_cache(maxsize=1000)
+def _solid(shape: str, *texts: tuple[str, str | None]) -> solids.Solid:
+    """The solid of a shape; worlds repeat themselves."""
+    return _MAKERS[shape]({name: text or "" for name, text in texts})

@@ -1,0 +1,134 @@
+"""The tags of vendors in a document, in its order."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from sdfcheck.formats.vendor.definitions import Vendor
+from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.robot.values import lazy
+from sdfcheck.robot.vendor.mirror import is_known_in, mirrored
+from sdfcheck.robot.vendor.references import References
+from sdfcheck.robot.vendor.tag import VendorTag
+from sdfcheck.robot.vendor.value import VendorValue
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element, Value
+from sdfcheck.source.rewritten import COLON
+from sdfcheck.source.sniff import Kind
+
+_CLOSED = frozenset(("plugin", "gazebo"))
+"""What lies in these is for their own parsers."""
+
+
+class VendorTags:
+    """What a document has of the elements and attributes of one vendor."""
+
+    def __init__(self, document: Document, vendor: Vendor, other: Vendor) -> None:
+        self.document = document
+        self.vendor = vendor
+        self.other = other
+        """The same vendor's table for the other format."""
+        self.by_element: dict[Element, VendorTag] = {}
+        """The tags that are elements and read."""
+        self._mark = f"{vendor.prefix}:"
+        self.all = list(self._walk(document.root)) if document.root is not None else []
+        self._find_newcomers()
+
+    @lazy
+    def references(self) -> References:
+        """What the names in values refer to."""
+        return References(self.document, self._mark)
+
+    def _walk(self, root: Element) -> Iterator[VendorTag]:
+        # As an attribute, a tag has a space before it.
+        has_attributes = re.search(rf"\s{re.escape(self._mark)}", self.document.source.text) is not None
+        waiting = [root]
+        while waiting:
+            element = waiting.pop()
+            if has_attributes:
+                yield from self._attributes(element)
+            seen: dict[str, Element] = {}
+            below: list[Element] = []
+            for child in element.children():
+                tag = child.tag
+                if tag[0] != "{" and ":" not in tag and COLON not in tag:
+                    if tag not in _CLOSED and (has_attributes or len(child)):
+                        below.append(child)
+                elif child.name.startswith(self._mark):
+                    use = self._element(child, element, seen)
+                    yield use
+                    if not use.is_read:
+                        continue
+                    if standard := use.mirrors:
+                        yield from mirrored(use, standard)
+                        yield from self._kept(child)
+                    else:
+                        below.append(child)
+            waiting += reversed(below)
+
+    def _element(self, element: Element, parent: Element, seen: dict[str, Element]) -> VendorTag:
+        name = element.name
+        use = VendorTag(self, element, name, self.vendor.tags.get(name), parent)
+        if use.place is not None and not use.is_gone:
+            if use.place.single:
+                use.first = seen.get(name)
+            seen.setdefault(name, element)
+        if use.is_read:
+            self.by_element[element] = use
+        return use
+
+    def _kept(self, element: Element) -> Iterator[VendorTag]:
+        """The tags that keep their meaning where all else repeats a standard element."""
+        seen: dict[str, Element] = {}
+        for child in element.children():
+            if is_known_in(self.vendor, child.name, element):
+                yield self._element(child, element, seen)
+
+    def _attributes(self, element: Element) -> Iterator[VendorTag]:
+        if not any(key[0] == "{" or COLON in key for key in element.keys()):  # noqa: SIM118 - lxml has no `in`
+            return
+        for name, text in element.attributes.items():
+            if name.startswith(self._mark):
+                value = Value(element, name, text)
+                yield VendorTag(self, value, name, self.vendor.tags.get(name), element)
+
+    def _find_newcomers(self) -> None:
+        """Gather the tags by name and release, without what came along with the element around it."""
+        found: dict[tuple[str, str], list[VendorTag]] = {}
+        for use in self.all:
+            around = self.vendor.tags.get(use.parent.name)
+            if use.since and (around is None or around.since != use.since):
+                use.alike = found.setdefault((use.name, use.since), [])
+                use.alike.append(use)
+
+
+class _Known:
+    """The tags of a document by the tables that they were looked up in."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._found: dict[Path, VendorTags] = {}
+
+    def of(self, table: Path) -> VendorTags:
+        found = self._found.get(table)
+        if found is None:
+            dialects = ("sdf", "urdf") if self._document.kind is Kind.SDF else ("urdf", "sdf")
+            own, other = (vendor(table, dialect) for dialect in dialects)
+            found = self._found[table] = VendorTags(self._document, own, other)
+        return found
+
+
+def tags(document: Document, tables: Iterable[Path]) -> Iterator[VendorTag]:
+    """The tags of some vendors in an SDF or URDF document."""
+    if document.kind not in {Kind.SDF, Kind.URDF} or "<xacro:" in document.source.text:
+        return
+    for table in tables:
+        yield from document.view(_Known).of(table).all
+
+
+def values(document: Document, tables: Iterable[Path]) -> Iterator[VendorValue]:
+    """The values of those tags."""
+    for tag in tags(document, tables):
+        yield from tag.values

@@ -1,0 +1,98 @@
+"""The page that shows scenes: one file that loads nothing from anywhere."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Mapping, Sequence
+from hashlib import sha256
+from html import escape
+from importlib.resources import files
+from typing import Any
+
+_STYLE = """
+:root { color-scheme: light dark; --line: #8884; --error: #c92a2a; --warning: #a15c00; --info: #1864ab; }
+@media (prefers-color-scheme: dark) { :root { --error: #ff8787; --warning: #ffc078; --info: #74c0fc; } }
+* { box-sizing: border-box; }
+body { margin: 0; height: 100vh; display: flex; flex-direction: column; font: 14px/1.45 system-ui, sans-serif; }
+header { padding: 6px 12px; border-bottom: 1px solid var(--line); }
+h1 { font-size: 16px; margin: 0; overflow-wrap: anywhere; }
+main { flex: 1; display: flex; min-height: 0; }
+#stage { flex: 1; min-width: 0; position: relative; }
+canvas { display: block; width: 100%; height: 100%; touch-action: none; }
+#panel { width: 360px; overflow: auto; border-left: 1px solid var(--line); padding: 8px 12px; }
+#no-webgl { position: absolute; inset: 0; padding: 2em; }
+fieldset { border: 1px solid var(--line); display: grid; grid-template-columns: 1fr 1fr; }
+details { margin: 8px 0; }
+summary { font-weight: 600; cursor: pointer; }
+ul { list-style: none; margin: 0; padding-left: 14px; }
+.slider { display: grid; grid-template-columns: 9em 1fr 5em; gap: 6px; align-items: center; overflow-wrap: anywhere; }
+.entry { all: unset; display: block; width: 100%; cursor: pointer; padding: 1px 4px; overflow-wrap: anywhere; }
+.entry:focus-visible { outline: 2px solid Highlight; }
+.selected { background: Highlight; color: HighlightText !important; }
+.error { color: var(--error); } .warning { color: var(--warning); } .info { color: var(--info); }
+p { margin: 2px 0; overflow-wrap: anywhere; }
+@media (max-width: 700px) { main { flex-direction: column; } #panel { width: auto; height: 45%; } }
+@media print { #panel { overflow: visible; } }
+"""
+
+_TEMPLATE = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<header><h1>{title}</h1></header>
+<main>
+<div id="stage">
+<canvas aria-label="The robot, drawn; drag to turn, scroll to zoom" role="img"></canvas>
+<p id="no-webgl" hidden>This browser cannot draw in three dimensions (WebGL is off). The lists are complete.</p>
+</div>
+<section id="panel" aria-label="Parts, joints and findings" tabindex="0"></section>
+</main>
+<script type="application/json" id="data">{data}</script>
+<script>{script}</script>
+</body>
+</html>
+"""
+
+
+def page(
+    title: str,
+    scenes: Sequence[Mapping[str, Any]],
+    meshes: Sequence[Mapping[str, Any]],
+    *,
+    findings: Sequence[Mapping[str, Any]] = (),
+    differences: Sequence[Mapping[str, Any]] = (),
+    most_shapes: int,
+) -> str:
+    """The whole page; every name in it is text, never markup."""
+    script = files("sdfcheck.view").joinpath("data").joinpath("viewer.js").read_text(encoding="utf-8")
+    data = {
+        "scenes": scenes,
+        "meshes": meshes,
+        "findings": findings,
+        "differences": differences,
+        "mostShapes": most_shapes,
+    }
+    policy = (
+        f"default-src 'none'; script-src '{_digest(script)}'; style-src '{_digest(_STYLE)}'; "
+        "img-src data: blob:; connect-src data: blob:"
+    )
+    return _TEMPLATE.format(
+        title=escape(title), policy=policy, style=_STYLE, data=as_data(data), script=script
+    )
+
+
+def as_data(value: Any) -> str:
+    """JSON that cannot end the element that it is in."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
+
+
+def _digest(text: str) -> str:
+    return f"sha256-{base64.b64encode(sha256(text.encode()).digest()).decode()}"

@@ -1,0 +1,88 @@
+"""What xacro takes, with a warning or without, and hardly anybody means.
+
+``name`` is what it is about, ``other`` a further place that has to do with it.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from sdfcheck.source.record import Record
+from sdfcheck.source.text import Span
+
+
+class Oversight(Record):
+    """Something that xacro does not stop for."""
+
+    span: Span
+    name: str
+    other: Span | None = None
+    near: str | None = None
+
+
+class RedefinedSymbol(Oversight):
+    """A property or parameter has the name of something that expressions know: ``pi``."""
+
+
+class PrefixedMacroName(Oversight):
+    """The name of a macro begins with ``xacro:``."""
+
+
+class DeprecatedFunction(Oversight):
+    """A function is called without the module that it is in, ``near``."""
+
+
+class RedefinedMacro(Oversight):
+    """A macro of that name is defined before, at ``other``."""
+
+
+class OverwrittenProperty(Oversight):
+    """A property has a value that nothing reads before it gets another, at ``other``."""
+
+
+class OverwrittenParameter(Oversight):
+    """A property in a macro replaces the parameter of its name, at ``other``, before anything reads it."""
+
+
+class UnusedArgument(Oversight):
+    """An argument that nothing asks for."""
+
+
+class UnusedMacro(Oversight):
+    """A macro of a robot that nothing calls."""
+
+
+class UnknownPropertyScope(Oversight):
+    """The scope of a property is none of xacro's."""
+
+
+class NeverEqualText(Oversight):
+    """A text is compared with one that differs in its letters' case only; ``near`` is what it has."""
+
+
+class EmptiedBlock(Oversight):
+    """A call gives an element without content, and the parameter takes its content only."""
+
+
+class UnusualXacroNamespace(Oversight):
+    """The prefix is bound to a name that is nearly the customary one, ``near``."""
+
+
+class ParameterFlaw(Enum):
+    """What is odd about a parameter of a macro."""
+
+    COMMA = "comma"
+    DOUBLED = "doubled"
+    BLANK = "blank"
+    NO_COLON = "no colon"
+
+
+class OddParameter(Oversight):
+    """A parameter of a macro that is not written as xacro takes ``params`` apart."""
+
+    flaw: ParameterFlaw = ParameterFlaw.COMMA
+
+    @property
+    def is_fatal(self) -> bool:
+        """Can a call of the macro not be expanded?"""
+        return self.flaw in {ParameterFlaw.COMMA, ParameterFlaw.DOUBLED}

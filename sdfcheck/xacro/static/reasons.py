@@ -1,0 +1,204 @@
+"""Why a name is not known where a xacro file uses it: what beginners write, in words of its own."""
+
+from __future__ import annotations
+
+import keyword
+import re
+
+from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.givers import givers
+from sdfcheck.xacro.language import PREFIX, is_literal
+from sdfcheck.xacro.problems import (
+    ExpansionFailure,
+    Failure,
+    Problem,
+    Reason,
+    UndefinedBlock,
+    UndefinedMacro,
+    UndefinedProperty,
+)
+from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
+from sdfcheck.xacro.static.reading import Property
+
+_FOREIGN = {
+    "else": "xacro has no `else`: repeat the value in `xacro:unless`",
+    "elif": "xacro has no `elif`: write `xacro:if` once more",
+    "elseif": "xacro has no `elseif`: write `xacro:if` once more",
+    "endif": "xacro has no `endif`: what is inside of `xacro:if` is conditional",
+    "for": "xacro has no loops: let a macro call itself",
+    "foreach": "xacro has no loops: let a macro call itself",
+    "loop": "xacro has no loops: let a macro call itself",
+    "while": "xacro has no loops: let a macro call itself",
+    "param": "parameters of a macro are listed in its attribute `params`",
+    "params": "parameters of a macro are listed in its attribute `params`",
+    "var": "a value with a name is a `xacro:property`",
+}
+"""Elements of other languages → what xacro has instead."""
+
+_NO_LETTER = re.compile(r"\W")
+_OTHER_LANGUAGES = (
+    (re.compile(r"&&|&amp;&amp;"), "Python writes `and` for `&&`"),
+    (re.compile(r"\|\|"), "Python writes `or` for `||`"),
+    (re.compile(r"\?[^:]*:"), "Python writes `a if condition else b` for `condition ? a : b`"),
+    (re.compile(r"!(?!=)"), "Python writes `not` for `!`"),
+    (re.compile(r"^\$\{\s*(?:find|arg|env|optenv|eval)\s+[^\s(]"), "write it in parentheses: `$({})`"),
+    (re.compile(r"^\$\([^(]*\([^)]*\)$"), "xacro ends `$(…)` at the first `)`: write `${…}`"),
+    (
+        re.compile(r"^\$\{[^{]*\{[^}]*\}$"),
+        "xacro ends `${…}` at the first `}`: write `dict(…)` for a dictionary",
+    ),
+)
+"""What does not go in an expression → what to write."""
+
+_DASHED = re.compile(r"(?<![\w.])([^\W\d]\w*(?:-[^\W\d]\w*)+)(?!\w)")
+
+
+def with_reason(problem: Problem, document: Document) -> Problem:
+    """The same problem with the reason for it, where that is known."""
+    if isinstance(problem, UndefinedBlock):
+        return problem
+    if isinstance(problem, UndefinedProperty):
+        reason = _of_property(problem, visible_definitions(document))
+    elif isinstance(problem, UndefinedMacro):
+        reason = _of_macro(problem, visible_definitions(document))
+    elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT:
+        reason = _of_argument(problem, visible_definitions(document))
+    elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION:
+        reason = _of_expression(problem, visible_definitions(document)) or _of_value(problem, document)
+    elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.FILE:
+        reason = _of_file(problem, document)
+    else:
+        return problem
+    if reason is None:
+        return problem
+    values = {field: getattr(problem, field) for field in problem._fields}
+    return type(problem)(**{**values, "reason": reason})
+
+
+def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | None:
+    name = problem.name
+    for read in visible.readings:
+        if name in read.argument_elements:
+            place = _name(read.argument_elements[name])
+            return Reason(f"it is an argument: write `$(arg {name})`", place, "the argument")
+    found = [each for read in visible.readings for each in read.properties if each.name == name]
+    if not found:
+        return _dashed(problem, visible)
+    first = found[0]
+    place = _name(first.element)
+    if all(each.macro is not None for each in found):
+        if _is_inside(problem.span, found):
+            return _late(problem.span, place)
+        macro = first.macro.attributes.get("name", "") if first.macro is not None else ""
+        words = f'it is gone at the end of macro `{macro}`, unless it has scope="parent" or scope="global"'
+        return Reason(words, place, "known in the macro only")
+    outside = next(each for each in found if each.macro is None)
+    if outside.value is None and not len(outside.element):
+        return Reason("it has no value", _name(outside.element), "no `value` here")
+    return _late(problem.span, _name(outside.element))
+
+
+def _dashed(problem: UndefinedProperty, visible: Definitions) -> Reason | None:
+    """A name that is a part of one with a hyphen, which expressions take for a minus."""
+    names = {each.name: each for read in visible.readings for each in read.properties if "-" in each.name}
+    line = problem.span.source.text[max(problem.span.start - 60, 0) : problem.span.end + 60]
+    for match in _DASHED.finditer(line):
+        if match[1] in names and problem.name in match[1].split("-"):
+            place = _name(names[match[1]].element)
+            return Reason(f"`-` in `{match[1]}` is a minus: write it with `_`", place, "the property")
+    return None
+
+
+def _is_inside(span: Span, found: list[Property]) -> bool:
+    """Is a place in the body of a macro that defines the property?"""
+    for each in found:
+        if each.macro is not None and span.source is each.element.document.source:
+            at = each.element.document.spans.place(each.macro)
+            if at.start <= span.start < at.close:
+                return True
+    return False
+
+
+def _of_macro(problem: UndefinedMacro, visible: Definitions) -> Reason | None:
+    name = problem.name.removeprefix(PREFIX)
+    if name in _FOREIGN:
+        return Reason(_FOREIGN[name])
+    macros = visible.macros.get(name, [])
+    return _late(problem.span, _name(macros[0].element)) if macros else None
+
+
+def _of_argument(problem: ExpansionFailure, visible: Definitions) -> Reason | None:
+    name = problem.detail
+    for read in visible.readings:
+        element = read.argument_elements.get(name)
+        if element is not None and "default" in element.attributes and is_literal(name):
+            return _late(problem.span, _name(element))
+    return None
+
+
+def _of_expression(problem: ExpansionFailure, visible: Definitions) -> Reason | None:
+    text = problem.expression
+    command = re.fullmatch(r"\$\(\s*([^\W\d]\w*)\s*\)", text)
+    if command:
+        for read in visible.readings:
+            for each in read.properties:
+                if each.name == command[1]:
+                    words = f"`{each.name}` is a property: write `${{{each.name}}}`"
+                    return Reason(words, _name(each.element), "the property")
+        if any(command[1] in read.arguments for read in visible.readings):
+            return Reason(f"write `$(arg {command[1]})`")
+        if command[1] in visible.parameters:
+            return Reason(f"`{command[1]}` is a parameter: write `${{{command[1]}}}`")
+    for found, words in _OTHER_LANGUAGES:
+        if found.search(text):
+            return Reason(words.replace("{}", text[2:-1].strip()))
+    invalid = re.fullmatch(r"Property names must be valid python identifiers: (.*)", problem.detail)
+    if invalid and re.sub(r"\W", "_", invalid[1]).isidentifier():
+        return (
+            Reason(f"write `{re.sub(_NO_LETTER, '_', invalid[1])}`")
+            if not keyword.iskeyword(invalid[1])
+            else None
+        )
+    return None
+
+
+def _of_value(problem: ExpansionFailure, document: Document) -> Reason | None:
+    """What gave the value with which an expression fails."""
+    found = givers(problem.span, problem.origins, document)
+    if not found:
+        return None
+    name, text, place = found[0]
+    return Reason(f"`{name}` is `{text}`", place, f"`{name}` is set here")
+
+
+def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
+    name, _, why = problem.detail.rpartition(": ")
+    if "package://" in name:
+        package, _, rest = name.partition("package://")[2].partition("/")
+        return Reason(f"xacro does not know `package://`: write `$(find {package})/{rest}`")
+    if not why.startswith("no such file") or document.library is None or "$" in name:
+        return None
+    path = problem.span.source.path.parent / name
+    try:
+        near = [each.name for each in path.parent.iterdir() if each.name.casefold() == path.name.casefold()]
+    except OSError:
+        return None
+    return Reason(f"did you mean `{near[0]}`?") if near else None
+
+
+def _late(span: Span, place: Span) -> Reason | None:
+    """That a name is defined after its use, or in another file."""
+    line = place.begin.line
+    if place.source is span.source:
+        if place.start < span.start:
+            return None
+        return Reason(f"it is defined in line {line}, after this", place, "defined here")
+    return Reason(
+        f"it is defined in {place.source.path.name}:{line}, which comes later", place, "defined here"
+    )
+
+
+def _name(element: Element) -> Span:
+    return element.document.spans.attribute_value(element, "name")

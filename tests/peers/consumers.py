@@ -1,0 +1,43 @@
+"""The consumers themselves, as far as they are installed: does each take a file?"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from sdfcheck.consumers.reaction import Consumer
+from tests.peers import cmdcheck, drake, mujoco
+
+
+def _gazebo(paths: Sequence[Path]) -> dict[Path, bool]:
+    with ThreadPoolExecutor() as executor:
+        opinions = executor.map(cmdcheck.check, paths)
+        return {path: opinion.accepted is True for path, opinion in zip(paths, opinions, strict=True)}
+
+
+def _urdfdom(paths: Sequence[Path]) -> dict[Path, bool]:
+    return {
+        path: subprocess.run(["check_urdf", str(path)], capture_output=True, check=False).returncode == 0
+        for path in paths
+    }
+
+
+def _mujoco(paths: Sequence[Path]) -> dict[Path, bool]:
+    return {path: mujoco.verdict(path) for path in paths}
+
+
+def installed() -> Mapping[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]]:
+    """Reader → what tells which of some files it takes."""
+    found: dict[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]] = {}
+    if cmdcheck.library() is not None:
+        found[Consumer.GAZEBO] = _gazebo
+    if drake.is_installed():
+        found[Consumer.DRAKE] = drake.loads
+    if shutil.which("check_urdf"):
+        found[Consumer.URDFDOM] = _urdfdom
+    if mujoco.is_installed():
+        found[Consumer.MUJOCO] = _mujoco
+    return found

@@ -1,0 +1,63 @@
+"""What the manuals say that consumers refuse, against what the rules say of them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.targets import verdicts
+from sdfcheck.consumers.reaction import READS, Consumer, Reaction
+from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.rule import Rule
+from tests.peers.test_affects import examples
+from tests.test_rules import RULES
+
+NAMES = {
+    "libsdformat": Consumer.GAZEBO,
+    "Gazebo": Consumer.GAZEBO,
+    "Drake": Consumer.DRAKE,
+    "urdfdom": Consumer.URDFDOM,
+    "MuJoCo": Consumer.MUJOCO,
+}
+_NAME = f"(?:{'|'.join(NAMES)})(?: \\d+)?"
+_REFUSAL = re.compile(rf"({_NAME}(?:(?:, | and |, and ){_NAME})*) (?:refuses?|aborts?|crash(?:es)?)\b")
+
+
+def refusing(rule: type[Rule]) -> set[Consumer]:
+    """The consumers of which the manual of a rule says that they refuse something."""
+    prose = " ".join((rule.__doc__ or "").split())
+    subjects = [match[1] for match in _REFUSAL.finditer(prose)]
+    return {consumer for name, consumer in NAMES.items() if any(name in subject for subject in subjects)}
+
+
+CLAIMING = {rule.code: refusing(rule) for rule in RULES if refusing(rule)}
+
+
+def test_manuals_speak_of_consumers() -> None:
+    assert len(CLAIMING) > 20
+
+
+@pytest.mark.parametrize("code", sorted(CLAIMING))
+def test_whoever_is_said_to_refuse_does_so_in_an_example(code: str, tmp_path: Path) -> None:
+    (rule,) = (rule for rule in RULES if rule.code == code)
+    told = {consumer for consumer in CLAIMING[code] if _is_in_the_table(rule, consumer)}
+    for file in examples(tmp_path, [rule]):
+        for row in verdicts(file, tuple(Consumer), Around(Configuration(isolated=True))):
+            own = (reason.reaction for reason in row.reasons if reason.diagnostic.code == code)
+            if any(map(_refuses, own)):
+                told.add(row.consumer)
+    assert CLAIMING[code] <= told
+
+
+def _is_in_the_table(rule: type[Rule], consumer: Consumer) -> bool:
+    said = rule.affects.get(consumer, {})
+    reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
+    return any(map(_refuses, reactions.values()))
+
+
+def _refuses(reaction: Reaction) -> bool:
+    """Does it, in some version at least?"""
+    return reaction.is_refusal or "refuses" in reaction.words

@@ -1,0 +1,77 @@
+"""``--verify-with yourdfpy``: another library reads the URDF side."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+from sdfcheck.convert.independent import differences
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+
+pytest.importorskip("yourdfpy")
+
+BOX = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+ARM = f"""\
+<robot name="arm">
+  <link name="base">{BOX}</link><link name="arm">{BOX}</link><link name="hand">{BOX}</link>
+  <joint name="turn" type="continuous">
+    <origin xyz="0.1 0.2 0.3" rpy="0.4 0.5 0.6"/><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+  </joint>
+  <joint name="slide" type="prismatic">
+    <origin xyz="0 0 1" rpy="0 1 0"/><parent link="arm"/><child link="hand"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="1" effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+
+
+def convert(command: str, source: Path, result: Path, *options: str) -> int:
+    given = ["--isolated", str(source), "-o", str(result), "--verify-with", "yourdfpy", *options]
+    return main(["convert", command, *given])
+
+
+def test_it_reads_urdf_and_xacro_that_become_sdf_and_urdf_that_sdf_becomes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    urdf, sdf, back = (tmp_path / name for name in ("arm.urdf", "arm.sdf", "back.urdf"))
+    urdf.write_text(ARM)
+    xacro = tmp_path / "arm.urdf.xacro"
+    xacro.write_text(
+        ARM.replace('name="arm">', 'name="arm" xmlns:xacro="http://ros.org/wiki/xacro">', 1).replace(
+            "0.1 0.2 0.3", "${1 / 8} 0 0"
+        )
+    )
+    assert convert("urdf-to-sdf", urdf, sdf) == 0
+    assert convert("sdf-to-urdf", sdf, back) == 0
+    assert convert("urdf-to-sdf", xacro, tmp_path / "x.sdf") == 0
+    assert capsys.readouterr().err.count(", poses also by yourdfpy\n") == 3
+
+
+def test_it_contradicts_a_result_that_is_another_robot() -> None:
+    document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
+    done = urdf_to_sdf(document, Options())
+    assert differences(done, document) == []
+    (comparison,) = done.comparisons
+    turn = comparison.result.joints["turn"]
+    turned = replace(turn, axes=(replace(turn.axes[0], direction=-turn.axes[0].direction),))
+    joints = {**comparison.result.joints, "turn": turned}
+    wrong = replace(comparison, result=replace(comparison.result, joints=joints))
+    found = differences(replace(done, comparisons=(wrong,)), document)
+    assert {one.name for one in found} == {"arm", "hand"}
+
+
+def test_what_it_cannot_read_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*arguments: object, **options: object) -> None:
+        raise ValueError("no such thing")
+
+    monkeypatch.setattr("yourdfpy.URDF.load", refuse)
+    urdf = tmp_path / "arm.urdf"
+    urdf.write_text(ARM)
+    assert convert("urdf-to-sdf", urdf, tmp_path / "arm.sdf") == 2
+    assert not (tmp_path / "arm.sdf").exists()

@@ -1,0 +1,108 @@
+"""What changed in the settings of a robot: sensors, plugins, materials, surfaces, custom data."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.unit.convert.test_difference import URDF, changes, edited
+
+FURNISHED = (
+    "<sdf version='1.10' xmlns:shop='urn:shop'><world name='w'><physics name='p' type='ode'>"
+    "<max_step_size>0.001</max_step_size></physics><light name='sun' type='point'><intensity>1</intensity></light>"
+    "<model name='arm' shop:article='17'><plugin name='p' filename='p.so'><gain>1</gain></plugin>"
+    "<link name='base'><inertial><mass>1</mass><inertia><ixx>1</ixx></inertia></inertial>"
+    "<visual name='v'><geometry><mesh><uri>m.obj</uri><scale>1 1 1</scale></mesh></geometry>"
+    "<material><diffuse>1 0 0</diffuse></material></visual>"
+    "<collision name='c'><geometry><box><size>1 1 1</size></box></geometry>"
+    "<surface><friction><ode><mu>0.5</mu></ode></friction></surface></collision>"
+    "<sensor name='cam' type='camera'><update_rate>30</update_rate><pose>0 0 1 0 0 0</pose></sensor>"
+    "<light name='lamp' type='spot'><attenuation><range>5</range></attenuation></light></link>"
+    "<link name='fore'><inertial><mass>2</mass></inertial></link>"
+    "<joint name='elbow' type='revolute'><parent>base</parent><child>fore</child><axis><xyz>0 1 0</xyz>"
+    "<limit><lower>-1</lower><upper>1</upper></limit><dynamics><damping>1</damping></dynamics></axis>"
+    "<physics><ode><cfm_damping>true</cfm_damping></ode></physics></joint>"
+    "<frame name='f' attached_to='base'><pose>0 0 1 0 0 0</pose></frame></model></world></sdf>"
+)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("<xyz>0 1 0<", "<xyz>0 -1 0<", ("joint", "elbow", "direction", "0 1 0", "0 -1 0")),
+        ("<ixx>1<", "<ixx>2<", ("link", "base", "ixx", "1", "2")),
+        ("<upper>1<", "<upper>2<", ("joint", "elbow", "upper", "1", "2")),
+        ("<scale>1 1 1<", "<scale>2 2 2<", ("link", "base", "visual `v` size", "1 1 1", "2 2 2")),
+        ("<diffuse>1 0 0<", "<diffuse>0 1 0<",
+         ("link", "base", "visual `v`/material/diffuse", "1 0 0 1", "0 1 0 1")),
+        ("<update_rate>30<", "<update_rate>60<", ("link", "base", "sensor `cam`/update_rate", "30", "60")),
+        ("<gain>1<", "<gain>2<", ("model", "arm", "plugin `p`/gain", "1", "2")),
+        ("attached_to='base'><pose>0 0 1", "attached_to='base'><pose>0 0 2",
+         ("frame", "f", "pose in `base`", "0 0 1 0 0 0", "0 0 2 0 0 0")),
+        ("<size>1 1 1<", "<size>1 1 2<", ("link", "base", "collision `c` size", "1 1 1", "1 1 2")),
+        ("<damping>1<", "<damping>3<", ("joint", "elbow", "damping", "1", "3")),
+        ("<mu>0.5<", "<mu>0.9<", ("link", "base", "collision `c`/surface/friction/ode/mu", "0.5", "0.9")),
+        ("'camera'><update_rate>30</update_rate><pose>0 0 1", "'camera'><update_rate>30</update_rate><pose>0 0 2",
+         ("link", "base", "sensor `cam`/pose", "0 0 1 0 0 0", "0 0 2 0 0 0")),
+        ("<range>5<", "<range>6<", ("link", "base", "light `lamp`/attenuation/range", "5", "6")),
+        ("<max_step_size>0.001<", "<max_step_size>0.002<",
+         ("world", "w", "physics `p`/max_step_size", "0.001", "0.002")),
+        ("<intensity>1<", "<intensity>2<", ("world", "w", "light `sun`/intensity", "1", "2")),
+        ("cfm_damping>true", "cfm_damping>false",
+         ("joint", "elbow", "physics/ode/cfm_damping", "true", "false")),
+        ("shop:article='17'", "shop:article='18'", ("model", "arm", "@shop:article", "17", "18")),
+        ("<plugin name='p' filename='p.so'><gain>1</gain></plugin>", "",
+         ("model", "arm", "plugin `p`", "p.so", "none")),
+    ],
+)  # fmt: skip
+def test_one_edit_of_a_setting_is_one_change(
+    tmp_path: Path, old: str, new: str, expected: tuple[str, ...]
+) -> None:
+    assert edited(tmp_path, old, new, FURNISHED) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("<update_rate>30<", "<update_rate>30.0<"),
+        ("<damping>1<", "<damping>1</damping><spring_stiffness>0</spring_stiffness><damping>1<"),
+        ("<gain>1<", "<!-- high --><gain>1<"),
+        ("cfm_damping>true", "cfm_damping>1"),
+        ("<diffuse>1 0 0<", "<diffuse>1 0 0 1<"),
+        ("<mu>0.5</mu>", "<mu>0.5</mu><mu2>1</mu2>"),
+        (
+            "<sensor name='cam' type='camera'>",
+            "<sensor name='cam' type='camera'><always_on>false</always_on>",
+        ),
+    ],
+)
+def test_other_words_for_a_setting_are_no_change(tmp_path: Path, old: str, new: str) -> None:
+    assert old in FURNISHED
+    assert changes(tmp_path, FURNISHED, FURNISHED.replace(old, new)) == []
+
+
+BLOCKS = URDF.replace(
+    "</robot>",
+    "<gazebo reference='base'><mu1>0.5</mu1><sensor name='cam' type='camera'><update_rate>30</update_rate></sensor>"
+    "<turnGravityOff>true</turnGravityOff></gazebo><gazebo><plugin name='p' filename='p.so'><gain>1</gain></plugin>"
+    "</gazebo></robot>",
+).replace("</visual>", "<material name='red'><color rgba='1 0 0 1'/></material></visual>"
+          "<collision><geometry><box size='1 1 1'/></geometry></collision>")  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("<mu1>0.5", "<mu1>0.6", ("link", "base", "collision/surface/friction/ode/mu", "0.5", "0.6")),
+        ("<update_rate>30", "<update_rate>31", ("link", "base", "sensor `cam`/update_rate", "30", "31")),
+        ("<gain>1", "<gain>2", ("model", "arm", "plugin `p`/gain", "1", "2")),
+        ("rgba='1 0 0 1'", "rgba='1 0 1 1'",
+         ("link", "base", "visual/material/diffuse", "1 0 0 1", "1 0 1 1")),
+        ("Off>true", "Off>false", ("link", "base", "gravity", "false", "true")),
+    ],
+)  # fmt: skip
+def test_one_edit_of_a_gazebo_block_is_one_change(
+    tmp_path: Path, old: str, new: str, expected: tuple[str, ...]
+) -> None:
+    assert edited(tmp_path, old, new, BLOCKS) == [expected]

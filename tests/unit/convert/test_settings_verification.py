@@ -1,0 +1,85 @@
+"""What a conversion proves of sensors, plugins, materials and custom data."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.contents.of_sdf import of_model
+from sdfcheck.convert.result import Comparison, Conversion
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+
+MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+ROBOT = (
+    '<robot name="r" xmlns:drake="http://drake.mit.edu" xmlns:shop="urn:shop">'
+    f'<link name="a">{MASS}<visual><geometry><box size="1 1 1"/></geometry>'
+    '<material name="red"><color rgba="1 0 0 1"/></material></visual>'
+    '<collision><geometry><box size="1 1 1"/></geometry><drake:proximity_properties>'
+    '<drake:mu_static value="0.8"/></drake:proximity_properties></collision><shop:price>17</shop:price></link>'
+    f'<link name="b">{MASS}</link><joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
+    '<limit lower="-1" upper="1" effort="5" velocity="3" drake:acceleration="7"/></joint>'
+    '<gazebo reference="a"><mu1>0.5</mu1><kp>100</kp><sensor name="cam" type="camera"><update_rate>30</update_rate>'
+    '</sensor></gazebo><gazebo reference="j"><provideFeedback>true</provideFeedback></gazebo>'
+    '<gazebo><plugin name="p" filename="p.so"><gain>1</gain></plugin></gazebo></robot>'
+)
+
+
+def converted() -> Conversion:
+    return urdf_to_sdf(read(ROBOT.encode(), Path("r.urdf"), Kind.URDF), Options())
+
+
+def differences(done: Conversion, text: str) -> list[tuple[str, str, str]]:
+    """What is said of another text in the place of the result's."""
+    model = root_of(read(text.encode(), Path("r.sdf"), Kind.SDF)).models[0]
+    before = done.comparisons[0]
+    result = mechanism_of(model, vendors=True)
+    assert before.contents is not None
+    contents = (before.contents[0], of_model(model))
+    found = Comparison(before.source, result, before.correspondence, contents).verify(done.losses)
+    return [(one.what, one.name, one.text) for one in found.differences]
+
+
+def test_the_summary_says_what_was_compared() -> None:
+    assert str(converted().verification) == (
+        "2 links, 1 joint, 2 shapes, 3 custom elements, 1 material, 1 plugin, 1 sensor, 1 surface, "
+        "64 configurations, max pose error 0e+00 m"
+    )
+
+
+@pytest.mark.parametrize(
+    ("written", "other", "expected"),
+    [
+        ("<update_rate>30<", "<update_rate>60<", ("sensor `cam`/update_rate", "a", "was 30 and is 60")),
+        ("<gain>1<", "<gain>2<", ("plugin `p`/gain", "r", "was 1 and is 2")),
+        ("<diffuse>1 0 0 1<", "<diffuse>0 0 0 1<", ("visual/material/diffuse", "a", "was 1 0 0 1 and is 0 0 0 1")),
+        ("<mu>0.5<", "<mu>0.6<", ("collision/surface/friction/ode/mu", "a", "was 0.5 and is 0.6")),
+        ("<kp>100<", "<kp>10<", ("collision/surface/contact/ode/kp", "a", "was 100 and is 10")),
+        ("<drake:mu_static>0.8<", "<drake:mu_static>0.7<",
+         ("collision/drake:proximity_properties/mu_static", "a", "was 0.8 and is 0.7")),
+        ("<drake:acceleration>7<", "<drake:acceleration>8<", ("drake:acceleration", "j", "was 7 and is 8")),
+        ("<shop:price>17</shop:price>", "", ("shop:price", "a", "was 17 and is none")),
+        ("<provide_feedback>true<", "<provide_feedback>false<",
+         ("physics/provide_feedback", "j", "was true and is false")),
+    ],
+)  # fmt: skip
+def test_one_changed_setting_is_noticed(written: str, other: str, expected: tuple[str, str, str]) -> None:
+    done = converted()
+    assert written in done.text
+    assert differences(done, done.text) == []
+    assert differences(done, done.text.replace(written, other)) == [expected]
+
+
+def test_what_is_reported_as_lost_need_not_be_there() -> None:
+    text = ROBOT.replace("<shop:price>", '<shop:price where="x">').replace(
+        "</collision>", "<drake:nonsense/></collision>"
+    )
+    done = urdf_to_sdf(read(text.encode(), Path("r.urdf"), Kind.URDF), Options())
+    assert "nonsense" not in done.text
+    assert done.verification is not None
+    assert done.verification.is_equal, done.verification.differences

@@ -1,0 +1,105 @@
+"""A result is as sound as its source, or not written."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.formats.sdf.version import Version
+from sdfcheck.source.document import Document, read
+
+LINK = (
+    '<link name="l"><inertial><mass value="1"/>'
+    '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>{}</link>'
+)
+
+
+def robot(inside: str = "", after: str = "") -> Document:
+    return read(f'<robot name="r">{LINK.format(inside)}{after}</robot>'.encode(), Path("r.urdf"))
+
+
+def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    source, target = tmp_path / "r.urdf", tmp_path / "r.sdf"
+    source.write_text(
+        f'<robot name="r">{LINK.format("")}\n'
+        '<gazebo reference="l"><sensor name="s" type="camra"/></gazebo></robot>'
+    )
+    arguments = ["convert", "urdf-to-sdf", str(source), "-o", str(target), "--isolated", "--color", "never"]
+    assert main(arguments) == 1
+    out = capsys.readouterr().out
+    assert "CNV031" in out
+    assert f"{source}:2:24" in out
+    assert "unknown `type` of sensor `s`: `camra`" in out
+    assert not target.exists()
+    assert main([*arguments, "--no-lint"]) == 0
+    assert target.exists()
+
+
+def test_warnings_that_mean_another_robot_are_shown(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = tmp_path / "m.sdf"
+    source.write_text(
+        '<sdf version="1.9"><model name="m"><link name="l"><collision name="c"><geometry>'
+        "<sphere><radius>0</radius></sphere></geometry></collision></link></model></sdf>"
+    )
+    target = str(tmp_path / "m.urdf")
+    assert main(["convert", "sdf-to-urdf", str(source), "-o", target, "--isolated"]) == 0
+    assert "`radius` should be above 0, not 0, so 1 is taken" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "shape", ['<sphere radius="0"/>', '<box size="1 0 1"/>', '<cylinder radius="1" length="-1"/>']
+)
+def test_a_shape_without_size_is_left_out(shape: str) -> None:
+    done = urdf_to_sdf(robot(f"<collision><geometry>{shape}</geometry></collision>"), Options())
+    assert "<collision" not in done.text
+    assert [loss.kind for loss in done.losses] == [LossKind.UNSUPPORTED_GEOMETRY]
+    assert done.verification is not None
+    assert done.verification.is_equal
+
+
+def test_names_with_delimiters_are_changed() -> None:
+    after = '<gazebo reference="l"><sensor name="s" type="imu"><api name="a::B"/></sensor></gazebo>\
+<gazebo><plugin name="c::D" filename="f"><x name="e::F"/></plugin></gazebo>'
+    done = urdf_to_sdf(robot(after=after), Options())
+    assert '<api name="a__B"/>' in done.text
+    assert '<plugin name="c::D" filename="f">' in done.text
+    assert '<x name="e::F"/>' in done.text
+    assert [loss.message for loss in done.losses] == ["api `a::B` of a <gazebo> block is named `a__B`"]
+
+
+def test_two_sensors_have_two_names() -> None:
+    block = '<gazebo reference="l"><sensor name="s" type="imu"/></gazebo>'
+    done = urdf_to_sdf(robot(after=block * 3), Options())
+    assert [f'name="s{end}" type' in done.text for end in ("", "_2", "_3")] == [True] * 3
+    assert sum(loss.kind is LossKind.RENAMED for loss in done.losses) == 2
+
+
+NOISE = (
+    "<imu><noise><type>gaussian</type><rate><mean>0</mean><stddev>0.01</stddev></rate>"
+    "<accel><mean>0</mean><stddev>0.2</stddev></accel></noise></imu>"
+)
+
+
+def test_the_noise_of_old_imus_is_said_for_each_axis() -> None:
+    after = f'<gazebo reference="l"><sensor name="s" type="imu">{NOISE}</sensor></gazebo>'
+    done = urdf_to_sdf(robot(after=after), Options())
+    assert done.text.count("<stddev>0.01</stddev>") == done.text.count("<stddev>0.2</stddev>") == 3
+    assert "<rate>" not in done.text
+    assert "<rate>" in urdf_to_sdf(robot(after=after), Options(Version(1, 5))).text
+
+
+def test_in_urdf_as_well() -> None:
+    text = (
+        f'<sdf version="1.5"><model name="m"><link name="l"><sensor name="s" type="imu">{NOISE}</sensor>'
+        "</link></model></sdf>"
+    )
+    done = convert(read(text.encode(), Path("m.sdf")))
+    assert done.text.count("<stddev>0.01</stddev>") == 3

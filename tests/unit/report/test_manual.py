@@ -1,0 +1,63 @@
+"""The pages of all built-in rules."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from functools import cache
+
+import pytest
+
+from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.report.manual import Manual, Manuals, render
+
+INDEX = load_index()
+MANUALS = Manuals(INDEX)
+BY_CODE = {facts.code: facts for facts in INDEX.facts}
+
+
+@cache
+def page_of(code: str) -> Manual:
+    return MANUALS.of(BY_CODE[code])
+
+
+def named(name: str) -> Manual:
+    return next(page_of(facts.code) for facts in INDEX.facts if facts.name == name)
+
+
+@pytest.mark.parametrize("code", BY_CODE)
+def test_each_example_is_shown_with_its_report(code: str) -> None:
+    page = page_of(code)
+    for example in page.bad:
+        first = example.report.partition("\n")[0]
+        assert f"[{page.facts.code}]: " in first, example.text
+    assert page.sources
+    assert page.since
+
+
+@pytest.mark.parametrize("code", BY_CODE)
+def test_no_example_is_both_wrong_and_right(code: str) -> None:
+    page = page_of(code)
+    wrong = {(example.text, tuple(example.files.items())) for example in page.bad}
+    right = {(example.text, tuple(example.files.items())) for example in page.good}
+    assert not wrong & right
+
+
+def test_no_two_pages_have_one_example() -> None:
+    pages = defaultdict(set)
+    for code in BY_CODE:
+        page = page_of(code)
+        for example in page.bad:
+            pages[example.text, tuple(example.files.items())].add(page.facts.name)
+    assert [names for names in pages.values() if len(names) > 1] == []
+
+
+def test_consumers_are_a_table() -> None:
+    text = render(named("several-parents"))
+    assert "| Gazebo | accepts it | refuses the file; version 12 does not |\n" in text
+    assert "| urdfdom | – |" in text
+
+
+def test_fixes_are_shown_as_differences() -> None:
+    text = render(named("undeclared-prefix"))
+    assert "The fix:\n\n```diff\n-<sdf" in text
+    assert "  = help: declare it on the root element (safe fix)\n" in text

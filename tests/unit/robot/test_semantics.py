@@ -1,0 +1,80 @@
+"""SRDF beside a robot: its references and values are checked against the robot that has most of its names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+
+LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
+ROBOT = (
+    '<robot name="arm"{0}><link name="base"/><link name="upper"/>'
+    f'<joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/>{LIMIT}</joint></robot>'
+)
+ARM = '<group name="arm"><joint name="shoulder"/><chain base_link="base" tip_link="upper"/></group>'
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "arm.urdf").write_text(ROBOT.format(""))
+    return tmp_path
+
+
+def found(folder: Path, text: str, name: str = "arm.srdf", robot: str = "arm") -> list[tuple[str, str]]:
+    (folder / name).write_text(
+        f'<robot name="{robot}" xmlns:xacro="http://ros.org/wiki/xacro">{text}</robot>'
+    )
+    run = sdfcheck.lint(folder / name, isolated=True, select=["SRD"])
+    return [(each.code, each.span.text) for each in run.diagnostics]
+
+
+def state(value: str, joint: str = "shoulder") -> str:
+    return f'{ARM}<group_state name="home" group="arm"><joint name="{joint}" value="{value}"/></group_state>'
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (ARM, []),
+        (ARM + '<group name="more"><link name="uper"/></group>', [("SRD001", "uper")]),
+        (ARM + '<disable_collisions link1="base" link2="hand"/>', [("SRD001", "hand")]),
+        (ARM + '<end_effector name="e" group="hand" parent_link="upper"/>', [("SRD002", "hand")]),
+        (ARM + ARM, [("SRD004", "arm")]),
+        (state("0.5"), []),
+        (state("1.5"), [("SRD006", "1.5")]),
+        (state("1,5"), [("SRD005", "1,5")]),
+        (state("1 0"), [("SRD005", "1 0")]),
+        (state("0", "root_joint"), []),
+        (state("${v}"), []),
+        (ARM + "<gripper/><chain/>", []),
+    ],
+)
+def test_references_and_values(package: Path, text: str, expected: list[tuple[str, str]]) -> None:
+    assert found(package, text) == expected
+
+
+def test_nothing_is_said_of_a_robot_that_is_not_found(package: Path) -> None:
+    assert found(package, ARM + '<passive_joint name="other"/>', robot="leg") == []
+
+
+def test_a_robot_without_most_of_the_names_is_another_one(package: Path) -> None:
+    text = '<group name="g"><link name="base"/><link name="x"/><link name="y"/><link name="z"/></group>'
+    assert found(package, text) == []
+
+
+def test_the_robot_and_the_semantics_may_be_xacro(package: Path) -> None:
+    (package / "arm.urdf").rename(package / "arm.urdf.xacro")
+    xacro = ' xmlns:xacro="http://ros.org/wiki/xacro"'
+    (package / "arm.urdf.xacro").write_text(
+        ROBOT.format(xacro).replace("</robot>", "<xacro:property name='k'/></robot>")
+    )
+    assert found(package, state("1.5")) == [("SRD006", "1.5")]
+    macro = (
+        '<xacro:macro name="pose" params="at"><group_state name="home" group="arm">'
+        '<joint name="shoulder" value="${at}"/></group_state></xacro:macro><xacro:pose at="7"/>'
+    )
+    assert found(package, ARM + macro, "arm.srdf.xacro") == [("SRD006", "${at}")]
+    assert found(package, macro.replace('at="7"', 'att="7"'), "part.srdf.xacro") == []

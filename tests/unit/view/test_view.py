@@ -1,0 +1,176 @@
+"""The page of a robot: complete, harmless, and with the kinematics of the rest of the program."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sdfcheck
+from sdfcheck.cli.main import main
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.kinematics import link_poses
+from sdfcheck.robot.root import root_of
+from sdfcheck.view.meshes import Meshes
+from sdfcheck.view.scene import MOST_SHAPES, scene
+
+ROOT = Path(__file__).parents[3]
+ROBOTS = ROOT / "fixtures" / "robots"
+VIEWER = ROOT / "viewer"
+
+
+def data_of(page: str) -> Any:
+    (text,) = re.findall(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
+    return json.loads(text)
+
+
+def shown(tmp_path: Path, *arguments: str) -> str:
+    out = tmp_path / "out.html"
+    assert main(["view", *arguments, "-o", str(out), "--isolated"]) == 0
+    return out.read_text(encoding="utf-8")
+
+
+def test_a_page_holds_the_robot_and_loads_nothing(tmp_path: Path) -> None:
+    page = shown(tmp_path, str(ROBOTS / "desk_arm" / "desk_arm.urdf"))
+    (model,) = data_of(page)["scenes"][0]["models"]
+    assert [link["name"] for link in model["links"]][:3] == ["base_link", "column", "upper_arm"]
+    assert sum(len(link["shapes"]) for link in model["links"]) >= 7
+    assert any(link["inertia"] for link in model["links"])
+    followers = [joint for joint in model["joints"] if joint["axes"] and joint["axes"][0]["mimic"]]
+    assert [joint["name"] for joint in followers] == ["right_grip"]
+    head = page.partition("<body>")[0]
+    assert "default-src 'none'" in head
+    assert not re.search(r'(?:src|href)="(?!data:)', page.partition("<script>")[0])
+
+
+def test_names_are_text(tmp_path: Path) -> None:
+    name = "</script><script>alert(1)</script><img src=x onerror=alert(1)>"
+    file = tmp_path / "evil.sdf"
+    escaped = name.replace("&", "&amp;").replace("<", "&lt;")
+    file.write_text(f'<sdf version="1.12"><model name="{escaped}"><link name="{escaped}"/></model></sdf>')
+    page = shown(tmp_path, str(file))
+    assert "alert(1)</script>" not in page
+    assert "<img" not in page
+    assert data_of(page)["scenes"][0]["models"][0]["links"][0]["name"] == name
+
+
+def test_findings_and_differences_name_their_parts(tmp_path: Path) -> None:
+    arm = ROBOTS / "desk_arm" / "desk_arm.urdf"
+    text = arm.read_text()
+    other = tmp_path / "other.urdf"
+    other.write_text(text.replace('<axis xyz="0 1 0"/>', '<axis xyz="0 -2 0"/>', 1))
+    data = data_of(shown(tmp_path, str(other), str(arm)))
+    assert len(data["scenes"]) == 2
+    assert {finding["part"] for finding in data["findings"] if finding["code"].startswith("JNT")} == {"bend"}
+    assert any(difference["part"] == "bend" for difference in data["differences"])
+
+
+@pytest.mark.parametrize(
+    "file", sorted((ROBOTS / "with_mistakes").glob("*.[suw]*[fd]")), ids=lambda file: file.name
+)
+def test_broken_robots_give_a_page(file: Path, tmp_path: Path) -> None:
+    assert "canvas" in shown(tmp_path, str(file))
+
+
+def test_numbers_that_are_none_can_be_drawn() -> None:
+    text = (
+        '<sdf version="1.12"><model name="m"><link name="l"><inertial><mass>nan</mass></inertial>'
+        "<visual name='v'><geometry><sphere><radius>inf</radius></sphere></geometry></visual></link></model></sdf>"
+    )
+    json.dumps(scene(sdfcheck.parse(text).document, Meshes()), allow_nan=False)
+
+
+def test_meshes_are_embedded_once_and_up_to_a_size(tmp_path: Path) -> None:
+    (tmp_path / "a.stl").write_bytes(b"x" * 100)
+    (tmp_path / "big.stl").write_bytes(b"x" * 1001)
+    uris = ("a.stl", "a.stl", "big.stl", "gone.dae", "a.xyz")
+    links = "".join(
+        f'<link name="l{i}"><visual name="v"><geometry><mesh><uri>{uri}</uri></mesh></geometry></visual></link>'
+        for i, uri in enumerate(uris)
+    )
+    (tmp_path / "a.xyz").write_text("")
+    file = tmp_path / "m.sdf"
+    file.write_text(f'<sdf version="1.12"><model name="m">{links}</model></sdf>')
+    meshes = Meshes(one=1000)
+    scene(sdfcheck.load(file).document, meshes)
+    assert [entry.get("missing") for entry in meshes.entries] == [
+        None,
+        "too large to embed (0 MB)",
+        "not found",
+        "a format that is not shown",
+    ]
+
+
+def test_a_wrong_inertia_is_marked() -> None:
+    text = (
+        '<robot name="r"><link name="l"><inertial><mass value="1"/>'
+        '<inertia ixx="1" iyy="1" izz="{}" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>'
+    )
+    for moment, possible in (("1", True), ("3", False)):
+        drawn = scene(sdfcheck.parse(text.format(moment)).document, Meshes())
+        assert drawn["models"][0]["links"][0]["inertia"]["isPossible"] is possible
+
+
+def test_large_worlds_are_drawn_as_boxes() -> None:
+    visual = "<visual name='v{}'><geometry><sphere><radius>1</radius></sphere></geometry></visual>"
+    many = "".join(visual.format(number) for number in range(MOST_SHAPES + 1))
+    text = f'<sdf version="1.12"><model name="m"><link name="l">{many}</link></model></sdf>'
+    assert scene(sdfcheck.parse(text).document, Meshes())["notes"] == [
+        f"{MOST_SHAPES + 1} shapes: meshes are drawn as boxes"
+    ]
+
+
+@pytest.mark.peers
+@pytest.mark.skipif(not (VIEWER / "node_modules").is_dir(), reason="the viewer's packages are not installed")
+def test_the_committed_viewer_is_up_to_date(tmp_path: Path) -> None:
+    built = tmp_path / "viewer.js"
+    shutil.copy(ROOT / "sdfcheck" / "view" / "data" / "viewer.js", built)
+    command = [
+        "npx",
+        "--no",
+        "esbuild",
+        "src/main.ts",
+        "--bundle",
+        "--minify",
+        "--format=iife",
+        "--target=es2020",
+    ]
+    done = subprocess.run([*command, "--legal-comments=none"], cwd=VIEWER, capture_output=True, check=True)
+    assert done.stdout == built.read_bytes(), "run `make viewer`"
+
+
+@pytest.mark.peers
+@pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
+@pytest.mark.skipif(not (VIEWER / "node_modules").is_dir(), reason="the viewer's packages are not installed")
+@pytest.mark.parametrize(
+    "robot", ["desk_arm/desk_arm.urdf", "diff_drive/model.sdf", "two_link_arm/model.sdf"]
+)
+def test_the_page_moves_links_as_we_do(robot: str, tmp_path: Path) -> None:
+    module = tmp_path / "kinematics.mjs"
+    command = ["npx", "--no", "esbuild", "src/kinematics.ts", "--format=esm", f"--outfile={module}"]
+    subprocess.run(command, cwd=VIEWER, capture_output=True, check=True)
+    document = sdfcheck.load(ROBOTS / robot).document
+    (model,) = scene(document, Meshes())["models"]
+    mechanism = mechanism_of(root_of(document).models[0], vendors=True)
+    random = np.random.default_rng(1)
+    positions = {
+        joint["name"]: random.uniform(-1, 1, len(joint["axes"])).tolist() for joint in model["joints"]
+    }
+    script = (
+        f"import {{linkPoses}} from {json.dumps(module.as_uri())};"
+        f"const model = {json.dumps(model)}; const given = new Map(Object.entries({json.dumps(positions)}));"
+        "console.log(JSON.stringify(Object.fromEntries(linkPoses(model, given))));"
+    )
+    done = subprocess.run(
+        ["node", "--input-type=module", "-e", script], capture_output=True, text=True, check=True
+    )
+    theirs = json.loads(done.stdout)
+    given = {name: np.array([values]) for name, values in positions.items() if values}
+    for name, poses in link_poses(mechanism, given).items():
+        assert np.allclose(np.array(theirs[name]).reshape(4, 4).T, poses[0], atol=1e-6), name
