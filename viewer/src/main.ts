@@ -28,7 +28,7 @@ function start(page: Page): void {
   world.add(new AmbientLight(0xffffff, 1.4), new DirectionalLight(0xffffff, 1.6));
   world.children[1].position.set(2, -3, 5);
   const stage = new Group();
-  stage.add(...robots.map((robot) => robot.group));
+  for (const robot of robots) stage.add(robot.group);
   world.add(stage);
 
   const bounds = new Box3().setFromObject(stage);
