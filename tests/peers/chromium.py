@@ -69,14 +69,14 @@ def tab(*, width: int = 1280, height: int = 800, dark: bool = False) -> Iterator
 
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=PROGRAM, args=[*_WITHOUT_GRAPHICS_CARD])
-        page = browser.new_page(
+        page: Any = browser.new_page(
             viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
         )
         opened = Tab(page)
         page.on("console", lambda said: _note(opened, said))
         page.on("pageerror", lambda error: opened.errors.append(f"exception: {error}"))
         page.on("request", lambda request: _requested(opened, request.url))
-        page.on("dialog", lambda dialog: (opened.dialogs.append(dialog.message), dialog.dismiss()))
+        page.on("dialog", lambda dialog: _dismiss(opened, dialog))
         try:
             yield opened
         finally:
@@ -91,3 +91,8 @@ def _note(opened: Tab, said: Any) -> None:
 def _requested(opened: Tab, url: str) -> None:
     if not url.startswith(("file:", "about:", "data:", "blob:")):
         opened.errors.append(f"request: {url}")
+
+
+def _dismiss(opened: Tab, dialog: Any) -> None:
+    opened.dialogs.append(dialog.message)
+    dialog.dismiss()
