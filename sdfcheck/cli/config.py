@@ -7,34 +7,25 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import PATH, formatted
-from sdfcheck.cli.parts.terminal import emit, emit_lines
-from sdfcheck.files.overwrite import overwrite
+from sdfcheck.cli.parts.options import formatted, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
 from sdfcheck.lint.config.fields import FIELDS
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 @click.command(cls=Command)
-@formatted("A table to read, or the JSON Schema of configuration files.  [default: text]", "text", "schema")
-@click.option("-o", "--output-file", type=PATH, metavar="FILE", help="Write it there.")
+@formatted("A table to read, or the JSON Schema of configuration files.", "text", "schema")
+@written()
 def config(form: str, output_file: Path | None) -> None:
     """List the keys of a configuration file, with their defaults.
 
     What holds for a file: sdfcheck lint --show-settings FILE.
     """
-    if form == "text" and output_file is None:
-        emit_lines(_lines())
+    if form == "text":
+        deliver_lines(_lines(), output_file)
         return
     from sdfcheck.lint.config.schema import render
 
-    text = render() if form == "schema" else "".join(f"{line}\n" for line in _lines())
-    if output_file is None:
-        emit(text)
-        return
-    try:
-        overwrite(output_file, text.encode())
-    except OSError as error:
-        raise WrongUsage(f"cannot write {output_file}: {error.strerror}") from None
+    deliver(render(), output_file)
 
 
 def _lines() -> list[str]:

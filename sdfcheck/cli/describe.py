@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from textwrap import wrap
 
 import click
 
+from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.completing import places
-from sdfcheck.cli.parts.options import formatted
-from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of
+from sdfcheck.cli.parts.options import formatted, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import lines_of
+from sdfcheck.cli.parts.version import sdf_version
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
@@ -24,12 +27,11 @@ _MANY = 3
 
 
 @click.command(cls=Command, name="describe")
-@click.argument("element", shell_complete=places)
-@click.option(
-    "--sdf-version", metavar="VERSION", default=str(NEWEST), help=f"Of SDFormat.  [default: {NEWEST}]"
-)
-@formatted("How to describe.", "text", "json")
-def describe_command(element: str, sdf_version: str, form: str) -> None:
+@click.argument("element", shell_complete=completing.places)
+@sdf_version("The version of SDFormat to describe", name="version")
+@formatted("Text to read, or JSON.", "text", "json")
+@written()
+def describe_command(element: str, version: Version, form: str, output_file: Path | None) -> None:
     """Say what the format allows at a place.
 
     \b
@@ -39,29 +41,18 @@ def describe_command(element: str, sdf_version: str, form: str) -> None:
     sdfcheck describe drake:proximity_properties an element of Drake's own
     """
     try:
-        found = describe(element, version(sdf_version))
+        found = describe(element, version)
     except UnknownPlace as error:
         raise WrongUsage(str(error)) from None
     if form == "json":
         import json
 
-        emit(json.dumps({"version": VERSION, "places": [record(one) for one in found]}, indent=2) + "\n")
+        places = [record(one) for one in found]
+        deliver(json.dumps({"version": VERSION, "places": places}, indent=2) + "\n", output_file)
     elif len(found) > _MANY:
-        emit_lines(lines_of(_overview(element, found)))
+        deliver_lines(lines_of(_overview(element, found)), output_file)
     else:
-        emit_lines(lines_of("\n".join(text(one) for one in found)))
-
-
-def version(given: str) -> Version:
-    """The version that a person gave.
-
-    Raises:
-        WrongUsage: there is none.
-    """
-    known = Version.parse(given)
-    if known is None:
-        raise WrongUsage(f"unknown version `{given}` of SDFormat (choose from {OLDEST} to {NEWEST})")
-    return known
+        deliver_lines(lines_of("\n".join(text(one) for one in found)), output_file)
 
 
 def record(description: Description) -> dict[str, object]:
@@ -141,6 +132,8 @@ def _remarks(entry: Entry) -> str:
 
 
 def _overview(element: str, found: Sequence[Description]) -> str:
-    lines = [f"{element} is in {len(found)} places; ask for one of them, or for all with --format json"]
+    lines = [
+        f"{element} is in {len(found)} places; ask for one of them, or for all with --output-format json"
+    ]
     lines += [f"  {one.name}{f'  {one.type}' if one.type else ''}" for one in found]
     return "\n".join(lines) + "\n"

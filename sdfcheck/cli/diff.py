@@ -10,8 +10,9 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
-from sdfcheck.cli.parts.options import colored, formatted, require_file
-from sdfcheck.cli.parts.terminal import emit, emit_lines, wants_color
+from sdfcheck.cli.parts.options import colored, formatted, require_file, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import wants_color
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -30,6 +31,8 @@ class Request(NamedTuple):
     a: Path
     b: Path
     form: str
+    output_file: Path | None
+    exit_zero: bool
     exit_code: bool
     tolerance: float
     color: str
@@ -38,10 +41,10 @@ class Request(NamedTuple):
 @click.command(cls=Command)
 @click.argument("a", type=click.Path(path_type=Path))
 @click.argument("b", type=click.Path(path_type=Path))
-@formatted("Lines to read, or JSON.  [default: text]", "text", "json")
-@click.option(
-    "--exit-code/--no-exit-code", default=True, help="Exit with 1 if the robots differ.  [default: on]"
-)
+@formatted("Lines to read, or JSON.", "text", "json")
+@written()
+@click.option("--exit-zero", is_flag=True, help="Exit with 0 also if the robots differ.")
+@click.option("--exit-code/--no-exit-code", default=True, hidden=True)
 @click.option(
     "--tolerance",
     type=click.FloatRange(min=0),
@@ -62,12 +65,13 @@ def diff(**given: Any) -> int:
     surroundings = around(given)
     request = Request(**given)
     found = _compare(request, surroundings)
+    inputs = (request.a, request.b)
     if request.form == "json":
-        emit(_json(found))
+        deliver(_json(found), request.output_file, inputs)
     else:
-        color = wants_color(request.color, sys.stdout)
-        emit_lines(_lines(found, color=color), color=color)
-    return 1 if found.changes and request.exit_code else 0
+        color = request.output_file is None and wants_color(request.color, sys.stdout)
+        deliver_lines(_lines(found, color=color), request.output_file, inputs, color=color)
+    return int(bool(found.changes) and request.exit_code and not request.exit_zero)
 
 
 def _compare(request: Request, around: Around) -> FileDifference:

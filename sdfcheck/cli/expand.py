@@ -16,8 +16,9 @@ from sdfcheck.cli.parts.descriptions import (
     described,
     expander_for,
 )
-from sdfcheck.cli.parts.options import require_file
-from sdfcheck.cli.parts.terminal import emit, say
+from sdfcheck.cli.parts.options import require_file, written
+from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.terminal import say
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -32,9 +33,10 @@ if TYPE_CHECKING:
 @click.command(cls=Command)
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--annotate", is_flag=True, help="Say in comments where each element was written.")
+@written()
 @described
-def expand(file: Path, annotate: bool, **given: Any) -> int:
-    """Expand a xacro file to stdout.
+def expand(file: Path, annotate: bool, output_file: Path | None, **given: Any) -> int:
+    """Expand a xacro file.
 
     The expansion runs in a process of its own that can do nothing but compute and read
     the project's files.
@@ -47,9 +49,9 @@ def expand(file: Path, annotate: bool, **given: Any) -> int:
     if annotate:
         from sdfcheck.xacro.annotate import annotated
 
-        emit(annotated(outcome.document))
+        deliver(annotated(outcome.document), output_file, [file])
     else:
-        emit(outcome.text)
+        deliver(outcome.text, output_file, [file])
     return 0
 
 

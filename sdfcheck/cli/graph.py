@@ -10,8 +10,9 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
-from sdfcheck.cli.parts.options import colored, formatted, require_file
-from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, wants_color
+from sdfcheck.cli.parts.options import colored, formatted, require_file, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import lines_of, wants_color
 from sdfcheck.robot.graphs import text as graph_text
 from sdfcheck.robot.graphs.graph import GraphKind, graph
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -23,11 +24,16 @@ _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 @click.argument("kind", type=click.Choice([kind.value for kind in GraphKind]))
 @click.argument("file", type=click.Path(path_type=Path))
 @formatted(
-    "A tree to read, or the language of Graphviz or Mermaid.  [default: tree]", "tree", "dot", "mermaid"
+    "A tree to read, or the language of Graphviz or Mermaid.",
+    *("text", "dot", "mermaid"),
+    old={"tree": "text"},
 )
+@written()
 @described
 @colored("When to color the tree.")
-def graph_command(kind: str, file: Path, form: str, color: str, **given: Any) -> int:
+def graph_command(
+    kind: str, file: Path, form: str, output_file: Path | None, color: str, **given: Any
+) -> int:
     """Show what is tied to what in an SDFormat, URDF or xacro file.
 
     \b
@@ -46,12 +52,13 @@ def graph_command(kind: str, file: Path, form: str, color: str, **given: Any) ->
             raise
         line, column = error.element.span.begin
         raise WrongUsage(f"{file}:{line}:{column}: {error}") from None
-    if form == "tree":
-        colors = wants_color(color, sys.stdout)
+    if form == "text":
+        colors = output_file is None and wants_color(color, sys.stdout)
         text = graph_text.tree(drawn, _paint if colors else graph_text.plain)
-        emit_lines(lines_of(text), color=colors)
+        deliver_lines(lines_of(text), output_file, [file], color=colors)
     else:
-        emit(graph_text.dot(drawn) if form == "dot" else graph_text.mermaid(drawn))
+        draw = graph_text.dot if form == "dot" else graph_text.mermaid
+        deliver(draw(drawn), output_file, [file])
     return 0
 
 

@@ -12,8 +12,9 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
-from sdfcheck.cli.parts.options import formatted, require_file
-from sdfcheck.cli.parts.terminal import emit, emit_lines, say
+from sdfcheck.cli.parts.options import colored, formatted, require_file, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import say, wants_color
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
@@ -48,10 +49,14 @@ class _Block(NamedTuple):
 
 @click.command(cls=Command)
 @click.argument("file", type=click.Path(path_type=Path))
-@formatted("A table to read, or JSON.  [default: table]", "table", "json")
+@formatted("A table to read, or JSON.", "text", "json", old={"table": "text"})
+@written()
 @click.option("--model", "name", metavar="NAME", help="Show this model only (`arm::hand` for a nested one).")
 @described
-def inertia(file: Path, form: str, name: str | None, **given: Any) -> int:
+@colored("When to color the table.")
+def inertia(
+    file: Path, form: str, output_file: Path | None, name: str | None, color: str, **given: Any
+) -> int:
     """Show mass, center of mass and inertia of links and models, and of the whole file.
 
     Automatic inertias are computed; meshes need the extra `mesh`. Centers of mass are in
@@ -63,13 +68,13 @@ def inertia(file: Path, form: str, name: str | None, **given: Any) -> int:
     if name is not None:
         report = _only(report, name)
     if form == "json":
-        emit(_json(report))
-    elif sys.stdout.isatty():
+        deliver(_json(report), output_file, [file])
+    elif output_file is None and sys.stdout.isatty():
         from rich.console import Console
 
-        draw(report, Console(highlight=False))
+        draw(report, Console(highlight=False, no_color=not wants_color(color, sys.stdout)))
     else:
-        emit_lines(_lines(report))
+        deliver_lines(_lines(report), output_file, [file])
     for note in _warnings(report):
         say(f"warning: {note}")
     return 0

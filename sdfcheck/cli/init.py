@@ -8,11 +8,10 @@ from pathlib import Path
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import listing
+from sdfcheck.cli.parts.options import targeted
 from sdfcheck.cli.parts.terminal import say
-from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.lint.config.fields import FIELDS
-from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage
 
 NAME = "sdfcheck.toml"
 _NAMES = (NAME, f".{NAME}")
@@ -22,18 +21,12 @@ _SHOWN = ("select", "extend-select", "ignore", "fail-on", "exclude", "model-path
 
 @click.command(cls=Command)
 @click.argument("folder", type=click.Path(path_type=Path, file_okay=False, exists=True), default=".")
-@listing("--target", "The simulators that the files are meant for: gazebo, drake, urdfdom, mujoco.", "NAMES")
+@targeted("The consumers that the files are meant for")
 def init(folder: Path, target: tuple[str, ...] | None) -> None:
     """Write a commented sdfcheck.toml into FOLDER (default: the current one)."""
     for name in _NAMES:
         if (folder / name).exists():
             raise WrongUsage(f"{folder / name} exists already")
-    known = tuple(consumer.value for consumer in Consumer)
-    for name in target or ():
-        if name not in known:
-            raise WrongUsage(
-                f"unknown target `{name}`{suggestion(name, known)} (choose from {', '.join(known)})"
-            )
     file = folder / NAME
     try:
         with file.open("x", encoding="utf-8") as opened:

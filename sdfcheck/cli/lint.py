@@ -10,12 +10,20 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.completing import formats
 from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_arguments, search_of, surroundings
-from sdfcheck.cli.parts.options import PATH, colored, configured, listing, path
+from sdfcheck.cli.parts.options import (
+    PATH,
+    colored,
+    configured,
+    listing,
+    path,
+    reported,
+    targeted,
+    written,
+)
 from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.parts.shown import exit_code, shown, view_of
-from sdfcheck.cli.parts.terminal import Progress, emit, emit_lines, lines_of, say, wants_color
+from sdfcheck.cli.parts.terminal import Progress, emit, emit_lines, lines_of, say, wants_color, width_of
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
@@ -81,9 +89,7 @@ class Request:
 @listing("--select", "The rules to run: codes, names, families or ALL, separated by commas.")
 @listing("--extend-select", "Rules to run in addition to those that are selected.")
 @listing("--ignore", "Rules not to run.")
-@listing(
-    "--target", "Keep the rules that matter to these consumers: gazebo, drake, urdfdom, mujoco.", "CONSUMERS"
-)
+@targeted("Keep the rules that matter to these consumers")
 @click.option("--fix", is_flag=True, help="Apply safe fixes; report what is left.")
 @click.option(
     "--unsafe-fixes", is_flag=True, help="With --fix or --diff: also those that a person should check."
@@ -96,14 +102,8 @@ class Request:
 @path("--baseline", "Report only what this file does not know yet.")
 @click.option("--write-baseline", is_flag=True, help="Write what is found to the file of --baseline.")
 @shown
-@click.option(
-    "--output-format",
-    multiple=True,
-    metavar="FORMAT[=FILE]",
-    shell_complete=formats,
-    help=f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]",
-)
-@path("--output-file", "Write the report there instead of to stdout.")
+@reported(f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]")
+@written("Write the report there instead of to stdout.")
 @click.option("--statistics", is_flag=True, help="Count diagnostics by rule instead of showing them.")
 @path("--stdin-filename", "What to call the text that `-` reads from stdin.")
 @click.option(
@@ -185,7 +185,8 @@ def _report(request: Request, wanted: Sequence[Output], done: Run, view: View, *
     if request.statistics:
         from sdfcheck.report import statistics
 
-        emit_lines(lines_of(statistics.render(done, color=color)), color=color)
+        shown_as = statistics.render(done, color=color, width=width_of(sys.stdout))
+        emit_lines(lines_of(shown_as), color=color)
     elif not request.quiet and not any(o.file is None and o.format.is_text for o in wanted):
         from sdfcheck.report.summary import closing_line
 
@@ -221,10 +222,6 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         raise WrongUsage("--reason goes with --add-ignore")
     if request.write_baseline and request.baseline is None:
         raise WrongUsage("--write-baseline needs --baseline FILE")
-    if request.target:
-        from sdfcheck.lint.select import check_targets
-
-        check_targets(request.target)
     arguments = arguments_in(str(path) for path in request.paths if ARGUMENT in str(path))
     paths = tuple(path for path in request.paths if ARGUMENT not in str(path)) or (Path(),)
     stdin = None

@@ -67,6 +67,7 @@ _MEANT = {
     cls=LazyGroup,
     lazy=COMMANDS,
     meant=_MEANT,
+    endings=dict.fromkeys((".sdf", ".world", ".urdf", ".xacro", "model.config"), "sdfcheck lint"),
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=f"Documentation: {HOME}",
 )

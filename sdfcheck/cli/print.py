@@ -9,8 +9,9 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
-from sdfcheck.cli.parts.options import require_file
-from sdfcheck.cli.parts.terminal import emit, say
+from sdfcheck.cli.parts.options import require_file, written
+from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.terminal import say
 from sdfcheck.source.record import NamedTuple
 
 
@@ -23,6 +24,7 @@ class Request(NamedTuple):
     precision: int | None
     expand_includes: bool
     expand_auto_inertials: bool
+    output_file: Path | None
 
 
 @click.command(cls=Command, name="print")
@@ -51,9 +53,10 @@ class Request(NamedTuple):
     is_flag=True,
     help="Compute automatic inertias (of meshes with the extra `mesh`).",
 )
+@written()
 @described
 def print_command(**given: Any) -> int:
-    """Write a description in canonical form to stdout.
+    """Write a description in canonical form.
 
     Indentation is two spaces, numbers are as short as they can be without changing,
     comments stay; xacro is expanded. The version stays as it is. Unless rounding or
@@ -71,7 +74,7 @@ def print_command(**given: Any) -> int:
         request.expand_auto_inertials,
     )
     result = canonical(load(request.file, surroundings), style)
-    emit(result.text)
+    deliver(result.text, request.output_file, [request.file])
     for note in result.notes:
         say(f"warning: {note}")
     return 0

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import colored, configured
-from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, wants_color
+from sdfcheck.cli.parts.options import colored, configured, formatted, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import lines_of, wants_color
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
 from sdfcheck.report.manual import Manuals, record, render
 
@@ -20,23 +22,26 @@ if TYPE_CHECKING:
 
 @click.command(cls=Command)
 @click.argument("selectors", nargs=-1, shell_complete=completing.rules, required=True, metavar="RULE...")
-@click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to explain.")
+@formatted("Pages to read, or JSON.", "text", "json")
+@written()
 @configured
 @colored()
-def rule(selectors: tuple[str, ...], output_format: str, configuration: Configuration, color: str) -> int:
+def rule(
+    selectors: tuple[str, ...], form: str, output_file: Path | None, configuration: Configuration, color: str
+) -> int:
     """Explain rules, given by code, name or family (ALL for all)."""
     index, known = loaded(configuration)
     manuals = Manuals(index)
     pages = [manuals.of(facts) for facts in narrowed(known, selectors)]
-    if output_format == "json":
+    if form == "json":
         import json
 
         explained = [dict(record(page)) for page in pages]
-        emit(json.dumps({"version": VERSION, "rules": explained}, indent=2) + "\n")
+        deliver(json.dumps({"version": VERSION, "rules": explained}, indent=2) + "\n", output_file)
         return 2 if index.faults else 0
     text = "\n".join(render(page) for page in pages)
-    painted = wants_color(color, sys.stdout)
-    emit_lines(lines_of(_painted(text) if painted else text), color=painted)
+    painted = output_file is None and wants_color(color, sys.stdout)
+    deliver_lines(lines_of(_painted(text) if painted else text), output_file, color=painted)
     return 2 if index.faults else 0
 
 

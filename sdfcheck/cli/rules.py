@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import click
 
 from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import configured
-from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, say
+from sdfcheck.cli.parts.options import colored, configured, formatted, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, width_of
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import RuleIndex
@@ -25,28 +27,37 @@ VERSION = 1
 
 @click.command(cls=Command)
 @click.argument("selectors", nargs=-1, shell_complete=completing.rules, metavar="[RULES]...")
-@click.option("--output-format", type=click.Choice(["text", "json"]), default="text", help="How to list.")
+@formatted("A table to read, or JSON.", "text", "json")
+@written()
 @configured
+@colored("When to color the table.")
 @click.option(
     "--test", "pack", metavar="PACK", help="Run the examples of a pack: a folder, entry point or import name."
 )
 def rules(
-    selectors: tuple[str, ...], output_format: str, configuration: Configuration, pack: str | None
+    selectors: tuple[str, ...],
+    form: str,
+    output_file: Path | None,
+    configuration: Configuration,
+    color: str,
+    pack: str | None,
 ) -> int:
     """List the rules, or those that the codes, names or families RULES cover."""
     if pack is not None:
-        if output_format == "json":
-            raise WrongUsage("--test writes text only")
+        if form == "json" or output_file is not None:
+            raise WrongUsage("--test writes text to stdout only")
         return test(pack, selectors)
     index, known = loaded(configuration)
     chosen = narrowed(known, selectors)
-    if output_format == "json":
+    if form == "json":
         import json
 
-        listed = [dict(facts_record(facts)) for facts in chosen]
-        emit(json.dumps({"version": VERSION, "rules": listed}, indent=2) + "\n")
+        records = [dict(facts_record(facts)) for facts in chosen]
+        deliver(json.dumps({"version": VERSION, "rules": records}, indent=2) + "\n", output_file)
     else:
-        emit_lines(lines_of(table(chosen)))
+        painted = output_file is None and wants_color(color, sys.stdout)
+        width = width_of(sys.stdout) if output_file is None else None
+        deliver_lines(listed(chosen, width=width, color=painted), output_file, color=painted)
     return 2 if index.faults else 0
 
 
@@ -102,15 +113,26 @@ def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[R
     return sorted((facts for facts in known if facts.code in codes), key=lambda facts: facts.code)
 
 
-def table(rules: list[RuleFacts]) -> str:
-    """One line a rule, in columns."""
-    name = max(len(facts.name) for facts in rules)
-    trait = max(len(_traits(facts)) for facts in rules)
-    return "".join(
-        f"{facts.code:7} {facts.name:{name}}  {facts.severity.value:7}  "
-        f"{_traits(facts):{trait}}  {markdown(facts.summary)}\n"
-        for facts in rules
+def listed(rules: list[RuleFacts], *, width: int | None, color: bool) -> list[str]:
+    """One line a rule, in columns; on a terminal they fit its width."""
+    from sdfcheck.report.colors import INK_OF
+    from sdfcheck.report.table import Cell, Column, table
+
+    columns = (
+        *map(Column, ("rule", "name", "severity", "fix")),
+        Column("summary", gives_way=True),
     )
+    rows = [
+        (
+            Cell(facts.code),
+            Cell(facts.name),
+            Cell(facts.severity.value, INK_OF[facts.severity]),
+            Cell(_traits(facts)),
+            Cell(markdown(facts.summary)),
+        )
+        for facts in rules
+    ]
+    return table(columns, rows, width=width, color=color)
 
 
 def _traits(facts: RuleFacts) -> str:

@@ -10,8 +10,9 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described
-from sdfcheck.cli.parts.options import formatted, require_file
-from sdfcheck.cli.parts.terminal import emit, emit_lines, say
+from sdfcheck.cli.parts.options import formatted, require_file, targeted, written
+from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
@@ -24,15 +25,13 @@ VERSION = 1
 
 @click.command(cls=Command, name="targets")
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "--target",
-    multiple=True,
-    type=click.Choice([consumer.value for consumer in Consumer]),
-    help="Ask about this consumer only (may be repeated), and exit with 1 if it rejects the file.",
-)
-@formatted("How to show the verdicts.", "text", "json")
+@targeted("Ask about these consumers only, and exit with 1 if one rejects the file")
+@formatted("Lines to read, or JSON.", "text", "json")
+@written()
 @described
-def targets_command(file: Path, target: tuple[str, ...], form: str, **given: Any) -> int:
+def targets_command(
+    file: Path, target: tuple[str, ...] | None, form: str, output_file: Path | None, **given: Any
+) -> int:
     """Say which consumers accept an SDFormat, URDF or xacro file, and why others do not.
 
     \b
@@ -42,7 +41,7 @@ def targets_command(file: Path, target: tuple[str, ...], form: str, **given: Any
     not read  the consumer does not know the format
     """
     require_file(file)
-    consumers = tuple(Consumer(name) for name in target) or tuple(Consumer)
+    consumers = tuple(map(Consumer, target or ())) or tuple(Consumer)
     rows = verdicts(file, consumers, around(given))
     if form == "json":
         import json
@@ -52,9 +51,9 @@ def targets_command(file: Path, target: tuple[str, ...], form: str, **given: Any
             "file": file.as_posix(),
             "consumers": [record(row) for row in rows],
         }
-        emit(json.dumps(record_of_all, indent=2) + "\n")
+        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file, [file])
     else:
-        emit_lines(lines(rows, file))
+        deliver_lines(lines(rows, file), output_file, [file])
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 

@@ -10,10 +10,9 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
-from sdfcheck.cli.parts.options import PATH, require_file
-from sdfcheck.cli.parts.terminal import emit, say
-from sdfcheck.files.overwrite import overwrite
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.cli.parts.options import PATH, require_file, written
+from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.terminal import say
 
 if TYPE_CHECKING:
     from sdfcheck.convert.change import Change
@@ -23,9 +22,7 @@ if TYPE_CHECKING:
 @click.command(cls=Command)
 @click.argument("file", type=PATH)
 @click.argument("other", type=PATH, required=False)
-@click.option(
-    "-o", "--output-file", type=PATH, metavar="FILE", help="Write the page there instead of to stdout."
-)
+@written("Write the page there instead of to stdout.")
 @click.option("--open", "opened", is_flag=True, help="Open the page in a browser.")
 @described
 def view(file: Path, other: Path | None, output_file: Path | None, opened: bool, **given: Any) -> int:
@@ -45,13 +42,10 @@ def view(file: Path, other: Path | None, output_file: Path | None, opened: bool,
     documents = [load(one, surroundings, check=False) for one in files]
     text = _page(files, documents, surroundings)
     if output_file is None and not opened:
-        emit(text)
+        deliver(text, None)
         return 0
     target = output_file or Path(mkdtemp(prefix="sdfcheck-")) / f"{file.stem}.html"
-    try:
-        overwrite(target, text.encode("utf-8", "replace"))
-    except OSError as error:
-        raise WrongUsage(f"cannot write {target}: {error.strerror}") from None
+    deliver(text, target, files)
     say(f"wrote {target}")
     if opened:
         click.launch(str(target))

@@ -36,7 +36,25 @@ _OTHER_WORK = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.MJCF, 
 """What may well be beside the files to convert."""
 
 
-@click.group(cls=LazyGroup, lazy=COMMANDS)
+_MEANT = {
+    **dict.fromkeys(
+        ("sdf", "to-sdf", "urdf2sdf", "xacro-to-sdf", "xacro"), "sdfcheck convert urdf-to-sdf FILE"
+    ),
+    **dict.fromkeys(("urdf", "to-urdf", "sdf2urdf"), "sdfcheck convert sdf-to-urdf FILE"),
+    **dict.fromkeys(("upgrade", "migrate", "update", "downgrade"), "sdfcheck convert sdf-to-sdf FILE"),
+    "xacro-to-urdf": "sdfcheck expand FILE",
+}
+"""What people call a conversion → what it is here."""
+_ENDINGS = {
+    ".urdf": "sdfcheck convert urdf-to-sdf",
+    ".xacro": "sdfcheck convert urdf-to-sdf",
+    ".sdf": "sdfcheck convert sdf-to-urdf",
+    ".world": "sdfcheck convert sdf-to-sdf",
+}
+"""The end of a file's name → the conversion that was meant where the file is named in its place."""
+
+
+@click.group(cls=LazyGroup, lazy=COMMANDS, meant=_MEANT, endings=_ENDINGS)
 def convert() -> None:
     """Convert between formats, and prove that the robot stayed the same robot.
 
@@ -70,7 +88,7 @@ def convert_files(
     refuse_to_overwrite(paths, places, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
     _check_arguments(request, files)
     done = Reporting(request, wanted)
-    with Reader(request.around, lint=request.lint, expand=request.expand == "auto") as reader:
+    with Reader(request.around, lint=request.lint, expand=not request.no_expand) as reader:
         for file, target in zip(files, places, strict=True):
             try:
                 given, kind = reader.read(file, kinds), Kind(suffix.removeprefix("."))

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from sdfcheck.cli.parts.descriptions import ARGUMENT, Around, around, surroundings
-from sdfcheck.cli.parts.options import F, colored, configured, path
+from sdfcheck.cli.parts.options import F, colored, configured, path, reported, written
 from sdfcheck.cli.parts.output import FORMATS
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
@@ -18,7 +18,7 @@ class Request(NamedTuple):
     """What every command takes."""
 
     inputs: tuple[str, ...]
-    output: Path | None
+    output_file: Path | None
     output_dir: Path | None
     flat: bool
     stdin_filename: Path | None
@@ -26,7 +26,7 @@ class Request(NamedTuple):
     verify_with: str | None
     strict: bool
     lint: bool
-    expand: str
+    no_expand: bool
     losses: str
     min_severity: str
     output_format: tuple[str, ...]
@@ -43,7 +43,7 @@ class Request(NamedTuple):
 _PATH = click.Path(path_type=Path)
 _OPTIONS = (
     click.argument("inputs", nargs=-1, required=True, metavar="IN… [ARG:=VALUE]…"),
-    click.option("-o", "--output", type=_PATH, metavar="FILE", help="Where to write.  [default: stdout]"),
+    written("Write the result there instead of to stdout."),
     click.option("--output-dir", type=_PATH, metavar="FOLDER", help="Write a file for each input there."),
     click.option(
         "--flat", is_flag=True, help="Make no folders in --output-dir: refuse inputs with the same name."
@@ -62,11 +62,9 @@ _OPTIONS = (
         help="Stop at errors for which the format's own parser refuses the source.  [default: lint]",
     ),
     click.option(
-        "--expand",
-        type=click.Choice(["auto", "never"]),
-        default="auto",
-        help="Expand xacro, or read what is left of it as URDF, whose consumers ignore it.  [default: auto]",
+        "--no-expand", is_flag=True, help="Read left-over xacro as URDF, whose consumers ignore it."
     ),
+    click.option("--expand", type=click.Choice(["auto", "never"]), default="auto", hidden=True),
     click.option(
         "--losses",
         type=click.Choice(["grouped", "all"]),
@@ -79,12 +77,7 @@ _OPTIONS = (
         default=Severity.WARNING.value,
         help="Show what is at least so severe, and count the rest (text formats).  [default: warning]",
     ),
-    click.option(
-        "--output-format",
-        multiple=True,
-        metavar="FORMAT[=FILE]",
-        help=f"How to report all losses: {', '.join(FORMATS)}.",
-    ),
+    reported(f"How to report all losses: {', '.join(FORMATS)}. May be repeated, with a file each."),
     surroundings,
     configured,
     colored(),
@@ -103,4 +96,5 @@ def common(given: dict[str, Any]) -> Request:
     """Takes the common options out of what click has read; the rest is the command's own."""
     given["arguments"] = [text for text in given["inputs"] if ARGUMENT in text]
     given["around"] = around(given)
+    given["no_expand"] |= given.pop("expand") == "never"
     return Request(**{name: given.pop(name) for name in Request._fields})

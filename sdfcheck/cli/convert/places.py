@@ -59,14 +59,14 @@ def targets(request: Request, files: Sequence[Source], suffix: str) -> list[Path
     Raises:
         WrongUsage: the options contradict each other, or two results would go to one place.
     """
-    if request.output is not None and request.output_dir is not None:
-        raise WrongUsage("--output and --output-dir exclude each other")
+    if request.output_file is not None and request.output_dir is not None:
+        raise WrongUsage("--output-file and --output-dir exclude each other")
     if request.flat and request.output_dir is None:
         raise WrongUsage("--flat goes with --output-dir")
     if request.output_dir is None:
         if len(files) > 1:
             raise WrongUsage("several inputs need --output-dir")
-        return [None if request.output in {None, _STDIN} else request.output]
+        return [request.output_file]
     paths = [file.path if file.data is None else Path(_stem(file.path.name).strip("<>")) for file in files]
     names = [Path(f"{_stem(path.name)}{suffix}") for path in paths]
     if len(set(names)) < len(names):

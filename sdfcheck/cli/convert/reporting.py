@@ -73,7 +73,7 @@ class Reporting:
     def _aside(self) -> bool:
         """Whether reports go to stderr, since a result goes to stdout."""
         request = self._request
-        return request.output_dir is None and request.output in {None, Path("-")}
+        return request.output_dir is None and request.output_file is None
 
     def _losses(self) -> None:
         request, aside = self._request, self._aside

@@ -46,7 +46,13 @@ _POLICIES = click.Choice(["floating", "fixed", "error"])
 @click.option(
     "--unlimited", type=float, default=1e16, metavar="NUMBER", help="Written for no limit.  [default: 1e16]"
 )
-@click.option("--package-uris", is_flag=True, help="Write model:// as package://.")
+@click.option(
+    "--model-uris",
+    type=click.Choice(["keep", "package"]),
+    default="keep",
+    help="How to write model://.  [default: keep]",
+)
+@click.option("--package-uris", is_flag=True, hidden=True)
 @common_options
 def sdf_to_urdf(**given: Any) -> int:
     """Write a model as URDF.
@@ -58,6 +64,7 @@ def sdf_to_urdf(**given: Any) -> int:
     from sdfcheck.convert.sdf_to_urdf import convert as convert_model
 
     request = common(given)
+    given["package_uris"] |= given.pop("model_uris") == "package"
     kinds = {"ball": Unsupported, "forest": Unsupported, "loops": Loops, "planes": Planes}
     options = Options(**{**given, **{name: kind(given[name]) for name, kind in kinds.items()}})
 

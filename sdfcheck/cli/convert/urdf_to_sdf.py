@@ -11,10 +11,10 @@ import click
 from sdfcheck.cli.convert.command import convert_files
 from sdfcheck.cli.convert.options import common, common_options
 from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.version import sdf_version
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.convert.result import Conversion
@@ -33,14 +33,7 @@ def _choice(
 
 @click.command(cls=Command, name="urdf-to-sdf")
 @common_options
-@click.option(
-    "--to",
-    "--sdf-version",
-    "sdf_version",
-    default=str(NEWEST),
-    metavar="VERSION",
-    help=f"The version to write: 1.4 to {NEWEST}.  [default: {NEWEST}]",
-)
+@sdf_version("The version to write", Version(1, 4))
 @_choice("--fixed-joints", FixedJoints, FixedJoints.KEEP, "Keep them, or make one link of what they join.")
 @_choice("--massless", Massless, Massless.MERGE, "What becomes of links without mass.")
 @_choice("--package-uris", PackageUris, PackageUris.MODEL, "How to write package://.")
@@ -57,11 +50,8 @@ def urdf_to_sdf(**given: Any) -> int:
                refuse  do not convert
     """
     request = common(given)
-    version = Version.parse(given["sdf_version"])
-    if version is None or version < Version(1, 4):
-        raise WrongUsage(f"`{given['sdf_version']}` is no version of SDFormat from 1.4 to {NEWEST}")
     options = Options(
-        version,
+        given["sdf_version"],
         FixedJoints(given["fixed_joints"]),
         Massless(given["massless"]),
         PackageUris(given["package_uris"]),

@@ -9,7 +9,6 @@ _SECTIONS = {
         "stdin_filename",
         "kind",
         "no_expand",
-        "expand",
         "packages",
         "package_paths",
         "model_paths",
@@ -21,7 +20,6 @@ _SECTIONS = {
     "Fixes": ("fix", "unsafe_fixes", "fix_only", "show_fixes", "diff", "add_ignore", "reason"),
     "Verification": ("verify", "verify_with", "strict", "lint"),
     "Output": (
-        "output",
         "output_dir",
         "flat",
         "output_format",
@@ -54,11 +52,11 @@ _EXAMPLES = {
     ),
     "graph": (
         ("sdfcheck graph joints arm.urdf", "the kinematic tree"),
-        ("sdfcheck graph frames --format mermaid arm.sdf", "for a page in Markdown"),
+        ("sdfcheck graph frames --output-format mermaid arm.sdf", "for a page in Markdown"),
     ),
     "targets": (
         ("sdfcheck targets arm.urdf", "who accepts it, and why others do not"),
-        ("sdfcheck targets --format json models/*.sdf", "for a program"),
+        ("sdfcheck targets --output-format json models/*.sdf", "for a program"),
     ),
     "describe": (
         ("sdfcheck describe joint/axis", "an element of SDFormat"),
@@ -70,15 +68,15 @@ _EXAMPLES = {
     ),
     "inertia": (
         ("sdfcheck inertia arm.urdf", "each link, and the total"),
-        ("sdfcheck inertia --format json arm.sdf", "for a program"),
+        ("sdfcheck inertia --output-format json arm.sdf", "for a program"),
     ),
     "print": (
         ("sdfcheck print arm.sdf", "in canonical form"),
         ("sdfcheck print --expand-includes world.sdf", "as one file"),
     ),
     "schema": (
-        ("sdfcheck schema --sdf-version 1.9 -o sdf.xsd", "for editors"),
-        ("sdfcheck schema --format rng -o sdf.rng", "for xmllint"),
+        ("sdfcheck schema --for model.sdf -o sdf.xsd", "for the version of a file"),
+        ("sdfcheck schema --output-format rng -o sdf.rng", "for xmllint"),
     ),
     "rules": (
         ("sdfcheck rules", "all of them"),
@@ -97,8 +95,8 @@ _EXAMPLES = {
         ("sdfcheck convert sdf-to-urdf --model arm world.sdf", "a model of a world"),
     ),
     "sdf-to-sdf": (
-        ("sdfcheck convert sdf-to-sdf old.sdf --to 1.12 -o new.sdf", "up"),
-        ("sdfcheck convert sdf-to-sdf new.sdf --to 1.6 -o old.sdf", "down"),
+        ("sdfcheck convert sdf-to-sdf old.sdf --sdf-version 1.12 -o new.sdf", "up"),
+        ("sdfcheck convert sdf-to-sdf new.sdf --sdf-version 1.6 -o old.sdf", "down"),
     ),
     "server": (
         ("sdfcheck server", "what an editor starts"),
@@ -110,7 +108,7 @@ _EXAMPLES = {
     ),
     "config": (
         ("sdfcheck config", "all keys of a configuration"),
-        ("sdfcheck config --format schema -o sdfcheck.schema.json", "for editors"),
+        ("sdfcheck config --output-format schema -o sdfcheck.schema.json", "for editors"),
     ),
     "init": (
         ("sdfcheck init", "write sdfcheck.toml here"),

@@ -39,6 +39,13 @@ def formats(context: click.Context, parameter: click.Parameter, begun: str) -> l
     return _items((form.value, "") for form in OutputFormat if form.value.startswith(begun))
 
 
+def versions(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    from sdfcheck.formats.sdf.version import NEWEST, OLDEST
+
+    names = (f"1.{minor}" for minor in range(NEWEST.minor, OLDEST.minor - 1, -1))
+    return _items((name, "") for name in names if name.startswith(begun))
+
+
 def places(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
     """What the newest SDFormat, or another format, has below what is written: ``joint/ax`` → ``joint/axis``."""
     from sdfcheck.formats.describe.description import UnknownPlace
@@ -46,12 +53,23 @@ def places(context: click.Context, parameter: click.Parameter, begun: str) -> li
     from sdfcheck.formats.sdf.version import NEWEST
 
     above, slash, word = begun.rpartition("/")
+    if ":" in word:
+        return _items((name, "") for name in _of_vendors() if name.startswith(begun))
     try:
         found = [one for place in ([above] if above else _USUAL) for one in describe(place, NEWEST)]
     except UnknownPlace:
         return []
     names = {entry.name for one in found for entry in (*one.children, *(one.attributes if above else ()))}
     return _items((f"{above}{slash}{name}", "") for name in sorted(names) if name.startswith(word))
+
+
+def _of_vendors() -> list[str]:
+    """The names with the prefix of a vendor."""
+    from sdfcheck.formats.vendor.definitions import DIALECTS
+    from sdfcheck.formats.vendor.files import BUILT_IN
+    from sdfcheck.formats.vendor.table import vendor
+
+    return sorted({name for path in BUILT_IN for dialect in DIALECTS for name in vendor(path, dialect).tags})
 
 
 def _items(offered: Iterable[tuple[str, str]]) -> list[CompletionItem]:

@@ -33,12 +33,15 @@ class LazyGroup(click.Group):
         *args: Any,
         lazy: Mapping[str, LazyCommand],
         meant: Mapping[str, str] | None = None,
+        endings: Mapping[str, str] | None = None,
         **kwargs: Any,
     ) -> None:
         super().__init__(*args, **kwargs)
         self._lazy = lazy
         self._meant = meant or {}
         """Words that people try for a command → what to write instead."""
+        self._endings = endings or {}
+        """Ends of names of files → the command that takes such a file."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self._lazy)
@@ -51,10 +54,16 @@ class LazyGroup(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in self._lazy and not args[0].startswith("-"):
-            meant = self._meant.get(args[0].lower())
+            meant = self._meant.get(args[0].lower()) or self._for_file(args[0])
             hint = f"; try `{meant}`" if meant else suggestion(args[0], tuple(self._lazy))
             ctx.fail(f"no such command: {args[0]}{hint}")
         return super().resolve_command(ctx, args)
+
+    def _for_file(self, name: str) -> str | None:
+        """What to write where a file is named in the place of a command."""
+        commands = (command for ending, command in self._endings.items() if name.endswith(ending))
+        command = next(commands, None)
+        return f"{command} {name}" if command else None
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from pathlib import Path
 from typing import Any, TypeVar
@@ -15,6 +15,34 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 PATH = click.Path(path_type=Path)
 F = TypeVar("F", bound=Callable[..., Any])
+_STDOUT = Path("-")
+
+
+class Renamed(click.Option):
+    """An option that is also understood by its ``old`` spellings, which no help lists."""
+
+    def __init__(self, *args: Any, old: Sequence[str], **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self.old = tuple(old)
+
+    def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
+        listed = self.opts
+        self.opts = [*listed, *self.old]
+        try:
+            super().add_to_parser(parser, ctx)
+        finally:
+            self.opts = listed
+
+
+class _Forms(click.Choice):  # type: ignore[type-arg, unused-ignore]
+    """A choice of forms, of which some had another name."""
+
+    def __init__(self, choices: Sequence[str], old: Mapping[str, str]) -> None:
+        super().__init__(choices)
+        self._old = old
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        return super().convert(self._old.get(value, value), param, ctx)
 
 
 _CONFIGURATION = (
@@ -55,9 +83,51 @@ def colored(help: str = "When to color.") -> Callable[[F], F]:
     return click.option("--color", type=kind, default="auto", help=help)
 
 
-def formatted(help: str, *choices: str) -> Callable[[F], F]:
-    """``--format``, passed as ``form``: one of the choices, by default the first."""
-    return click.option("--format", "form", type=click.Choice(choices), default=choices[0], help=help)
+def formatted(help: str, *choices: str, old: Mapping[str, str] | None = None) -> Callable[[F], F]:
+    """``--output-format``, passed as ``form``: one of the choices, by default the first.
+
+    ``old``: former names of choices.
+    """
+    return click.option(
+        "--output-format",
+        "form",
+        cls=Renamed,
+        old=["--format"],
+        type=_Forms(choices, old or {}),
+        default=choices[0],
+        help=f"{help}  [default: {choices[0]}]",
+    )
+
+
+def reported(help: str) -> Callable[[Any], Any]:
+    """``--output-format`` of reports on findings, each with the file that it goes to."""
+    return click.option(
+        "--output-format",
+        cls=Renamed,
+        old=["--format"],
+        multiple=True,
+        metavar="FORMAT[=FILE]",
+        shell_complete=completing.formats,
+        help=help,
+    )
+
+
+def _to_file(context: click.Context, parameter: click.Parameter, value: Path | None) -> Path | None:
+    return None if value == _STDOUT else value
+
+
+def written(help: str = "Write it there instead of to stdout.") -> Callable[[F], F]:
+    """``-o``, ``--output-file``: a file; None for stdout."""
+    return click.option(
+        "-o",
+        "--output-file",
+        cls=Renamed,
+        old=["--output"],
+        type=PATH,
+        callback=_to_file,
+        metavar="FILE",
+        help=help,
+    )
 
 
 def _commas(
@@ -69,11 +139,38 @@ def _commas(
     return tuple(word.strip() for text in value for word in text.split(",") if word.strip())
 
 
-def listing(flag: str, help: str, metavar: str = "RULES") -> Callable[[Any], Any]:
-    """An option for a list: of rules, or else of targets."""
-    offered = completing.rules if metavar == "RULES" else completing.targets
+def _consumers(
+    context: click.Context, parameter: click.Parameter, value: tuple[str, ...]
+) -> tuple[str, ...] | None:
+    names = _commas(context, parameter, value)
+    if names:
+        from sdfcheck.lint.select import check_targets
+
+        check_targets(names)
+    return names
+
+
+def listing(flag: str, help: str) -> Callable[[Any], Any]:
+    """An option for a list of rules."""
     return click.option(
-        flag, multiple=True, callback=_commas, metavar=metavar, help=help, shell_complete=offered
+        flag,
+        multiple=True,
+        callback=_commas,
+        metavar="RULES",
+        help=help,
+        shell_complete=completing.rules,
+    )
+
+
+def targeted(help: str) -> Callable[[Any], Any]:
+    """``--target``: a list of consumers, or None."""
+    return click.option(
+        "--target",
+        multiple=True,
+        callback=_consumers,
+        metavar="CONSUMERS",
+        help=f"{help}: gazebo, drake, urdfdom, mujoco.",
+        shell_complete=completing.targets,
     )
 
 

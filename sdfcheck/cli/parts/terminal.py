@@ -26,6 +26,19 @@ def wants_color(choice: str, stream: TextIO | None, environment: Mapping[str, st
     return stream is not None and stream.isatty() and environment.get("TERM") != "dumb"
 
 
+def width_of(stream: TextIO | None, environment: Mapping[str, str] = os.environ) -> int | None:
+    """How many cells fit into a line of the terminal that ``stream`` goes to; None: it goes to none."""
+    if stream is None or not stream.isatty():
+        return None
+    given = environment.get("COLUMNS", "")
+    if given.isdecimal() and int(given):
+        return int(given)
+    try:
+        return os.get_terminal_size(stream.fileno()).columns or None
+    except OSError:
+        return None
+
+
 def emit_lines(lines: Iterable[str], *, color: bool = False) -> None:
     """Write text for people to stdout, each line harmless; with ``color`` colors pass. Raises as ``emit`` does."""
     _write("".join(f"{harmless(line, color=color)}\n" for line in lines))

@@ -119,7 +119,8 @@ def test_the_input_is_not_overwritten_by_another_format(urdf: Path, tmp_path: Pa
     sdf = tmp_path / "m.sdf"
     sdf.write_text('<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>')
     assert main(["convert", "sdf-to-urdf", "--isolated", str(sdf), "-o", str(sdf)]) == 2
-    assert main(["convert", "sdf-to-sdf", "--isolated", "--to", "1.8", str(sdf), "-o", str(sdf)]) == 0
+    older = ["convert", "sdf-to-sdf", "--isolated", "--sdf-version", "1.8"]
+    assert main([*older, str(sdf), "-o", str(sdf)]) == 0
 
 
 def test_paths_are_written_for_the_folder_of_the_result(tmp_path: Path) -> None:
@@ -142,9 +143,8 @@ def test_paths_are_written_for_the_folder_of_the_result(tmp_path: Path) -> None:
     assert "<uri>../../here/meshes/a.stl</uri>" in (out / "r.sdf").read_text()
     assert main(["convert", "sdf-to-urdf", "--isolated", str(sdf), "-o", str(out / "m.urdf")]) == 0
     assert 'filename="../../here/meshes/a.stl"' in (out / "m.urdf").read_text()
-    assert (
-        main(["convert", "sdf-to-sdf", "--isolated", "--to", "1.8", str(sdf), "--output-dir", str(out)]) == 0
-    )
+    older = ["convert", "sdf-to-sdf", "--isolated", "--sdf-version", "1.8"]
+    assert main([*older, str(sdf), "--output-dir", str(out)]) == 0
     written = (out / "m.sdf").read_text()
     assert "<uri>../../here/meshes/a.stl</uri>" in written
     assert "<uri>file://../../here/meshes/a.stl</uri>" in written
@@ -190,7 +190,7 @@ def test_yourdfpy_is_refused_where_no_side_is_urdf(
 ) -> None:
     sdf = tmp_path / "m.sdf"
     sdf.write_text('<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>')
-    assert main(["convert", "sdf-to-sdf", "--to", "1.8", str(sdf), "--verify-with", "yourdfpy"]) == 2
+    assert main(["convert", "sdf-to-sdf", "--sdf-version", "1.8", str(sdf), "--verify-with", "yourdfpy"]) == 2
     assert "neither the source nor the result is URDF" in capsys.readouterr().err
 
 
@@ -279,7 +279,7 @@ def test_xacro_is_expanded_with_its_arguments(tmp_path: Path, capsys: pytest.Cap
         (["urdf-to-sdf"], ROBOT),
         (["sdf-to-urdf"], '<sdf version="1.9">\n<model name="m">\n<link name="a"/>\n</model>\n</sdf>\n'),
         (
-            ["sdf-to-sdf", "--to", "1.5"],
+            ["sdf-to-sdf", "--sdf-version", "1.5"],
             '<sdf version="1.9">\n<model name="m">\n<link name="a"/>\n</model>\n</sdf>\n',
         ),
     ],

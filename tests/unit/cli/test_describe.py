@@ -40,7 +40,7 @@ def test_many_places_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["describe", "joint/@type", "--sdf-version", "1.4", "--format", "json"]) == 0
+    assert main(["describe", "joint/@type", "--sdf-version", "1.4", "--output-format", "json"]) == 0
     told = json.loads(capsys.readouterr().out)
     (place,) = told["places"]
     assert told["version"] == 1

@@ -32,7 +32,7 @@ def test_another_robot(heavier: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 
 def test_the_exit_code_can_be_left_at_zero(heavier: Path) -> None:
-    assert main(["diff", str(ARM), str(heavier), "--isolated", "--no-exit-code"]) == 0
+    assert main(["diff", str(ARM), str(heavier), "--isolated", "--exit-zero"]) == 0
 
 
 def test_the_tolerance(heavier: Path) -> None:
@@ -40,7 +40,7 @@ def test_the_tolerance(heavier: Path) -> None:
 
 
 def test_json(heavier: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["diff", str(ARM), str(heavier), "--isolated", "--format", "json"]) == 1
+    assert main(["diff", str(ARM), str(heavier), "--isolated", "--output-format", "json"]) == 1
     report = json.loads(capsys.readouterr().out)
     assert report["equal"] is False
     assert report["models"][0]["changes"] == [

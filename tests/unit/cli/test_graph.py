@@ -12,17 +12,17 @@ ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 
 
 @pytest.mark.parametrize("kind", ["frames", "poses", "joints"])
-@pytest.mark.parametrize("form", ["tree", "dot", "mermaid"])
+@pytest.mark.parametrize("form", ["text", "dot", "mermaid"])
 @pytest.mark.parametrize(
     "file", ["two_link_arm/model.sdf", "workcell/workcell.world", "desk_arm/desk_arm.urdf"]
 )
 def test_every_graph_of_every_kind_of_file(
     kind: str, form: str, file: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["graph", kind, str(ROBOTS / file), "--format", form, "--isolated"]) == 0
+    assert main(["graph", kind, str(ROBOTS / file), "--output-format", form, "--isolated"]) == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert out.startswith({"dot": "digraph ", "mermaid": "flowchart TD\n", "tree": ""}[form])
+    assert out.startswith({"dot": "digraph ", "mermaid": "flowchart TD\n", "text": ""}[form])
     assert len(out.splitlines()) > 2
 
 
@@ -40,7 +40,7 @@ def test_colours_are_for_people(capsys: pytest.CaptureFixture[str]) -> None:
     file = str(ROBOTS / "two_link_arm" / "model.sdf")
     main(["graph", "joints", file, "--isolated", "--color", "always"])
     assert "\x1b[" in capsys.readouterr().out
-    main(["graph", "joints", file, "--isolated", "--format", "dot", "--color", "always"])
+    main(["graph", "joints", file, "--isolated", "--output-format", "dot", "--color", "always"])
     assert "\x1b[" not in capsys.readouterr().out
 
 

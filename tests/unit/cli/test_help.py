@@ -75,7 +75,7 @@ def test_config_lists_every_key(capsys: pytest.CaptureFixture[str], tmp_path: Pa
     text = capsys.readouterr().out
     assert [field.key for field in FIELDS if f"{field.key} " not in text] == []
     schema = tmp_path / "schema.json"
-    assert main(["config", "--format", "schema", "-o", str(schema)]) == 0
+    assert main(["config", "--output-format", "schema", "-o", str(schema)]) == 0
     assert schema.read_text() == Path(__file__).parents[3].joinpath("docs/sdfcheck.schema.json").read_text()
 
 
@@ -135,7 +135,12 @@ def completed(words: str, number: int) -> list[str]:
         ("sdfcheck lint --output-format sar", 3, "sarif"),
         ("sdfcheck lint --target dr", 3, "drake"),
         ("sdfcheck rule inverted-l", 2, "inverted-limits"),
+        ("sdfcheck lint --ignore N", 3, "NS"),
+        ("sdfcheck lint --output-format jso", 3, "jsonl"),
+        ("sdfcheck graph joints a.sdf --output-format mer", 5, "mermaid"),
+        ("sdfcheck convert sdf-to-sdf --sdf-version 1.1", 4, "1.11"),
         ("sdfcheck describe joint/ax", 2, "joint/axis"),
+        ("sdfcheck describe drake:proximity_prop", 2, "drake:proximity_properties"),
         ("sdfcheck describe urdf:joint/lim", 2, "urdf:joint/limit"),
     ],
 )

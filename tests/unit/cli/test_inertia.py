@@ -34,7 +34,7 @@ def test_static_models_are_marked(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["inertia", WORKCELL, "--isolated", "--format", "json"]) == 0
+    assert main(["inertia", WORKCELL, "--isolated", "--output-format", "json"]) == 0
     report = json.loads(capsys.readouterr().out)
     assert report["total"]["mass"] == pytest.approx(19.5)
     gantry = next(model for model in report["models"] if model["name"] == "gantry")

@@ -28,7 +28,7 @@ def test_broken_text_is_converted_or_refused(
 ) -> None:
     file = tmp_path / "m.sdf"
     file.write_text(text)
-    main(["convert", "sdf-to-sdf", "--to", version, lint, str(file)])
+    main(["convert", "sdf-to-sdf", "--sdf-version", version, lint, str(file)])
     assert "internal error" not in capsys.readouterr().err
 
 
@@ -50,7 +50,7 @@ def test_json_has_no_nan(tmp_path: Path) -> None:
     file.write_text(
         HUGE.replace("</model>", HUGE[HUGE.index("<link") :].partition("</sdf>")[0].replace('"l"', '"k"'))
     )
-    done = run("inertia", "--format", "json", "--isolated", file)
+    done = run("inertia", "--output-format", "json", "--isolated", file)
     assert done.returncode == 0
 
     def refuse(name: str) -> object:

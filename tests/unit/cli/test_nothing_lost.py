@@ -30,7 +30,10 @@ def sdf(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize(
     ("command", "option"),
-    [("convert sdf-to-sdf --to 1.8", "-o"), ("lint --exit-zero --output-format json", "--output-file")],
+    [
+        ("convert sdf-to-sdf --sdf-version 1.8", "-o"),
+        ("lint --exit-zero --output-format json", "--output-file"),
+    ],
 )
 def test_a_pipe_stays_a_pipe(sdf: Path, tmp_path: Path, command: str, option: str) -> None:
     pipe = tmp_path / "pipe"
@@ -112,7 +115,7 @@ def test_an_input_is_not_replaced_by_another_format(
 
 
 def test_a_file_can_be_moved_to_another_version_in_place(sdf: Path) -> None:
-    assert run("convert sdf-to-sdf --to 1.8", sdf, "-o", sdf) == 0
+    assert run("convert sdf-to-sdf --sdf-version 1.8", sdf, "-o", sdf) == 0
     assert sdf.read_text() == SDF.replace("1.6", "1.8")
 
 
@@ -120,12 +123,12 @@ def test_reports_of_a_conversion_go_elsewhere(sdf: Path, tmp_path: Path) -> None
     result = tmp_path / "new.sdf"
     for place in (sdf, result):
         options = ("-o", result, "--output-format", f"json={place}")
-        assert run("convert sdf-to-sdf --to 1.8", sdf, *options) == 2
+        assert run("convert sdf-to-sdf --sdf-version 1.8", sdf, *options) == 2
     assert sdf.read_text() == SDF
     assert not result.exists()
 
 
-@pytest.mark.parametrize("command", ["sdf-to-sdf --to 1.8", "sdf-to-urdf"])
+@pytest.mark.parametrize("command", ["sdf-to-sdf --sdf-version 1.8", "sdf-to-urdf"])
 @pytest.mark.parametrize(
     ("text", "place"), [(ILL, "1:37"), (SDF.replace('"l"', '"l & r"'), "1:50")], ids=["unclosed", "bare &"]
 )
@@ -160,8 +163,8 @@ def bomb(tmp_path: Path) -> Path:
 
 
 COMMANDS = [
-    "convert sdf-to-sdf --to 1.12",
-    "convert sdf-to-sdf --to 1.4",
+    "convert sdf-to-sdf --sdf-version 1.12",
+    "convert sdf-to-sdf --sdf-version 1.4",
     "convert sdf-to-urdf",
     "graph poses",
     "graph joints",
@@ -198,14 +201,14 @@ def test_a_long_chain_of_includes_is_refused(tmp_path: Path, capsys: pytest.Capt
         include = f"<include><uri>c{number + 1}.sdf</uri></include>" if number < 79 else ""
         text = f'<sdf version="1.9"><model name="m{number}"><link name="l"/>{include}</model></sdf>'
         (tmp_path / f"c{number}.sdf").write_text(text)
-    assert run("convert sdf-to-sdf --to 1.12", tmp_path / "c0.sdf") == 2
+    assert run("convert sdf-to-sdf --sdf-version 1.12", tmp_path / "c0.sdf") == 2
     assert "includes lead through more than 50 files" in capsys.readouterr().err
-    assert run("convert sdf-to-sdf --to 1.12", tmp_path / "c40.sdf") == 0
+    assert run("convert sdf-to-sdf --sdf-version 1.12", tmp_path / "c40.sdf") == 0
 
 
 def test_a_ring_of_includes_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = '<sdf version="1.9"><model name="m"><link name="l"/><include><uri>{}</uri></include></model></sdf>'
     (tmp_path / "a.sdf").write_text(text.format("b.sdf"))
     (tmp_path / "b.sdf").write_text(text.format("a.sdf"))
-    assert run("convert sdf-to-sdf --to 1.12", tmp_path / "a.sdf") == 2
+    assert run("convert sdf-to-sdf --sdf-version 1.12", tmp_path / "a.sdf") == 2
     assert "includes lead from" in capsys.readouterr().err

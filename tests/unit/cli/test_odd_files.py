@@ -48,7 +48,14 @@ def test_an_included_one_brings_nothing(folder: Path, capsys: pytest.CaptureFixt
     assert "RES" in capsys.readouterr().out
 
 
-COMMANDS = ("lint", "graph poses", "inertia", "convert sdf-to-urdf", "convert sdf-to-sdf --to 1.9", "targets")
+COMMANDS = (
+    "lint",
+    "graph poses",
+    "inertia",
+    "convert sdf-to-urdf",
+    "convert sdf-to-sdf --sdf-version 1.9",
+    "targets",
+)
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -45,7 +45,7 @@ def test_one_reader_decides(file: str, consumer: str, code: int, capsys: pytest.
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["targets", BROKEN, "--isolated", "--format", "json"]) == 0
+    assert main(["targets", BROKEN, "--isolated", "--output-format", "json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert [row["consumer"] for row in told["consumers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
     reason = told["consumers"][1]["reasons"][0]

@@ -59,7 +59,7 @@ def test_left_over_xacro(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     )
     arguments = ["convert", "urdf-to-sdf", str(source), "-o", str(target), "--isolated"]
     assert main(arguments) == 1
-    assert main([*arguments, "--expand", "never", "--losses", "all"]) == 0
+    assert main([*arguments, "--no-expand", "--losses", "all"]) == 0
     assert "`xacro:leg` is left out: nobody has expanded it" in capsys.readouterr().out
     assert "xacro" not in target.read_text()
 

@@ -164,9 +164,9 @@ def test_statistics() -> None:
     )
     assert statistics.render(sample) == (
         "12  warning  SCH902   odd-thing\n"
-        " 2  error    NAM901   taken-name (safe fix)\n"
+        " 2  error    NAM901   taken-name  safe fix\n"
         " 2  info     STY903   dull-thing\n"
-        " 1  error    SCH0004  other (unsafe fix)\n"
+        " 1  error    SCH0004  other       unsafe fix\n"
         "\n"
         "Found 2 errors, 13 warnings and 2 infos in 1 file "
         "(1 fixable with --fix, 1 more with --unsafe-fixes).\n"
