@@ -5,10 +5,13 @@
 # make package  build the source distribution and the wheel into build/dist, and try both
 # make vscode   compile and package the extension for Visual Studio Code (needs node)
 # make viewer   build the page that shows robots from viewer/ (needs node)
+# make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
 PYTHON ?= python3
 VENV ?= .venv
+MINUTES ?= 10
+SEED ?= 1
 BENCH_VENV ?= build/bench-venv
 
 BIN := $(VENV)/bin
@@ -17,7 +20,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo test check layers format format-check lint types generate generated golden docs package vscode viewer bench clean
+.PHONY: demo test check layers format format-check lint types generate generated golden docs package vscode viewer bench fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -57,6 +60,11 @@ generated: $(TOOLS)
 
 golden: $(TOOLS)
 	$(BIN)/python -m pytest -q -n0 tests/test_golden*.py tests/test_docs.py --golden
+
+# Findings are kept in build/fuzz.
+fuzz: $(TOOLS)
+	$(BIN)/python -m tests.fuzz --minutes $(MINUTES) --seed $(SEED)
+	$(BIN)/python -m tests.fuzz --kills 30 --seed $(SEED)
 
 # Measures an ordinary installation: an editable one starts slower.
 bench: pyproject.toml setup.py

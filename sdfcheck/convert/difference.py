@@ -178,7 +178,7 @@ class _Comparison:
         if a.kind != b.kind:
             yield self.changed("joint", name, "type", a.kind, b.kind)
         ends = [self.names.links.get(end, end) for end in (a.parent, a.child)]
-        if ends == [b.child, b.parent]:
+        if ends == [b.child, b.parent] and b.parent != b.child:
             yield self.changed("joint", name, "parent and child", " → ".join(ends), " → ".join(ends[::-1]))
             b = _turned_round(b)
         for what, x, y in (("parent", ends[0], b.parent), ("child", ends[1], b.child)):

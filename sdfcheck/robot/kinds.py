@@ -61,9 +61,9 @@ _CONTROL = frozenset(("ros2_control", "component"))
 
 _ELSEWHERE = {
     "contact": frozenset(("sensor", "audio_source")),
-    "inertial": frozenset(("link",)),
     "link": frozenset(("model", "robot", "gazebo")),
     "model": frozenset(("sdf", "world", "model", "gazebo")),
+    "inertial": frozenset(("link",)),
     "joint": frozenset(("model", "world", "robot", "gazebo")),
     "frame": frozenset(("model", "world", "gazebo")),
     "gazebo": frozenset(("robot",)),
@@ -83,6 +83,10 @@ _OF_JOINTS = {
     "dynamics": frozenset(("axis", "joint")),
 }
 """Names that mean this only in a joint, or in an axis of one → the kinds of part."""
+
+_SCOPES = frozenset(("link", "model", "world"))
+_SCOPED = frozenset(("frame", "inertial", "joint", "link", "model"))
+"""Names that mean this in such a part only, and not in the link of an actor or the model of a population."""
 
 CLASSES = {
     name: home
@@ -132,7 +136,7 @@ def _class_in(holder: str, kind: str, name: str) -> type[Part]:
     if kind in _CONTROL and name in _OF_CONTROL:
         return class_named(_OF_CONTROL[name].partition(":")[2])
     home = _HOMES.get(name)
-    if home is not None:
+    if home is not None and (kind or holder not in _SCOPES or name not in _SCOPED):
         wanted = _OF_JOINTS.get(name)
         at = holder if wanted is None else kind
         wanted = wanted or _ELSEWHERE.get(name)

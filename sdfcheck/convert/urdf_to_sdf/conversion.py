@@ -54,8 +54,11 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     """
     root = document.root
     assert root is not None
+    models = root_of(document).models
+    if not models:
+        raise refusal(root, f"`{root.name}` is not a robot")
     try:
-        robot = mechanism_of(root_of(document).models[0], vendors=True)
+        robot = mechanism_of(models[0], vendors=True)
     except DescriptionError as error:
         raise refusal(error.element, str(error)) from None
     if not robot.links:

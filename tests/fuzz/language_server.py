@@ -1,0 +1,132 @@
+"""A language server that is asked about one text after the other."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from tests.fuzz.commands import Failure
+
+_AT_A_PLACE = (
+    "hover",
+    "completion",
+    "definition",
+    "references",
+    "documentHighlight",
+    "prepareRename",
+    "rename",
+)
+_OF_A_TEXT = ("diagnostic", "documentSymbol", "foldingRange", "documentLink", "semanticTokens/full")
+_CAPABILITIES: dict[str, object] = {"textDocument": {"diagnostic": {}, "publishDiagnostics": {}}}
+
+
+class Ended(Exception):
+    """The server has gone."""
+
+
+class LanguageServer:
+    """A child process, and what it says."""
+
+    def __init__(self, folder: Path) -> None:
+        command = [sys.executable, "-m", "sdfcheck", "server"]
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+        )
+        self._number = 0
+        self._complaints: list[str] = []
+        self.request(
+            "initialize", {"processId": None, "rootUri": folder.as_uri(), "capabilities": _CAPABILITIES}
+        )
+        self.notify("initialized", {})
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.communicate()
+
+    def send(self, message: dict[str, Any]) -> None:
+        data = json.dumps({"jsonrpc": "2.0", **message}).encode()
+        assert self.process.stdin
+        try:
+            self.process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(data), data))
+            self.process.stdin.flush()
+        except OSError:
+            raise Ended from None
+
+    def receive(self) -> dict[str, Any]:
+        assert self.process.stdout
+        length = 0
+        while (line := self.process.stdout.readline().strip()) or not length:
+            if line.lower().startswith(b"content-length:"):
+                length = int(line.partition(b":")[2])
+            elif not line:
+                raise Ended
+        message: dict[str, Any] = json.loads(self.process.stdout.read(length))
+        return message
+
+    def notify(self, method: str, params: object) -> None:
+        self.send({"method": method, "params": params})
+
+    def request(self, method: str, params: object) -> Any:
+        """The result of a request; what the server says meanwhile is looked at."""
+        self._number += 1
+        self.send({"id": self._number, "method": method, "params": params})
+        while True:
+            message = self.receive()
+            if "method" in message and "id" in message:
+                self.send({"id": message["id"], "result": None})
+            elif message.get("method") == "window/logMessage" and message["params"]["type"] == 1:
+                self._complaints.append(message["params"]["message"])
+            elif message.get("id") == self._number:
+                error = message.get("error")
+                if error is not None and error["code"] == -32603:
+                    self._complaints.append(f"{method}: {json.dumps(error)}")
+                return message.get("result")
+
+    def complaint(self) -> Failure | None:
+        """What the server has logged as its own failure since the last time."""
+        found, self._complaints = "\n".join(self._complaints), []
+        return Failure(f"server: {found.strip().splitlines()[-1][:80]}", found) if found else None
+
+
+def converse(server: LanguageServer, file: Path, data: bytes) -> Failure | None:
+    """Open a text, ask everything at some places, change it twice, close it."""
+    text, uri = data.decode("utf-8", "replace"), file.as_uri()
+    document = {"uri": uri}
+    opened = {**document, "languageId": "xml", "version": 1, "text": text}
+    try:
+        server.notify("textDocument/didOpen", {"textDocument": opened})
+        _ask(server, uri, text)
+        lines = text.split("\n")
+        end = {"line": len(lines) // 2, "character": 3}
+        change = {"range": {"start": {"line": 0, "character": 1}, "end": end}, "text": '<model name="'}
+        for version, edit in ((2, change), (3, {"text": text[: len(text) // 2]})):
+            changed = {"textDocument": {**document, "version": version}, "contentChanges": [edit]}
+            server.notify("textDocument/didChange", changed)
+            _ask(server, uri, text)
+        server.notify("textDocument/didClose", {"textDocument": document})
+        return server.complaint()
+    except Ended:
+        return Failure("the server ends", "")
+
+
+def _ask(server: LanguageServer, uri: str, text: str) -> None:
+    document = {"uri": uri}
+    for question in _OF_A_TEXT:
+        server.request(f"textDocument/{question}", {"textDocument": document})
+    lines = text.split("\n")
+    for share in (0.3, 0.6, 0.95):
+        number = int(len(lines) * share)
+        position = {"line": number, "character": len(lines[number]) * 2 // 3}
+        for question in _AT_A_PLACE:
+            more = {"context": {"includeDeclaration": True}, "newName": "other"}
+            params = {"textDocument": document, "position": position, **more}
+            if question == "completion":
+                params["context"] = {"triggerKind": 1}
+            server.request(f"textDocument/{question}", params)
+    everything = {"start": {"line": 0, "character": 0}, "end": {"line": len(lines), "character": 0}}
+    asked = {"textDocument": document, "range": everything, "context": {"diagnostics": []}}
+    server.request("textDocument/codeAction", asked)
+    server.request("textDocument/inlayHint", {"textDocument": document, "range": everything})
