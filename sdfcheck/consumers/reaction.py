@@ -27,6 +27,19 @@ class Consumer(Enum):
     URDFDOM = "urdfdom"
     MUJOCO = "mujoco"
 
+    @property
+    def title(self) -> str:
+        """Its name as its makers write it."""
+        return _TITLES[self]
+
+
+_TITLES = {
+    Consumer.GAZEBO: "Gazebo",
+    Consumer.DRAKE: "Drake",
+    Consumer.URDFDOM: "urdfdom",
+    Consumer.MUJOCO: "MuJoCo",
+}
+
 
 READS: Mapping[Consumer, tuple[str, ...]] = {
     Consumer.GAZEBO: ("sdf", "urdf"),

@@ -25,6 +25,7 @@ class OutputFormat(Enum):
     JUNIT = "junit"
     CHECKSTYLE = "checkstyle"
     RDJSON = "rdjson"
+    HTML = "html"
 
     @property
     def is_text(self) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
@@ -20,12 +20,12 @@ def block(
 ) -> Iterator[str]:
     """The lines of one diagnostic, which may stand for ``others``; ``is_explained``: there is a rule to read about."""
     ink = INK_OF[diagnostic.severity]
-    frames = list(_frames(diagnostic))
+    frames = list(marks_by_file(diagnostic))
     gutter = len(str(max(mark.span.begin.line for marks in frames for mark in marks)))
     title = paint(f"{diagnostic.severity.value}[{diagnostic.code}]", ink)
     yield title + paint(f": {visible(diagnostic.message)}", Ink.STRONG)
     for number, marks in enumerate(frames):
-        arrow, first = (":::", min(marks, key=lambda mark: mark.span.start)) if number else ("-->", marks[0])
+        arrow, first = (":::", first_of(marks)) if number else ("-->", marks[0])
         yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span))}"
         yield from frame(marks, gutter, paint, ink)
     hint = f"sdfcheck rule {diagnostic.name}" if is_explained else ""
@@ -35,13 +35,18 @@ def block(
     yield from _notes(remarks, hint, f"{'':{gutter}} ", paint)
 
 
-def _frames(diagnostic: Diagnostic) -> Iterator[list[Mark]]:
+def marks_by_file(diagnostic: Diagnostic) -> Iterator[list[Mark]]:
     """What to mark, file by file; the defect is the first mark of the first file."""
     primary = Mark(diagnostic.span, "", True)
     by_file = {_file(primary.span): [primary]}
     for label in diagnostic.labels:
         by_file.setdefault(_file(label.span), []).append(Mark(label.span, label.text, False))
     yield from by_file.values()
+
+
+def first_of(marks: Iterable[Mark]) -> Mark:
+    """The mark that is first in its file."""
+    return min(marks, key=lambda mark: mark.span.start)
 
 
 def _file(span: Span) -> tuple[Path, str]:

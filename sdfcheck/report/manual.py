@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from sdfcheck.consumers.reaction import READS, Consumer, Reaction
+from sdfcheck.consumers.reaction import READS, Reaction
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.rulebook.example_run import ExampleRunner, file_name
@@ -31,7 +31,6 @@ _OWN = (UnusedSuppression, MalformedSuppression)
 _LONGEST = 1500
 """Characters that are shown of either end of a long example."""
 _DIALECTS = {"sdf": "SDFormat", "urdf": "URDF"}
-_NAMES = {Consumer.GAZEBO: "Gazebo", Consumer.DRAKE: "Drake", Consumer.MUJOCO: "MuJoCo"}
 
 
 class Shown(NamedTuple):
@@ -223,7 +222,7 @@ def _consumers(affects: Mapping[str, Mapping[str, str]]) -> str:
             for dialect in _DIALECTS
         )
         if said:
-            rows.append(f"| {_NAMES.get(consumer, consumer.value)} | {' | '.join(cells)} |")
+            rows.append(f"| {consumer.title} | {' | '.join(cells)} |")
     return "\n".join(rows)
 
 

@@ -18,7 +18,15 @@ _ROWS = 20
 """So many rules are listed under a heading."""
 
 
-class _Row(NamedTuple):
+_FIXABLE = "Fix first: `sdfcheck lint --fix` corrects these without changing a robot"
+_HEADINGS = {
+    Severity.ERROR: "Errors: a simulator refuses the file, or builds another robot",
+    Severity.WARNING: "Warnings: very likely not what is meant",
+    Severity.INFO: "Infos",
+}
+
+
+class Row(NamedTuple):
     """What a rule has found."""
 
     found: list[Diagnostic]
@@ -28,26 +36,43 @@ class _Row(NamedTuple):
         return self.found[0]
 
 
-def overview(run: Run, view: View, paths: Paths, paint: Paint) -> Iterator[str]:
-    """Fixable findings first, then errors, then warnings; what is not shown is counted."""
-    apart, shown = view.singles(run), view.shown(run)
+class Section(NamedTuple):
+    """Rules that are taken on together, the most frequent first."""
+
+    heading: str
+    rows: list[Row]
+    is_fixable: bool
+    """Whether `sdfcheck lint --fix` fixes these findings."""
+
+
+def sections(run: Run, view: View) -> Iterator[Section]:
+    """Fixable findings first, then errors, then warnings, then infos; those without findings are left out."""
+    shown = view.shown(run)
     fixable = [each for each in shown if each.fix is not None and each.fix.is_safe]
     others = [each for each in shown if each.fix is None or not each.fix.is_safe]
-    headings = {
-        Severity.ERROR: "Errors: a simulator refuses the file, or builds another robot",
-        Severity.WARNING: "Warnings: very likely not what is meant",
-        Severity.INFO: "Infos",
-    }
+    if fixable:
+        yield Section(_FIXABLE, _rows(fixable), is_fixable=True)
+    for severity, heading in _HEADINGS.items():
+        found = [each for each in others if each.severity is severity]
+        if found:
+            yield Section(heading, _rows(found), is_fixable=False)
+
+
+def _rows(found: Sequence[Diagnostic]) -> list[Row]:
+    by_code: dict[str, list[Diagnostic]] = {}
+    for each in found:
+        by_code.setdefault(each.code, []).append(each)
+    return sorted(map(Row, by_code.values()), key=lambda row: (-len(row.found), row.first.code))
+
+
+def overview(run: Run, view: View, paths: Paths, paint: Paint) -> Iterator[str]:
+    """The sections as text; what is not shown is counted."""
+    apart = view.singles(run)
     yield paint(
         f"{counted(len(apart), 'finding')} in {counted(len(files_of(apart)), 'file')}, by rule", Ink.STRONG
     )
-    yield from _section(
-        "Fix first: `sdfcheck lint --fix` corrects these without changing a robot", fixable, paths, paint
-    )
-    for severity in (Severity.ERROR, Severity.WARNING, Severity.INFO):
-        yield from _section(
-            headings[severity], [each for each in others if each.severity is severity], paths, paint
-        )
+    for section in sections(run, view):
+        yield from _section(section, paths, paint)
     hidden = [each for each in apart if not each.severity >= view.least]
     if hidden:
         codes = sorted({each.code for each in hidden})
@@ -55,17 +80,12 @@ def overview(run: Run, view: View, paths: Paths, paint: Paint) -> Iterator[str]:
         yield f"{counted(len(hidden), 'info')} of {counted(len(codes), 'rule')}: not shown, and rarely urgent"
 
 
-def _section(heading: str, found: Sequence[Diagnostic], paths: Paths, paint: Paint) -> Iterator[str]:
-    if not found:
-        return
-    by_code: dict[str, list[Diagnostic]] = {}
-    for each in found:
-        by_code.setdefault(each.code, []).append(each)
-    rows = sorted(map(_Row, by_code.values()), key=lambda row: (-len(row.found), row.first.code))
+def _section(section: Section, paths: Paths, paint: Paint) -> Iterator[str]:
+    rows = section.rows
     digits = max(len(str(len(row.found))) for row in rows)
     width = max(len(f"{row.first.code} {row.first.name}") for row in rows[:_ROWS])
     yield ""
-    yield paint(heading, Ink.STRONG)
+    yield paint(section.heading, Ink.STRONG)
     for row in rows[:_ROWS]:
         first = row.first
         rule = paint(f"{first.code} {first.name:{width - len(first.code) - 1}}", INK_OF[first.severity])

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import base64
-import json
 from collections.abc import Mapping, Sequence
-from hashlib import sha256
 from html import escape
 from importlib.resources import files
 from typing import Any
+
+from sdfcheck.view.sealed import Assets, sealed
 
 _STYLE = """
 :root { color-scheme: light dark; --line: #8884; --error: #c92a2a; --warning: #a15c00; --info: #1864ab; }
@@ -36,29 +35,14 @@ p { margin: 2px 0; overflow-wrap: anywhere; }
 @media print { #panel { overflow: visible; } }
 """
 
-_TEMPLATE = """<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{policy}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{title}</title>
-<style>{style}</style>
-</head>
-<body>
-<header><h1>{title}</h1></header>
+_BODY = """<header><h1>{title}</h1></header>
 <main>
 <div id="stage">
 <canvas aria-label="The robot, drawn; drag to turn, scroll to zoom" role="img"></canvas>
 <p id="no-webgl" hidden>This browser cannot draw in three dimensions (WebGL is off). The lists are complete.</p>
 </div>
 <section id="panel" aria-label="Parts, joints and findings" tabindex="0"></section>
-</main>
-<script type="application/json" id="data">{data}</script>
-<script>{script}</script>
-</body>
-</html>
-"""
+</main>"""
 
 
 def page(
@@ -71,7 +55,6 @@ def page(
     most_shapes: int,
 ) -> str:
     """The whole page; every name in it is text, never markup."""
-    script = files("sdfcheck.view").joinpath("data").joinpath("viewer.js").read_text(encoding="utf-8")
     data = {
         "scenes": scenes,
         "meshes": meshes,
@@ -79,20 +62,10 @@ def page(
         "differences": differences,
         "mostShapes": most_shapes,
     }
-    policy = (
-        f"default-src 'none'; script-src '{_digest(script)}'; style-src '{_digest(_STYLE)}'; "
-        "img-src data: blob:; connect-src data: blob:"
-    )
-    return _TEMPLATE.format(
-        title=escape(title), policy=policy, style=_STYLE, data=as_data(data), script=script
-    )
+    return sealed(title, _BODY.format(title=escape(title)), data, assets())
 
 
-def as_data(value: Any) -> str:
-    """JSON that cannot end the element that it is in."""
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
-    return text.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029")
-
-
-def _digest(text: str) -> str:
-    return f"sha256-{base64.b64encode(sha256(text.encode()).digest()).decode()}"
+def assets() -> Assets:
+    """The style and the script of the page."""
+    script = files("sdfcheck.view").joinpath("data").joinpath("viewer.js").read_text(encoding="utf-8")
+    return Assets(_STYLE, script)

@@ -1,0 +1,132 @@
+"""The HTML report: its content, its policy, and that names stay text."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from hashlib import sha256
+from typing import Any
+
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
+from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.report import OutputFormat, content, render
+from sdfcheck.report.edits import DELETED, INSERTED, KEPT, Hunk, hunks
+from sdfcheck.source.text import Span
+from tests.unit.report.runs import diagnostic, facts, fixed, marked, rich_diagnostic, run
+
+EVIL = "</script><script>alert(1)</script><img src=x onerror=alert(1)>"
+
+
+def page(*found: Diagnostic, **fields: Any) -> str:
+    return render(OutputFormat.HTML, run(*found, **fields))
+
+
+def data(*found: Diagnostic, **fields: Any) -> Any:
+    (text,) = re.findall(
+        r'<script type="application/json" id="data">(.*?)</script>', page(*found, **fields), re.DOTALL
+    )
+    return json.loads(text)
+
+
+def test_a_finding_has_all_that_the_other_formats_have() -> None:
+    shown = data(rich_diagnostic(), rules=(facts(),))
+    (finding,) = shown["findings"]
+    assert (finding["line"], finding["column"]) == (2, 5)
+    assert finding["help"] == "rename it"
+    assert finding["origins"] == ["included here: world.xacro:1:1"]
+    assert finding["fix"]["hunks"][0]["pieces"][1:3] == [["-", "a"], ["+", "c"]]
+    assert "\x1b[1;31m^\x1b[0m" in finding["frames"][0]["text"]
+    assert shown["places"] == ["arm.sdf"]
+    assert shown["rules"] == [
+        {"code": "NAM901", "name": "taken-name", "summary": "Two things have one name.", "page": None}
+    ]
+    assert shown["reactions"][finding["affects"]] == [
+        {"consumer": "Drake", "verdict": "reject", "words": "aborts"},
+        {"consumer": "Gazebo", "verdict": "warn", "words": "ignores it"},
+    ]
+
+
+def test_findings_without_effects_refer_to_none() -> None:
+    shown = data(diagnostic("«a»"))
+    assert "affects" not in shown["findings"][0]
+    assert shown["reactions"][0] == []
+
+
+def test_safe_fixes_come_first() -> None:
+    warning = diagnostic("«a»", code="SCH902", name="odd-thing", severity=Severity.WARNING)
+    sections = data(fixed(warning, "b"), diagnostic("«a»"), diagnostic("«a»", path="b.sdf"))["sections"]
+    assert [(section["fixable"], section["rows"]) for section in sections] == [
+        (True, [{"rule": 0, "severity": "warning", "count": 1, "files": 1}]),
+        (False, [{"rule": 1, "severity": "error", "count": 2, "files": 2}]),
+    ]
+
+
+def test_what_is_not_on_this_computer_is_apart() -> None:
+    lacking = diagnostic("«a»", missing=Missing(MissingKind.PACKAGE, "my_robot"))
+    shown = data(lacking)
+    assert shown["findings"][0]["missing"] is True
+    assert shown["sections"] == []
+    assert "my_robot" in "\n".join(shown["missing"])
+
+
+def test_the_policy_allows_the_own_style_and_script_only() -> None:
+    text = page(diagnostic("«a»"))
+    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="([^"]*)"', text)
+    for tag in ("style", "script"):
+        (own,) = re.findall(rf"<{tag}>(.*?)</{tag}>", text, re.DOTALL)
+        digest = base64.b64encode(sha256(own.encode()).digest()).decode()
+        assert f"{tag}-src 'sha256-{digest}'" in policy
+    assert policy.startswith("default-src 'none'; ")
+    assert "unsafe" not in policy
+    assert not re.search(r'\b(?:src|href)="(?!#main)', text.partition("<script")[0])
+
+
+def test_names_are_text() -> None:
+    span, _ = marked(f"«{EVIL}»", EVIL)
+    found = fixed(diagnostic("«a»")._replace(span=span, message=EVIL, name=EVIL, help=EVIL), EVIL)
+    found = found._replace(labels=(Label(span, EVIL),), origins=(Origin(span, EVIL),))
+    text = page(found, rules=(facts(summary=EVIL),), skipped=((span.source.path, EVIL),))
+    assert text.count("</script>") == 2
+    assert "<img" not in text
+    assert "alert(1)</script>" not in text
+
+
+def test_past_a_number_findings_have_no_lines_of_code(monkeypatch: Any) -> None:
+    monkeypatch.setattr(content, "MOST_FRAMES", 2)
+    found = data(*(diagnostic("«a»") for _ in range(3)))["findings"]
+    assert ["frames" in each for each in found] == [True, True, False]
+
+
+def hunks_of(text: str, *replacements: str) -> list[Hunk]:
+    primary, others = marked(text)
+    spans: list[Span] = [primary, *others]
+    edits = tuple(Edit(span, new) for span, new in zip(spans, replacements, strict=True))
+    return list(hunks(Fix("change it", edits)))
+
+
+def test_changes_of_one_line_are_one_hunk() -> None:
+    first, second = hunks_of("<a>\r\n<b x='«1»' y='{2}'/>\r\n{}</a>", "3", "4", "<c/>\n")
+    change = ((KEPT, "<b x='"), (DELETED, "1"), (INSERTED, "3"))
+    other = ((KEPT, "' y='"), (DELETED, "2"), (INSERTED, "4"), (KEPT, "'/>"))
+    assert first == Hunk(2, (*change, *other))
+    assert second == Hunk(3, ((INSERTED, "<c/>\n"), (KEPT, "</a>")))
+
+
+def test_long_lines_are_cut_around_a_change() -> None:
+    ((line, pieces),) = hunks_of("a" * 500 + "«x»" + "b" * 500 + "{y}" + "c" * 500, "1", "2" * 5000)
+    assert line == 1
+    texts = [text for _, text in pieces]
+    assert texts[0] == "…" + "a" * 80
+    assert texts[3] == "b" * 80 + "…" + "b" * 80
+    assert texts[5] == "2" * 2000 + "…"
+    assert texts[6] == "c" * 80 + "…"
+
+
+def test_what_acts_is_spelled_out() -> None:
+    ((_, pieces),) = hunks_of("\x1b[31m«\u202e»", "\x9b")
+    assert [text for _, text in pieces] == ["␛[31m", "<U+202E>", "<U+009B>"]
+
+
+def test_deleted_line_ends_bring_the_next_line() -> None:
+    assert hunks_of("<a/>\n«<b/>\n»<c/>\n", "") == [Hunk(2, ((DELETED, "<b/>\n"), (KEPT, "<c/>")))]
