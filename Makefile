@@ -4,7 +4,7 @@
 # make docs     build the documentation site into build/site; broken links are errors
 # make package  build the source distribution and the wheel into build/dist, and try both
 # make vscode   compile and package the extension for Visual Studio Code (needs node)
-# make viewer   build the page that shows robots from viewer/ (needs node)
+# make viewer   build the scripts of the pages for browsers from viewer/ (needs node)
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 

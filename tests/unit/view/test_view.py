@@ -128,21 +128,15 @@ def test_large_worlds_are_drawn_as_boxes() -> None:
 
 @pytest.mark.peers
 @pytest.mark.skipif(not (VIEWER / "node_modules").is_dir(), reason="the viewer's packages are not installed")
-def test_the_committed_viewer_is_up_to_date(tmp_path: Path) -> None:
-    built = tmp_path / "viewer.js"
-    shutil.copy(ROOT / "sdfcheck" / "view" / "data" / "viewer.js", built)
-    command = [
-        "npx",
-        "--no",
-        "esbuild",
-        "src/main.ts",
-        "--bundle",
-        "--minify",
-        "--format=iife",
-        "--target=es2020",
-    ]
-    done = subprocess.run([*command, "--legal-comments=none"], cwd=VIEWER, capture_output=True, check=True)
-    assert done.stdout == built.read_bytes(), "run `make viewer`"
+@pytest.mark.parametrize(
+    ("entry", "committed"),
+    [("src/main.ts", "view/data/viewer.js"), ("src/report/main.ts", "report/data/report.js")],
+)
+def test_committed_scripts_are_up_to_date(entry: str, committed: str) -> None:
+    options = ("--bundle", "--minify", "--format=iife", "--target=es2020", "--legal-comments=none")
+    command = ["npx", "--no", "esbuild", entry, *options]
+    done = subprocess.run(command, cwd=VIEWER, capture_output=True, check=True)
+    assert done.stdout == (ROOT / "sdfcheck" / committed).read_bytes(), "run `make viewer`"
 
 
 @pytest.mark.peers
