@@ -14,7 +14,7 @@ from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.result import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of, wants_color
 from sdfcheck.robot.graphs import text as graph_text
-from sdfcheck.robot.graphs.graph import GraphKind, graph
+from sdfcheck.robot.graphs.graph import Graph, GraphKind, graph
 from sdfcheck.source.wrong_usage import WrongUsage
 
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
@@ -24,8 +24,8 @@ _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 @click.argument("kind", type=click.Choice([kind.value for kind in GraphKind]))
 @click.argument("file", type=click.Path(path_type=Path))
 @formatted(
-    "A tree to read, or the language of Graphviz or Mermaid.",
-    *("text", "dot", "mermaid"),
+    "A tree to read, the language of Graphviz or Mermaid, or a picture.",
+    *("text", "dot", "mermaid", "svg"),
     old={"tree": "text"},
 )
 @written()
@@ -57,9 +57,16 @@ def graph_command(
         text = graph_text.tree(drawn, _paint if colors else graph_text.plain)
         deliver_lines(lines_of(text), output_file, [file], color=colors)
     else:
-        draw = graph_text.dot if form == "dot" else graph_text.mermaid
-        deliver(draw(drawn), output_file, [file])
+        deliver(_picture(drawn, form), output_file, [file])
     return 0
+
+
+def _picture(drawn: Graph, form: str) -> str:
+    if form == "svg":
+        from sdfcheck.robot.graphs.svg import svg
+
+        return svg(drawn)
+    return graph_text.dot(drawn) if form == "dot" else graph_text.mermaid(drawn)
 
 
 def _paint(text: str, what: str) -> str:

@@ -12,7 +12,7 @@ ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 
 
 @pytest.mark.parametrize("kind", ["frames", "poses", "joints"])
-@pytest.mark.parametrize("form", ["text", "dot", "mermaid"])
+@pytest.mark.parametrize("form", ["text", "dot", "mermaid", "svg"])
 @pytest.mark.parametrize(
     "file", ["two_link_arm/model.sdf", "workcell/workcell.world", "desk_arm/desk_arm.urdf"]
 )
@@ -22,7 +22,7 @@ def test_every_graph_of_every_kind_of_file(
     assert main(["graph", kind, str(ROBOTS / file), "--output-format", form, "--isolated"]) == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert out.startswith({"dot": "digraph ", "mermaid": "flowchart TD\n", "text": ""}[form])
+    assert out.startswith({"dot": "digraph ", "mermaid": "flowchart TD\n", "svg": "<svg ", "text": ""}[form])
     assert len(out.splitlines()) > 2
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
 from sdfcheck.files.library import Library
 from sdfcheck.robot.graphs.graph import Graph, GraphKind, graph
+from sdfcheck.robot.graphs.svg import svg
 from sdfcheck.robot.graphs.text import dot, mermaid, tree
 from sdfcheck.source.document import read
 
@@ -134,3 +137,71 @@ def test_long_chains() -> None:
 
 def test_nothing() -> None:
     assert tree(draw("", GraphKind.JOINTS)) == ""
+
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def boxes(picture: str) -> dict[str, tuple[float, float, float, float]]:
+    """Title of a node → left, top, right and bottom of its box, as the picture has them."""
+    root = ElementTree.fromstring(picture)
+    texts = [each for each in root.iter(f"{SVG}text") if each.get("class") is None]
+    rects = [each for each in root.iter(f"{SVG}rect") if each.get("class") != "page"]
+    found = {}
+    for text, rect in zip(texts, rects, strict=True):
+        x, y, width, height = (float(rect.get(key, "")) for key in ("x", "y", "width", "height"))
+        found[text.text or ""] = (x, y, x + width, y + height)
+    return found
+
+
+@pytest.mark.parametrize("kind", GraphKind)
+def test_boxes_of_a_picture_do_not_overlap(kind: GraphKind) -> None:
+    graph = draw(MODEL, kind)
+    picture = svg(graph)
+    places = boxes(picture)
+    assert set(places) == {node.title for node in graph.nodes}
+    page = ElementTree.fromstring(picture)
+    for left, top, right, bottom in places.values():
+        assert 0 < left < right < float(page.get("width", ""))
+        assert 0 < top < bottom < float(page.get("height", ""))
+    for one, other in combinations(places.values(), 2):
+        assert one[2] < other[0] or other[2] < one[0] or one[3] < other[1] or other[3] < one[1]
+    for edge in graph.edges:
+        assert places[graph.nodes[edge.upper].title][2] < places[graph.nodes[edge.lower].title][0]
+
+
+def test_arrows_of_a_picture_point_as_in_the_other_formats() -> None:
+    for kind, mark, other in (
+        (GraphKind.JOINTS, 'marker-end="', 'marker-start="'),
+        (GraphKind.FRAMES, 'marker-start="', 'marker-end="'),
+    ):
+        graph = draw(MODEL, kind)
+        assert svg(graph).count(mark) == len(graph.edges) > 1
+        assert other not in svg(graph)
+
+
+def test_a_ring_is_drawn_once_with_a_dashed_edge() -> None:
+    frames = '<frame name="p" attached_to="q"/><frame name="q" attached_to="p"/>'
+    picture = svg(draw(f'<model name="m"><link name="a"/>{frames}</model>', GraphKind.FRAMES))
+    assert sorted(boxes(picture)) == ["frame p", "frame q", "link a", "model m"]
+    assert picture.count('class="edge again"') == 1
+
+
+def test_names_in_a_picture_are_text() -> None:
+    name = "&lt;/text>&lt;script>alert(1)&lt;/script>&#x9b;" + "x" * 100
+    picture = svg(draw(f'<model name="m"><link name="{name}"/></model>', GraphKind.JOINTS))
+    assert "<script" not in picture
+    (text,) = (each for each in ElementTree.fromstring(picture).iter(f"{SVG}text"))
+    assert (text.text or "").endswith("…")
+    assert text[0].text == "link </text><script>alert(1)</script><U+009B>" + "x" * 100
+
+
+def test_a_long_chain_is_drawn() -> None:
+    links = "".join(f'<link name="l{at}"/>' for at in range(3000))
+    joint = '<joint name="j{0}" type="fixed"><parent link="l{0}"/><child link="l{1}"/></joint>'
+    joints = "".join(joint.format(at, at + 1) for at in range(2999))
+    assert len(boxes(svg(draw(f'<robot name="r">{links}{joints}</robot>', GraphKind.JOINTS)))) == 3000
+
+
+def test_an_empty_graph_is_a_picture() -> None:
+    assert boxes(svg(Graph(GraphKind.JOINTS, (), ()))) == {}
