@@ -39,16 +39,35 @@ def options(environment: Mapping[str, str]) -> list[str]:
 
     Raises ValueError for a quotation mark that is not closed.
     """
-    sarif = environment.get("SDFCHECK_SARIF", "").strip()
+    files = {
+        "sarif": environment.get("SDFCHECK_SARIF", "").strip(),
+        "markdown": summary(environment),
+        "html": report(environment),
+    }
     return [
         "lint",
         "--output-format",
         "github",
-        *(["--output-format", f"sarif={sarif}"] if sarif else []),
+        *(word for form, file in files.items() if file for word in ("--output-format", f"{form}={file}")),
         *shlex.split(environment.get("SDFCHECK_ARGS", "")),
         "--",
         *(shlex.split(environment.get("SDFCHECK_PATHS", "")) or ["."]),
     ]
+
+
+def summary(environment: Mapping[str, str]) -> Path | None:
+    """Where to write the summary of the job, before it is added to those of other steps."""
+    return _temporary(environment, "sdfcheck-summary.md") if environment.get("GITHUB_STEP_SUMMARY") else None
+
+
+def report(environment: Mapping[str, str]) -> Path | None:
+    """Where to write the page that becomes an artifact, if that has a name."""
+    name = environment.get("SDFCHECK_REPORT", "").strip()
+    return _temporary(environment, "sdfcheck-report.html") if name else None
+
+
+def _temporary(environment: Mapping[str, str], name: str) -> Path:
+    return Path(environment.get("RUNNER_TEMP") or ".") / name
 
 
 def install(what: str, folder: Path) -> Path:
@@ -67,17 +86,33 @@ def main(environment: Mapping[str, str]) -> int:
     except ValueError as error:
         sys.stdout.write(f"::error title=sdfcheck::{error}\n")
         return 2
-    place = Path(environment.get("RUNNER_TEMP") or ".") / "sdfcheck-venv"
     try:
-        python = install(what, place)
+        python = install(what, _temporary(environment, "sdfcheck-venv"))
     except (OSError, subprocess.CalledProcessError) as error:
         sys.stdout.write(f"::error title=sdfcheck::cannot be installed: {error}\n")
         return 2
+    written = [file for file in (summary(environment), report(environment)) if file is not None]
+    for file in written:
+        file.unlink(missing_ok=True)  # of an earlier step
     code = subprocess.run([python, "-I", "-m", "sdfcheck", *arguments], check=False).returncode
-    if output := environment.get("GITHUB_OUTPUT"):
-        with Path(output).open("a", encoding="utf-8") as stream:
-            stream.write(f"exit-code={code}\n")
+    _hand_over(environment, code)
     return code
+
+
+def _hand_over(environment: Mapping[str, str], code: int) -> None:
+    """What GitHub and later steps get."""
+    summed_up, page = summary(environment), report(environment)
+    if summed_up is not None and summed_up.exists():
+        _append(environment["GITHUB_STEP_SUMMARY"], summed_up.read_text(encoding="utf-8"))
+    if output := environment.get("GITHUB_OUTPUT"):
+        _append(output, f"exit-code={code}\n")
+        if page is not None and page.exists():
+            _append(output, f"report={page}\n")
+
+
+def _append(file: str, text: str) -> None:
+    with Path(file).open("a", encoding="utf-8") as stream:
+        stream.write(text)
 
 
 if __name__ == "__main__":

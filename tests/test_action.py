@@ -90,6 +90,33 @@ def test_it_runs(
     assert "No closing quotation" in capfd.readouterr().out
 
 
+def test_a_summary_and_a_report(
+    action: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a.sdf").write_text('<sdf version="1.9"><!-- -- --><world name="w"/></sdf>')
+    output, summary, report = tmp_path / "output", tmp_path / "summary", tmp_path / "sdfcheck-report.html"
+    summary.write_text("# Another step\n")
+    report.write_text("of another step")
+    monkeypatch.setattr(action, "install", lambda what, folder: Path(sys.executable))
+    monkeypatch.chdir(tmp_path)
+    given = {
+        "GITHUB_OUTPUT": str(output),
+        "GITHUB_STEP_SUMMARY": str(summary),
+        "RUNNER_TEMP": str(tmp_path),
+        "SDFCHECK_REPORT": "sdfcheck-report",
+    }
+    assert action.main(given) == 1
+    lines = summary.read_text().splitlines()
+    assert lines[:2] == ["# Another step", "## sdfcheck"]
+    assert "Found 1 warning" in lines[3]
+    assert output.read_text() == f"exit-code=1\nreport={report}\n"
+    assert report.read_text().startswith("<!doctype html>")
+    output.unlink()
+    assert action.main({**given, "SDFCHECK_PATHS": "missing.sdf"}) == 2
+    assert output.read_text() == "exit-code=2\n"
+    assert summary.read_text().splitlines() == lines
+
+
 def test_it_says_that_it_cannot_be_installed(
     action: ModuleType, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -22,9 +22,11 @@ class OutputFormat(Enum):
     SARIF = "sarif"
     GITHUB = "github"
     GITLAB = "gitlab"
+    AZURE = "azure"
     JUNIT = "junit"
     CHECKSTYLE = "checkstyle"
     RDJSON = "rdjson"
+    MARKDOWN = "markdown"
     HTML = "html"
 
     @property

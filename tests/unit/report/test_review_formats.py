@@ -39,6 +39,32 @@ def test_github_gets_the_gravest_first_and_is_told_of_the_rest() -> None:
     assert "more" not in render(OutputFormat.GITHUB, run(*found[:10]))
 
 
+def test_azure() -> None:
+    found = fixed(
+        diagnostic("<a>\n<«b»/>", path="50%;[a].sdf", message="50% of: a;\nb]", severity=Severity.WARNING),
+        "c",
+    )
+    assert render(OutputFormat.AZURE, run(found)) == (
+        "##vso[task.logissue type=warning;sourcepath=50%AZP25%3B[a%5D.sdf;linenumber=2;columnnumber=2;code=NAM901;]"
+        "50%AZP25 of: a;␊b]%0Ahelp: write `c` (safe fix)\n"
+    )
+
+
+def test_azure_gets_the_gravest_first_and_infos_as_lines() -> None:
+    info = diagnostic("«a»", severity=Severity.INFO, message="##vso[task.complete]")
+    assert render(OutputFormat.AZURE, run(info, diagnostic("«a»"))).splitlines() == [
+        "##vso[task.logissue type=error;sourcepath=arm.sdf;linenumber=1;columnnumber=1;code=NAM901;]name `a` is taken",
+        "arm.sdf:1:1: info: #<U+0023>vso[task.complete] [NAM901]",
+    ]
+
+
+def test_a_name_is_no_command_of_azure() -> None:
+    evil = "##vso[task.setvariable variable=x]y"
+    text = render(OutputFormat.AZURE, run(diagnostic("«a»", message=f"{evil}\n{evil}", help=evil, path=evil)))
+    assert text.count("##vso[") == 1
+    assert text.count("\n") == 1
+
+
 def test_gitlab() -> None:
     (issue,) = parsed(OutputFormat.GITLAB, rich_diagnostic())
     fingerprint = issue.pop("fingerprint")
