@@ -34,7 +34,10 @@ def server_command(tcp: bool, host: str, port: int, stdio: bool) -> int:
         if (error.name or "").partition(".")[0] not in {"pygls", "lsprotocol"}:
             raise
         raise WrongUsage("the language server needs pygls: pip install 'sdfcheck[lsp]'") from None
-    gc.set_threshold(50_000, 20, 20)  # a session is long: what is not needed any more has to go
+    gc.set_threshold(
+        2_000_000, 2, 2
+    )  # the worker collects garbage in pauses; this is for sessions without any
+    gc.freeze()
     logging.getLogger("pygls").setLevel(logging.CRITICAL)  # what matters is sent to the client
     server = make_server()
     if tcp:

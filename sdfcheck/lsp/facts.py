@@ -61,6 +61,8 @@ def _node(document: Document, named: Occurrence) -> Node | None:
 
     if named.symbol.kind not in {"link", "joint", "frame", "model", "world"}:
         return None
+    if (written := _written(document, named.symbol)) is not None:
+        return written
     for scope in root_of(document).scopes:
         if _matches(scope, named.symbol):
             return scope
@@ -74,6 +76,15 @@ def _node(document: Document, named: Occurrence) -> Node | None:
                 if own is not None and own.key == named.symbol.key:
                     return joint
     return None
+
+
+def _written(document: Document, symbol: Symbol) -> Node | None:
+    """The node of an element that a document writes."""
+    from sdfcheck.robot.node import Node
+
+    element = element_of(document, symbol) if symbol.span.source is document.source else None
+    part = None if element is None else root_of(document).part_of(element)
+    return part if isinstance(part, Node) and _matches(part, symbol) else None
 
 
 def _matches(node: Node, symbol: Symbol) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -82,16 +83,15 @@ class Fold(NamedTuple):
 
 def folds(document: Document) -> list[Fold]:
     """The elements and comments of several lines."""
-    source = document.source
+    lines = document.source.line_starts
+    scan = document.scan
     found: dict[int, Fold] = {}
-    for element in elements(document).all:
-        place = document.spans.place(element)
-        first = source.position(place.start).line - 1
-        last = source.position(min(place.close_end, place.close)).line - 2
+    for start, close in zip(scan.starts, scan.closes, strict=True):
+        first, last = bisect_right(lines, start) - 1, bisect_right(lines, close) - 2
         if last > first:
             found.setdefault(first, Fold(first, last, False))
-    for start, end in document.scan.comments:
-        first, last = source.position(start).line - 1, source.position(end).line - 1
+    for start, end in scan.comments:
+        first, last = bisect_right(lines, start) - 1, bisect_right(lines, end) - 1
         if last > first:
             found.setdefault(first, Fold(first, last, True))
     return [found[line] for line in sorted(found)]

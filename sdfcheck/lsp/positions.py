@@ -77,6 +77,6 @@ def changed(source: Source, changes: Iterable[Change], units: Units) -> tuple[So
             source, kept = Source(source.path, text), 0
             continue
         first, last = sorted((offset_of(source, start, units), offset_of(source, end, units)))
-        source = Source(source.path, source.text[:first] + text + source.text[last:])
+        source = source.edited(first, last, text)
         kept = min(kept, first)
     return source, kept

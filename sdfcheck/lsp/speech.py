@@ -45,7 +45,10 @@ class Speech:
 
     def uri(self, path: Path) -> str:
         """The name of a file for the client; of an open one as the client wrote it."""
-        buffer = self.workspace.buffers.get(self.workspace.key(path))
+        return self._uri(self.workspace.key(path), path)
+
+    def _uri(self, key: str, path: Path) -> str:
+        buffer = self.workspace.buffers.get(key)
         return buffer.uri if buffer is not None else str(from_fs_path(os.path.abspath(path)))
 
     def position(self, source: Source, offset: int) -> types.Position:
@@ -56,7 +59,8 @@ class Speech:
         return types.Range(self.position(source, span.start), self.position(source, span.end))
 
     def location(self, span: Span) -> types.Location:
-        return types.Location(self.uri(span.source.path), self.range(span))
+        source = span.source
+        return types.Location(self._uri(source.real_path, source.path), self.range(span))
 
     def offset(self, source: Source, position: types.Position) -> int:
         return offset_of(source, Place(position.line, position.character), self.units)

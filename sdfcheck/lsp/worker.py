@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import heapq
 import threading
 from collections.abc import Callable
@@ -14,6 +15,9 @@ T = TypeVar("T")
 
 ANSWER, LINT, SURVEY = range(3)
 """What comes first: answers to requests, diagnostics of open files, those of files that include them."""
+
+PAUSE = 0.5
+"""After so many seconds without a job, garbage is collected: during a job that takes longer than the job."""
 
 _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], None]]
 """Urgency, number, the work, and what takes its result or its exception."""
@@ -62,10 +66,14 @@ class Worker:
             self._news.notify()
 
     def _serve(self) -> None:
+        is_tidy = False
         while True:
             with self._news:
                 while not self._jobs and not self._is_closed:
-                    self._news.wait()
+                    if not self._news.wait(None if is_tidy else PAUSE):
+                        gc.collect()
+                        is_tidy = True
+                is_tidy = False
                 if self._is_closed:
                     return
                 *_, work, done = heapq.heappop(self._jobs)

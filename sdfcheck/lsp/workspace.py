@@ -36,7 +36,7 @@ class Choices(NamedTuple):
 class Buffer:
     """A text that is open in the editor; its document is made when it is asked for."""
 
-    __slots__ = ("_document", "checkpoints", "path", "source", "uri", "version")
+    __slots__ = ("_document", "_stale", "checkpoints", "path", "source", "uri", "version")
 
     def __init__(self, uri: str, path: Path, text: str, version: int | None) -> None:
         self.uri = uri
@@ -45,6 +45,7 @@ class Buffer:
         self.version = version
         self.checkpoints = Checkpoints()
         self._document: Document | None = None
+        self._stale: list[Document] = []
 
     def write(self, source: Source, version: int | None, kept: int = 0) -> None:
         """Take a new text, which begins with ``kept`` characters of the old one."""
@@ -55,7 +56,7 @@ class Buffer:
     def forget(self) -> None:
         """Make the document anew when it is asked for next."""
         if self._document is not None:
-            self._document.release()
+            self._stale.append(self._document)
         self._document = None
 
     @property
@@ -72,6 +73,8 @@ class Buffer:
     def document(self) -> Document:
         """The text as it is read; not to be looked at by two threads."""
         if self._document is None:
+            while self._stale:  # not earlier: whoever types does not wait for that
+                self._stale.pop().release()
             kind = self.kind
             self._document = Document(self.source, None if kind is Kind.BROKEN_XML else kind, [])
         return self._document

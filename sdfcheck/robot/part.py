@@ -234,6 +234,13 @@ class Part:
                 found.setdefault(child.name, cast("Custom", part))
         return found
 
+    def release(self) -> None:
+        """Let go of all parts of the reading, which refer to one another; its document is not needed any more."""
+        for part in (self, *self.registry.values()):
+            part.__dict__.clear()
+        self.registry.clear()
+        del self.root
+
     # For the parts themselves
 
     def part(self, element: Element) -> Part:

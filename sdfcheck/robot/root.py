@@ -39,7 +39,7 @@ P = TypeVar("P", bound=Part)
 class Root(Part):
     """A whole file: its worlds, and the models, lights and actors that are in none. A URDF file is one model."""
 
-    __slots__ = ("_document", "_each", "included")
+    __slots__ = ("_document", "included")
 
     def __init__(self, document: Document) -> None:
         element = document.root

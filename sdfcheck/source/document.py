@@ -25,6 +25,9 @@ T = TypeVar("T")
 _TAIL = re.compile(r"\s*>(?:\s|<!--(?:(?!-->)[\s\S])*-->)*")
 _DEFAULT_NAMESPACE = re.compile(r"xmlns\s*=")
 
+LONG, LONGEST = 200_000, 20_000_000
+"""Of texts of such a length that are broken, only the place of the fault is scanned, if that is enough."""
+
 _LINTED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG, Kind.SRDF))
 _KINDS = {"sdf": Kind.SDF, "robot": Kind.URDF, "model": Kind.MODEL_CONFIG}
 
@@ -130,6 +133,9 @@ class Document:
 
     def release(self) -> None:
         """Let go of the tree and of what was worked out about it, which refer to one another; the text is left."""
+        for view in self._views.values():
+            if (release := getattr(view, "release", None)) is not None:
+                release()
         self._views.clear()
         self.root = self._spans = self._scan = self.library = None
         self.problems, self.included_by = [], ()
@@ -146,6 +152,12 @@ class Document:
                 root = self._parse_without_hyphens()
                 if root is not None:
                     return root
+        if (
+            fault is not None
+            and LONG <= len(text) <= LONGEST
+            and (root := self._parse_locally(fault)) is not None
+        ):
+            return root
         from sdfcheck.source.scanner.full_scan import scan
 
         self._scan = scan(self.source)
@@ -172,6 +184,23 @@ class Document:
             return None, None
         self.is_wellformed = text is self.source.text
         return root, None
+
+    def _parse_locally(self, fault: etree._LogEntry) -> Element | None:
+        """The root of a long text that is broken in one place."""
+        from sdfcheck.source.scanner.local_scan import local_scan
+
+        found = local_scan(self.source, self.source.offset(fault.line, max(fault.column, 1)))
+        if found is None:
+            return None
+        try:
+            root: Element = etree.fromstring(_encoded(found.wellformed), self._parser(recover=False))  # type: ignore[assignment]
+        except etree.XMLSyntaxError:
+            return None
+        if root.xpath("count(//*)") != len(found.starts) or _is_overloaded(root, found.wellformed):
+            return None
+        self._scan = found
+        self.problems = [*self.problems, *found.problems]
+        return root
 
     def _parse_without_hyphens(self) -> Element | None:
         """Try it with the hyphens of comments spaced out, of which there are too many."""

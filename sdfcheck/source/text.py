@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from bisect import bisect_right
 from itertools import accumulate
@@ -26,18 +27,26 @@ class Source:
     mark excluded), so that offsets into it can be used for edits.
     """
 
-    __slots__ = ("_line_starts", "path", "text")
+    __slots__ = ("_line_starts", "_real_path", "path", "text")
 
     def __init__(self, path: Path, text: str) -> None:
         self.path = path
         self.text = text
         self._line_starts: list[int] | None = None
+        self._real_path = ""
 
     def __reduce__(self) -> tuple[object, ...]:
         return Source, (self.path, self.text)
 
     def __repr__(self) -> str:
         return f"Source({str(self.path)!r}, {len(self.text)} characters)"
+
+    @property
+    def real_path(self) -> str:
+        """Where the file is, whatever links lead to it; looked up once."""
+        if not self._real_path:
+            self._real_path = os.path.realpath(self.path)
+        return self._real_path
 
     @property
     def line_starts(self) -> list[int]:
@@ -51,6 +60,17 @@ class Source:
                 lines.pop()
                 self._line_starts += accumulate(len(line) + 1 for line in lines)
         return self._line_starts
+
+    def edited(self, start: int, end: int, text: str) -> Source:
+        """The same with another text in place of a range; its lines are not counted again where they are known."""
+        result = Source(self.path, self.text[:start] + text + self.text[end:])
+        known = self._line_starts
+        if known is not None and "\r" not in self.text and "\r" not in text:
+            first, last = bisect_right(known, start), bisect_right(known, end)
+            new = [start + match.end() for match in _LINE_END.finditer(text)]
+            shift = len(text) - (end - start)
+            result._line_starts = [*known[:first], *new, *(each + shift for each in known[last:])]
+        return result
 
     def position(self, offset: int) -> Position:
         """Line and column of an offset, both from 1, in code points."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-
 from sdfcheck.source.element import Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
@@ -20,7 +18,7 @@ class Symbol(NamedTuple):
     @property
     def key(self) -> tuple[str, int]:
         """What is the same for the same symbol, however often its file is read."""
-        return os.path.realpath(self.span.source.path), self.span.start
+        return self.span.source.real_path, self.span.start
 
 
 class Occurrence(NamedTuple):

@@ -8,21 +8,25 @@ the tags, write.
 from __future__ import annotations
 
 from sdfcheck.source.scanner.pairing import pair
-from sdfcheck.source.scanner.prepare import prepare
+from sdfcheck.source.scanner.prepare import Prepared, prepare
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.scanner.tokenizer import tokenize
-from sdfcheck.source.scanner.tokens import TokenKind
+from sdfcheck.source.scanner.tokens import TokenKind, Tokens
 from sdfcheck.source.scanner.wellformed import Writer
 from sdfcheck.source.text import Source
 
 
 def scan(source: Source) -> Scan:
     """The places and defects of a text, and the text rewritten."""
-    result = Scan()
     prepared = prepare(source)
-    tokens = tokenize(source, prepared.text)
+    return assemble(source, prepared, tokenize(source, prepared.text), prepared.text)[0]
+
+
+def assemble(source: Source, prepared: Prepared, tokens: Tokens, copied: str) -> tuple[Scan, int]:
+    """The scan that the pieces of a text make, and where it ends; ``copied`` is the text that is written anew."""
+    result = Scan()
     pairs = pair(source, prepared.text, tokens)
-    writer = Writer(source, prepared.text, result, tokens.entities)
+    writer = Writer(source, copied, result, tokens.entities)
     writer.write(pairs.steps)
     read = (problem for problem in (*prepared.problems, *tokens.problems) if problem.span.start < pairs.end)
     found = [*read, *pairs.problems, *result.problems]
@@ -30,4 +34,4 @@ def scan(source: Source) -> Scan:
     result.doubtful = [*prepared.doubtful, *tokens.doubtful, *pairs.doubtful]
     pieces = (token for token in tokens.pieces if token.kind is TokenKind.COMMENT)
     result.comments = [(token.start, token.end) for token in pieces if token.start < pairs.end]
-    return result
+    return result, pairs.end

@@ -13,7 +13,7 @@ from sdfcheck.source.text import Source
 _START = re.compile(r"<(?![/!?])")
 _ASIDE = re.compile(r"<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>")
 """Where a ``<`` may be that begins no tag."""
-_MARKUP = re.compile(
+MARKUP = re.compile(
     r"<(?:!--[\s\S]*?--|!\[CDATA\[[\s\S]*?\]\]|\?[\s\S]*?\?|(/)[^>]*"
     r"|[^\s>/\"'!?][^>/\"']*(?:\"[^\"]*\"[^>/\"']*|'[^']*'[^>/\"']*|/(?!>))*(/)?)>"
 )
@@ -53,7 +53,7 @@ class QuickScan(Scan):
         closes: list[int] = []
         close_ends: list[int] = []
         unclosed: list[int] = []
-        for match in _MARKUP.finditer(text):
+        for match in MARKUP.finditer(text):
             at, end = match.span()
             kind = match.lastindex
             if kind == 1:

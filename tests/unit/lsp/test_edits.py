@@ -149,6 +149,16 @@ def test_places_come_back(text: str, data: st.DataObject) -> None:
         assert place_of(source, back, units) == place or text[:offset].endswith("\r")
 
 
+@given(st.text(alphabet="a\n\r\u2028", max_size=30), st.text(alphabet="b\n\r", max_size=5), st.data())
+def test_edits_keep_count_of_lines(text: str, piece: str, data: st.DataObject) -> None:
+    first, last = sorted((data.draw(st.integers(0, len(text))), data.draw(st.integers(0, len(text)))))
+    source = Source(Path("a"), text)
+    assert source.line_starts
+    edited = source.edited(first, last, piece)
+    assert edited.text == text[:first] + piece + text[last:]
+    assert edited.line_starts == Source(Path("a"), edited.text).line_starts
+
+
 def test_columns_after_tabs_and_astral_characters_count_in_utf16() -> None:
     source = Source(Path("a"), "\t\U0001f600 x")
     assert place_of(source, 3, Units.UTF16) == Place(0, 4)
