@@ -93,9 +93,9 @@ def test_fifty_megabytes_in_one_value() -> None:
     data = b'<sdf version="1.12"><world name="' + b"a" * 50_000_000 + b'"/></sdf>'
     tracemalloc.start()
     try:
-        start = time.perf_counter()
+        start = time.process_time()
         found = read(data, PATH)
-        elapsed = time.perf_counter() - start
+        elapsed = time.process_time() - start
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
@@ -145,11 +145,11 @@ def test_time_grows_with_size_only(piece: str) -> None:
 )
 @pytest.mark.parametrize("comment", ["", " a -- b "])
 def test_attributes_past_the_limit_are_told_once_and_left_out(attributes: list[str], comment: str) -> None:
-    begin = time.perf_counter()
+    begin = time.process_time()
     found = document(f"<sdf version='1.9'><!--{comment}--><model {' '.join(attributes)}/></sdf>")
     (problem,) = (each for each in problems(found) if isinstance(each, SyntaxDefect))
     assert problem.kind is SyntaxKind.TOO_MANY
     assert problem.span.text == attributes[1000].partition("=")[0]
     assert found.root is not None
     assert len(found.root[0].items()) <= 1000
-    assert time.perf_counter() - begin < 10
+    assert time.process_time() - begin < 10
