@@ -37,7 +37,7 @@ if TYPE_CHECKING:
         Good,
     )
     from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
-    from sdfcheck.lint.rule import Rule, Target, make_fix, replace
+    from sdfcheck.lint.rule import Rule, Target, make_fix, rename, replace, write_instead
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.wording import listed, named, used
@@ -105,7 +105,7 @@ _HOMES = {
     "sdfcheck.lint.fix.fix": "Applicability Edit Fix",
     "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
-    "sdfcheck.lint.rule": "Rule Target make_fix replace",
+    "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unexpanded unreadable",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
@@ -285,6 +285,7 @@ __all__ = [
     "print",
     "problems",
     "refuses",
+    "rename",
     "repeating",
     "replace",
     "suggest",
@@ -295,6 +296,7 @@ __all__ = [
     "unreadable",
     "used",
     "warns",
+    "write_instead",
 ]
 
 

@@ -63,6 +63,18 @@ def test_messages_are_in_house_style(trial: Trial) -> None:
     assert not message.endswith(".")
 
 
+@pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
+def test_what_was_meant_can_be_written(trial: Trial, tmp_path: Path) -> None:
+    example = trial.example
+    assert isinstance(example, Bad)
+    text, _, _ = unmark(fill(trial.rule.scaffold, example))
+    for found in BENCH.lint(text, example, tmp_path):
+        if "did you mean" in found.message:
+            assert found.fix is not None, found.message
+            if found.code == trial.rule.code:
+                assert example.fixed is not None, found.message
+
+
 @pytest.mark.parametrize(
     "trial", [trial for trial in TRIALS if trial.rule.applies is not Rule.applies], ids=repr
 )

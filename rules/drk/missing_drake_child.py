@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Severity,
+    VendorRule,
+    VendorTag,
+    named,
+    refuses,
+    rename,
+)
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 PLANAR = '<drake:joint name="j" type="planar"><drake:parent>a</drake:parent><drake:child>b</drake:child>'
@@ -28,6 +39,8 @@ class MissingDrakeChild(VendorRule):
         Bad(
             PLANAR.replace("<drake:child>", "<«child»>").replace("</drake:child>", "</child>")
             + "<drake:damping>0 0 0</drake:damping></drake:joint>",
+            fixed=PLANAR + "<drake:damping>0 0 0</drake:damping></drake:joint>",
+            unsafe=True,
             says="did you mean `drake:child`?",
         ),
         Bad(
@@ -62,4 +75,5 @@ class MissingDrakeChild(VendorRule):
             if lack.misspelled is None:
                 message = f"{tag.title} lacks {named(lack.choices, 'or')}"
                 near = f"; did you mean `{lack.choices[0]}`?" if lack.near is not None else ""
-                yield self.report(tag, message, lack.effect, at=lack.near, rest=near)
+                fix = rename(lack.choices[0], lack.near) if lack.near is not None else None
+                yield self.report(tag, message, lack.effect, at=lack.near, rest=near, fix=fix)

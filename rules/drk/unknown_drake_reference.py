@@ -1,6 +1,16 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorValue
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Severity,
+    VendorRule,
+    VendorValue,
+    write_instead,
+)
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT
 
 NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
@@ -26,6 +36,9 @@ class UnknownDrakeReference(VendorRule):
         Bad(
             '<drake:collision_filter_group name="g"><drake:member>«A»</drake:member>'
             "</drake:collision_filter_group>",
+            fixed='<drake:collision_filter_group name="g"><drake:member>a</drake:member>'
+            "</drake:collision_filter_group>",
+            unsafe=True,
             says="there is no link `A`: Drake refuses the file; did you mean `a`?",
         ),
         Bad(
@@ -88,4 +101,4 @@ class UnknownDrakeReference(VendorRule):
         else:
             message = f"there is no {kinds} `{text}`"
         near = f"; did you mean `{unresolved.near}`?" if unresolved.near else ""
-        yield self.report(name, message, self.refused, rest=near)
+        yield self.report(name, message, self.refused, rest=near, fix=write_instead(unresolved.near, name))

@@ -31,8 +31,11 @@ class UnknownDrakeTag(VendorRule):
         ),
         Bad("<«drake:spaceship»/>", says="`drake:spaceship` is not known to Drake", scaffold=ROBOT),
         Bad(
-            '<drake:visual name="v"><drake:geometry><«sphere»><radius>1</radius></sphere>'
+            '<drake:visual name="v"><drake:geometry><«sphere»><drake:radius>1</drake:radius></sphere>'
             "</drake:geometry></drake:visual>",
+            fixed='<drake:visual name="v"><drake:geometry><drake:sphere><drake:radius>1</drake:radius></drake:sphere>'
+            "</drake:geometry></drake:visual>",
+            unsafe=True,
             says="`sphere` has no prefix",
             scaffold=LINK,
         ),

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Root, Rule, Severity, warns
+from sdfcheck import (
+    IN_ROBOT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    GazeboBlock,
+    Good,
+    Root,
+    Rule,
+    Severity,
+    warns,
+    write_instead,
+)
 
 OTHERS = ("visual", "collision", "material", "robot")
 """What else has a name that one may take for a reference."""
@@ -24,6 +36,8 @@ class UnreferencedExtension(Rule):
     bad = (
         Bad(
             '<gazebo reference="«bases»"><mu1>1</mu1></gazebo>',
+            fixed='<gazebo reference="base"><mu1>1</mu1></gazebo>',
+            unsafe=True,
             says="there is no link or joint `bases`; did you mean `base`?",
         ),
         Bad(
@@ -45,11 +59,12 @@ class UnreferencedExtension(Rule):
         message = f"there is no link or joint `{name}`"
         kind = next((kind for kind in OTHERS if _has(block.root, kind, name)), None)
         known = {*model.tree.links, *model.joints_by_name, *model.link_names.unknown}
+        meant, place = None, block.reference_value or block
         if kind is not None:
             message = f"`{name}` is a {kind}, not a link or joint"
         elif (meant := block.nearest(name, known)) is not None:
             message += f"; did you mean `{meant}`?"
-        yield self.diagnostic(block.reference_value or block, message)
+        yield self.diagnostic(place, message, fix=write_instead(meant, place))
 
 
 def _has(root: Root, kind: str, name: str) -> bool:

@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+from sdfcheck import (
+    IN_MODEL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Joint,
+    Rule,
+    Severity,
+    warns,
+    write_instead,
+)
 
 GEARBOX = (
     '<link name="a"/><link name="b"/><joint name="g" type="gearbox"><parent>a</parent><child>b</child>'
@@ -26,6 +37,8 @@ class UnknownGearboxBody(Rule):
     bad = (
         Bad(
             GEARBOX.format("«bsae»"),
+            fixed=GEARBOX.format("base"),
+            unsafe=True,
             says="the reference body `bsae` of joint `g` does not exist; did you mean `base`?",
             also=("DRK008",),
         ),
@@ -43,4 +56,5 @@ class UnknownGearboxBody(Rule):
         name = value.text.strip()
         message = f"the reference body `{name}` of {joint.title} does not exist"
         meant = joint.scope.guess(name, but=(joint.name,)).meant
-        yield self.diagnostic(value, message if meant is None else f"{message}; did you mean `{meant}`?")
+        message += "" if meant is None else f"; did you mean `{meant}`?"
+        yield self.diagnostic(value, message, fix=write_instead(meant, value))

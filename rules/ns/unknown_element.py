@@ -7,13 +7,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
-    Fix,
     Good,
     Rule,
     Severity,
-    make_fix,
     problems,
+    rename,
     warns,
 )
 
@@ -73,7 +71,4 @@ class UnknownElement(Rule):
             yield self.diagnostic(element, message, help=advice, severity=severity)
             return
         message += f"; did you mean `{guess}`?"
-        end = element.document.spans.end_name(element)
-        edits = tuple(Edit(span, guess) for span in (element.span, end) if span is not None)
-        fix: Fix = make_fix(f"rename it to `{guess}`", edits, unsafe=True)
-        yield self.diagnostic(element, message, fix=fix, severity=severity)
+        yield self.diagnostic(element, message, fix=rename(guess, element), severity=severity)

@@ -1,6 +1,14 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlTransmission, Diagnostic, Good, Rule, Severity
+from sdfcheck import (
+    Bad,
+    ControlTransmission,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    write_instead,
+)
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, REFUSED
 
 TRANSMISSION = (
@@ -25,11 +33,15 @@ class ForeignTransmissionJoint(Rule):
     bad = (
         Bad(
             TRANSMISSION.replace("{}", "«left»") + '<joint name="lift"/>',
+            fixed=TRANSMISSION.replace("{}", "lift") + '<joint name="lift"/>',
+            unsafe=True,
             says="transmission `t` is for joint `left`, which is not in ros2_control `arm`",
         ),
         Bad(
             '<transmission name="t"><plugin>transmission_interface/SimpleTransmission</plugin>'
             '<joint name="«lft»" role="joint1"/></transmission><joint name="lift"/>',
+            fixed=TRANSMISSION.replace("{}", "lift") + '<joint name="lift"/>',
+            unsafe=True,
             says="did you mean `lift`?",
         ),
     )
@@ -43,6 +55,5 @@ class ForeignTransmissionJoint(Rule):
         for value in transmission.unresolved:
             message = f"{transmission.title} is for joint `{value.text}`, which is not in {transmission.block.title}"
             near = transmission.nearest(value.text, transmission.block.joints)
-            yield self.diagnostic(
-                value, message + (f"; did you mean `{near}`?" if near else ""), help=REFUSED
-            )
+            message += f"; did you mean `{near}`?" if near else ""
+            yield self.diagnostic(value, message, help=REFUSED, fix=write_instead(near, value))

@@ -1,8 +1,15 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Good,
+    Ros2Control,
+    Rule,
+    Severity,
+    rename,
+)
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
-from sdfcheck_rules.r2c.unknown_control_element import rename
 
 PARAMETERS = ("initial_value", "max", "min")
 
@@ -66,4 +73,4 @@ class IgnoredControlElement(Rule):
                 message += f"; did you mean `{near}`?"
             elif element.name in PARAMETERS and "param" in place.children:
                 message += f'; write it as `<param name="{element.name}">`'
-            yield self.diagnostic(element, message, fix=rename(element, near))
+            yield self.diagnostic(element, message, fix=rename(near, element))

@@ -1,6 +1,15 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, named
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Good,
+    Ros2Control,
+    Rule,
+    Severity,
+    named,
+    write_instead,
+)
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK
 
 
@@ -40,6 +49,7 @@ class MalformedControlValue(Rule):
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         for value, attribute in block.unsound:
+            near = None
             if attribute.type == "bool":
                 message = f"`{attribute.name}` should be `true` or `false`, not `{value.text}`"
             elif attribute.choices:
@@ -52,4 +62,4 @@ class MalformedControlValue(Rule):
                 )
             else:
                 message = f"`{attribute.name}` should be a whole number from 1 on, not `{value.text}`"
-            yield self.diagnostic(value, message)
+            yield self.diagnostic(value, message, fix=write_instead(near, value))

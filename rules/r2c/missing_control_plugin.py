@@ -1,6 +1,14 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Good,
+    Ros2Control,
+    Rule,
+    Severity,
+    rename,
+)
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_ROBOT, REFUSED
 
 BLOCK = '<ros2_control name="arm" type="system">{}</ros2_control>'
@@ -27,10 +35,18 @@ class MissingControlPlugin(Rule):
         ),
         Bad(BLOCK.replace("{}", "<«hardware»/>"), says="`hardware` of ros2_control `arm` has no `<plugin>`"),
         Bad(BLOCK.replace("{}", "<hardware><«plugin»/></hardware>"), says="is empty"),
-        Bad(BLOCK.replace("{}", "<hardware><«plugn»>a/B</plugn></hardware>"), says="did you mean `plugin`?"),
+        Bad(
+            BLOCK.replace("{}", "<hardware><«plugn»>a/B</plugn></hardware>"),
+            fixed=BLOCK.replace("{}", "<hardware><plugin>a/B</plugin></hardware>"),
+            unsafe=True,
+            says="did you mean `plugin`?",
+        ),
         Bad(
             '<transmission name="t"><«type»>transmission_interface/SimpleTransmission</type>'
             '<joint name="lift" role="joint1"/></transmission><joint name="lift"/>',
+            fixed='<transmission name="t"><plugin>transmission_interface/SimpleTransmission</plugin>'
+            '<joint name="lift" role="joint1"/></transmission><joint name="lift"/>',
+            unsafe=True,
             scaffold=IN_BLOCK,
             says="did you mean `plugin`?",
         ),
@@ -51,9 +67,10 @@ class MissingControlPlugin(Rule):
                 yield self.diagnostic(element, f"`plugin` of {block.title} is empty")
                 continue
             message = f"{element.title} of {block.title} has no `<plugin>`"
-            place = element
+            place, fix = element, None
             for child in element.children():
                 if child.name == "type" or block.nearest(child.name, ("plugin",)):
                     place, message = child, f"{message}; did you mean `plugin`?"
+                    fix = rename("plugin", child)
                     break
-            yield self.diagnostic(place, message, help=REFUSED)
+            yield self.diagnostic(place, message, help=REFUSED, fix=fix)

@@ -72,9 +72,16 @@ class MisspelledInterface(Rule):
             unsafe=True,
             says="interface `positon` of joint `lift`; did you mean `position`?",
         ),
-        Bad('<state_interface name="«vel»"/>', says="did you mean `velocity`?"),
+        Bad(
+            '<state_interface name="«vel»"/>',
+            fixed='<state_interface name="velocity"/>',
+            unsafe=True,
+            says="did you mean `velocity`?",
+        ),
         Bad(
             '<sensor name="imu"><state_interface name="«orientation_x»"/></sensor>',
+            fixed='<sensor name="imu"><state_interface name="orientation.x"/></sensor>',
+            unsafe=True,
             scaffold=IN_BLOCK,
             says="did you mean `orientation.x`?",
         ),

@@ -1,6 +1,14 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Element, Fix, Good, Ros2Control, Rule, Severity, make_fix
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Good,
+    Ros2Control,
+    Rule,
+    Severity,
+    rename,
+)
 from sdfcheck_rules.r2c.scaffold import HARDWARE, IN_BLOCK, IN_ROBOT, REFUSED
 
 
@@ -45,12 +53,4 @@ class UnknownControlElement(Rule):
                 near = block.nearest(element.name, place.children)
                 message = f"unknown element `{element.name}` in {block.title}"
                 message += f"; did you mean `{near}`?" if near else ""
-                yield self.diagnostic(element, message, help=REFUSED, fix=rename(element, near))
-
-
-def rename(element: Element, near: str | None) -> Fix | None:
-    if near is None:
-        return None
-    ends = (element.span, element.document.spans.end_name(element))
-    edits = tuple(Edit(span, near) for span in ends if span is not None)
-    return make_fix(f"rename it to `{near}`", edits, unsafe=True)
+                yield self.diagnostic(element, message, help=REFUSED, fix=rename(near, element))

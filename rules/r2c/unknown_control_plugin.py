@@ -48,7 +48,12 @@ class UnknownControlPlugin(Rule):
             unsafe=True,
             says="did you mean `gz_ros2_control/GazeboSimSystem`?",
         ),
-        Bad(BLOCK.replace("{}", "«gz_ros2_control/GzSimSystem»"), says="`gz_ros2_control` has no plugin"),
+        Bad(
+            BLOCK.replace("{}", "«gz_ros2_control/GzSimSystem»"),
+            fixed=BLOCK.replace("{}", "gz_ros2_control/GazeboSimSystem"),
+            unsafe=True,
+            says="`gz_ros2_control` has no plugin",
+        ),
     )
     good = (
         Good(BLOCK.replace("{}", "gz_ros2_control/GazeboSimSystem")),

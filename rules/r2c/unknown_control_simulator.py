@@ -1,6 +1,15 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity, suggest
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Good,
+    Plugin,
+    Rule,
+    Severity,
+    suggest,
+    write_instead,
+)
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 CLASSES: dict[str, tuple[str, ...]] = {
@@ -14,6 +23,12 @@ CLASSES: dict[str, tuple[str, ...]] = {
     ),
 }
 """Library → the classes in it."""
+
+
+SIMULATED = (
+    '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    "<parameters>c.yaml</parameters></plugin></gazebo>"
+)
 
 
 class UnknownControlSimulator(Rule):
@@ -32,11 +47,15 @@ class UnknownControlSimulator(Rule):
         Bad(
             '<gazebo><plugin filename="«gz_ros2_contrl-system»" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
             "<parameters>c.yaml</parameters></plugin></gazebo>",
+            fixed=SIMULATED,
+            unsafe=True,
             says="no library `gz_ros2_contrl-system`; did you mean `gz_ros2_control-system`?",
         ),
         Bad(
             '<gazebo><plugin filename="gz_ros2_control-system" name="«gz_ros2_control::GazeboSimRos2Control»">'
             "<parameters>c.yaml</parameters></plugin></gazebo>",
+            fixed=SIMULATED,
+            unsafe=True,
             says="`gz_ros2_control-system` has no class `gz_ros2_control::GazeboSimRos2Control`",
         ),
     )
@@ -64,8 +83,10 @@ class UnknownControlSimulator(Rule):
         if file in CLASSES:
             known = CLASSES[file][0]
             message = f"`{file}` has no class `{plugin.name}`; did you mean `{known}`?"
-            yield self.diagnostic(plugin.name_value or plugin, message)
+            place = plugin.name_value or plugin
+            yield self.diagnostic(place, message, fix=write_instead(known, place))
         else:
             near = suggest(file, CLASSES)
             message = f"there is no library `{plugin.filename}`; did you mean `{near}`?"
-            yield self.diagnostic(plugin.filename_value or plugin, message)
+            place = plugin.filename_value or plugin
+            yield self.diagnostic(place, message, fix=write_instead(near, place))

@@ -12,7 +12,9 @@ from sdfcheck import (
     Span,
     Value,
     problems,
+    rename,
     warns,
+    write_instead,
 )
 from sdfcheck.problems import ParameterFault
 
@@ -52,6 +54,8 @@ class InvalidIncludeParameter(Rule):
         Bad('<link element_id="" name="«base»" action="add"/>', files=ARM, says="already"),
         Bad(
             '<visual element_id="«base::skim»" action="remove"/>',
+            fixed='<visual element_id="base::skin" action="remove"/>',
+            unsafe=True,
             files=ARM,
             says="did you mean `base::skin`?",
         ),
@@ -90,7 +94,14 @@ class InvalidIncludeParameter(Rule):
         affects = doubtful if problem.fault is ParameterFault.NO_CHANGE else {}
         if problem.fault is ParameterFault.NAME_ASSUMED:
             affects = {Consumer.GAZEBO: warns("takes the first one")}
-        yield self.diagnostic(place, message, severity=severity, affects=affects)
+        fix = rename if isinstance(place, Element) else write_instead
+        yield self.diagnostic(
+            place,
+            message,
+            severity=severity,
+            affects=affects,
+            fix=fix(problem.suggestion, place),  # type: ignore[arg-type]
+        )
 
     def message(self, problem: problems.InvalidParameter) -> str:
         place, entry, other = problem.place, problem.entry, problem.other

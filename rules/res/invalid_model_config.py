@@ -14,6 +14,7 @@ from sdfcheck import (
     Value,
     refuses,
     warns,
+    write_instead,
 )
 
 CONFIG = "model.config"
@@ -55,6 +56,14 @@ class InvalidModelConfig(Rule):
 
     bad = (
         Bad('<sdf version="1.12">«gone.sdf»</sdf>', file=CONFIG, files={}, says="no file `gone.sdf`"),
+        Bad(
+            '<sdf version="1.12">«amr.sdf»</sdf>',
+            fixed='<sdf version="1.12">arm.sdf</sdf>',
+            unsafe=True,
+            file=CONFIG,
+            files={"arm.sdf": ARM},
+            says="no file `amr.sdf` beside this one, did you mean `arm.sdf`?",
+        ),
         Bad(
             '<sdf version="1.12">«arm.sdf»</sdf>',
             file=CONFIG,
@@ -118,6 +127,7 @@ class InvalidModelConfig(Rule):
             yield self.diagnostic(
                 place,
                 message,
+                fix=write_instead(near, place) if fault is ConfigFault.MISSING_FILE else None,
                 severity=SEVERITIES.get(fault, Severity.ERROR),
                 affects=affects if fault is ConfigFault.NO_NAME else {},
             )

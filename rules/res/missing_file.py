@@ -7,6 +7,7 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Fix,
     Good,
     Missing,
     MissingKind,
@@ -16,6 +17,7 @@ from sdfcheck import (
     Severity,
     used,
     warns,
+    write_instead,
 )
 from sdfcheck_rules.res.absences import Absences, reactions
 from sdfcheck_rules.res.places import looked_for, near_file, place
@@ -52,6 +54,8 @@ class MissingFile(Rule):
         Bad(MESH.format("«arm.dae»"), files={}, says="mesh `arm.dae` does not exist"),
         Bad(
             MESH.format("«model://robot/meshes/arn.dae»"),
+            fixed=MESH.format("model://robot/meshes/arm.dae"),
+            unsafe=True,
             files={"robot/meshes/arm.dae": ""},
             says="did you mean `arm.dae`?",
         ),
@@ -118,6 +122,7 @@ class MissingFile(Rule):
         return self.diagnostic(
             resource.uri_value,
             message,
+            fix=renamed(uses, near),
             severity=Severity.ERROR if has_kin else Severity.WARNING,
             help=looked_for(resource),
             affects=reactions(resource, REFUSES if has_kin else ELSEWHERE),
@@ -132,3 +137,11 @@ class MissingFile(Rule):
             help=looked_for(uses[0]) + advice,
             affects=reactions(uses[0], ELSEWHERE),
         )
+
+
+def renamed(uses: list[Resource], near: str | None) -> Fix | None:
+    """The fix that names another file of the same folder, wherever the URI is used."""
+    folder, slash, _ = uses[0].uri.rpartition("/")
+    values = [use.uri_value for use in uses]
+    is_literal = all(value.span.text == uses[0].uri for value in values)
+    return write_instead(f"{folder}{slash}{near}", *values) if near is not None and is_literal else None

@@ -5,14 +5,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
-    Element,
-    Fix,
     Good,
     Plugin,
     Rule,
     Severity,
-    make_fix,
+    rename,
     warns,
 )
 
@@ -53,10 +50,4 @@ class MisspelledPluginParameter(Rule):
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for parameter, meant in plugin.misspelled_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`; did you mean `{meant}`?"
-            yield self.diagnostic(parameter, message, fix=renaming(parameter, meant))
-
-
-def renaming(parameter: Element, meant: str) -> Fix:
-    spans = (parameter.span, parameter.document.spans.end_name(parameter))
-    edits = tuple(Edit(span, meant) for span in spans if span is not None)
-    return make_fix(f"rename it to `{meant}`", edits, unsafe=True)
+            yield self.diagnostic(parameter, message, fix=rename(meant, parameter))

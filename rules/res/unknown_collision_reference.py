@@ -15,6 +15,7 @@ from sdfcheck import (
     State,
     suggest_in,
     warns,
+    write_instead,
 )
 
 SENSOR = '<sensor name="s" type="contact"><contact><collision>{}</collision></contact></sensor>'
@@ -36,7 +37,12 @@ class UnknownCollisionReference(Rule):
     scaffold = IN_LINK
 
     bad = (
-        Bad(SHELL + SENSOR.format("«shel»"), says="no collision `shel`, did you mean `shell`?"),
+        Bad(
+            SHELL + SENSOR.format("«shel»"),
+            fixed=SHELL + SENSOR.format("shell"),
+            unsafe=True,
+            says="no collision `shel`, did you mean `shell`?",
+        ),
         Bad(
             '<gripper name="g"><gripper_link>«finger»</gripper_link><palm_link>base</palm_link></gripper>',
             scaffold=IN_MODEL,
@@ -44,6 +50,8 @@ class UnknownCollisionReference(Rule):
         ),
         Bad(
             '<gripper name="g"><gripper_link>base</gripper_link><palm_link>«bass»</palm_link></gripper>',
+            fixed='<gripper name="g"><gripper_link>base</gripper_link><palm_link>base</palm_link></gripper>',
+            unsafe=True,
             scaffold=IN_MODEL,
             says="did you mean `base`?",
         ),
@@ -74,4 +82,4 @@ class UnknownCollisionReference(Rule):
             near = suggest_in(part.document, value.text, names)
             if near is not None:
                 message += f", did you mean `{near}`?"
-            yield self.diagnostic(value, message)
+            yield self.diagnostic(value, message, fix=write_instead(near, value))

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Plugin,
+    Rule,
+    Severity,
+    warns,
+    write_instead,
+)
 
 DRIVE = (
     '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">'
@@ -34,6 +46,8 @@ class UnknownPluginReference(Rule):
     bad = (
         Bad(
             WHEEL + DRIVE.format("«wheal»"),
+            fixed=WHEEL + DRIVE.format("wheel"),
+            unsafe=True,
             says="`left_joint` of plugin `gz::sim::systems::DiffDrive` names joint `wheal`, which is not in "
             "model `m`; did you mean `wheel`?",
         ),
@@ -62,10 +76,11 @@ class UnknownPluginReference(Rule):
             name = value.text.strip()
             parameter = value.attribute or value.element.name
             message = f"`{parameter}` of {plugin.title} names {kind} `{name}`, which is not in {model.title}"
+            meant = None
             if node is not None and node.kind == kind:
                 message = f"{kind} `{name}` is fixed, and libsdformat merges it away"
             elif node is not None:
                 message = f"`{name}` is a {node.kind}, not a {kind}, for `{parameter}` of {plugin.title}"
             elif (meant := model.guess(name, kind=kind).meant) is not None:
                 message += f"; did you mean `{meant}`?"
-            yield self.diagnostic(value, message)
+            yield self.diagnostic(value, message, fix=write_instead(meant, value))

@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 from sdfcheck import (
     IN_COLLISION,
@@ -11,8 +11,10 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
+    suggest,
     unreadable,
     warns,
+    write_instead,
 )
 
 INERTIAL = (
@@ -33,6 +35,30 @@ WORDS = {
 """By the cause; whatever has no words of its own is no number."""
 
 
+TRUTHS = {
+    **dict.fromkeys(("yes", "on", "y", "t"), "true"),
+    **dict.fromkeys(("no", "off", "n", "f"), "false"),
+}
+
+
+def _truth(text: str, expected: str) -> str | None:
+    return TRUTHS.get(text.lower()) or suggest(text, ("true", "false"))
+
+
+def _apart(text: str, expected: str) -> str | None:
+    """Numbers without their commas, if they are as many as are expected."""
+    numbers = text.replace(",", " ").split()
+    return " ".join(numbers) if expected == f"{len(numbers)} numbers" else None
+
+
+def _nothing(text: str, expected: str) -> None:
+    return None
+
+
+MEANT: Mapping[str, Callable[[str, str], str | None]] = {"NOT_A_BOOLEAN": _truth, "COMMA": _apart}
+"""Cause → what was probably meant by a text, of which so much is expected."""
+
+
 class MalformedValue(Rule):
     """A value is not of the type that its place asks for.
 
@@ -50,13 +76,28 @@ class MalformedValue(Rule):
     scaffold = IN_LINK
 
     bad = (
-        Bad("<gravity>«yes»</gravity>", says="`gravity` should be true or false, not `yes`"),
+        Bad(
+            "<gravity>«yes»</gravity>",
+            fixed="<gravity>true</gravity>",
+            unsafe=True,
+            says="`gravity` should be true or false, not `yes`; did you mean `true`?",
+        ),
         Bad("<pose>0 0 «high» 0 0 0</pose>", says="`pose` should be 6 numbers, and `high` is none"),
         Bad("<pose>«0 0 ${z} 0 0 0»</pose>", says="`pose` holds an expression that nothing has expanded"),
-        Bad("<pose>«0,0,1,0,0,0»</pose>", says="should be 6 numbers, separated by spaces and not by commas"),
+        Bad(
+            "<pose>«0,0,1,0,0,0»</pose>",
+            fixed="<pose>0 0 1 0 0 0</pose>",
+            unsafe=True,
+            says="should be 6 numbers, separated by spaces and not by commas",
+        ),
         Bad("<mass>«heavy»</mass>", scaffold=INERTIAL, says="`mass` should be a number, not `heavy`"),
         Bad("<mass>«1e400»</mass>", scaffold=INERTIAL, says="`1e400` is too large for `mass`"),
-        Bad('<pose degrees="«on»">0 0 0 0 0 0</pose>', says="`degrees` should be true or false"),
+        Bad(
+            '<pose degrees="«on»">0 0 0 0 0 0</pose>',
+            fixed='<pose degrees="true">0 0 0 0 0 0</pose>',
+            unsafe=True,
+            says="`degrees` should be true or false",
+        ),
         Bad("<geometry><mesh><«uri»/></mesh></geometry>", scaffold=IN_COLLISION, says="`uri` is empty"),
         Bad("<«mass»></mass>", scaffold=INERTIAL, says="`mass` is empty, so 1.0 is taken"),
     )
@@ -87,7 +128,12 @@ class MalformedValue(Rule):
             message = f"`{name}` should be {reading.expected}, not `{part}`"
         else:
             message = f"`{name}` should be {reading.expected}, and `{part}` is none"
-        yield self.diagnostic(problem.span, message, affects=unreadable(value))
+        meant = MEANT.get(reading.cause.name, _nothing)(part, reading.expected)
+        if meant is not None:
+            message += f"; did you mean `{meant}`?"
+        yield self.diagnostic(
+            problem.span, message, affects=unreadable(value), fix=write_instead(meant, problem.span)
+        )
 
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""

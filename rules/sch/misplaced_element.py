@@ -12,6 +12,7 @@ from sdfcheck import (
     Severity,
     named,
     problems,
+    rename,
     warns,
 )
 
@@ -62,8 +63,9 @@ class MisplacedElement(Rule):
             message += f"; did you mean `{problem.suggestion}`?"
         else:
             message += f"; it goes into {named(problem.places, 'or', most=3)}"
+        fix = rename(problem.suggestion, element)
         if problem.ignored:
-            yield self.diagnostic(element, message)
+            yield self.diagnostic(element, message, fix=fix)
             return
         yield self.diagnostic(
             element, message, severity=Severity.WARNING, help="libsdformat follows it anyway"

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Actor, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, named, warns
+from sdfcheck import (
+    IN_WORLD,
+    Actor,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    Value,
+    named,
+    warns,
+    write_instead,
+)
 
 ACTOR = (
     '<actor name="walker"><skin><filename>https://example.org/walk.dae</filename></skin>'
@@ -27,6 +40,8 @@ class UnknownAnimation(Rule):
     bad = (
         Bad(
             ACTOR.format("«wlak»"),
+            fixed=ACTOR.format("walk"),
+            unsafe=True,
             says="no animation of actor `walker` is called `wlak`; did you mean `walk`?",
         ),
         Bad(ACTOR.format("«run_away»"), says="; there is `walk`"),
@@ -43,7 +58,8 @@ class UnknownAnimation(Rule):
             meant = actor.nearest(value.text, names)
             rest = f"did you mean `{meant}`?" if meant is not None else f"there is {named(names, most=4)}"
             message = f"no animation of {actor.title} is called `{value.text}`"
-            yield self.diagnostic(value, f"{message}; {rest}" if names else message)
+            message += f"; {rest}" if names else ""
+            yield self.diagnostic(value, message, fix=write_instead(meant, value))
 
 
 def animations(actor: Actor) -> set[str]:

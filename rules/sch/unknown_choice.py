@@ -15,10 +15,18 @@ from sdfcheck import (
     problems,
     unreadable,
     warns,
+    write_instead,
 )
 
 MANY = 8
 """More choices than this are not worth a list beside a good guess."""
+
+
+NOISY = (
+    '<sensor name="s" type="gpu_lidar"><lidar><scan><horizontal><samples>9</samples>'
+    "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>1</min><max>2</max>"
+    "</range><noise><type>{}</type></noise></lidar></sensor>"
+)
 
 
 class UnknownChoice(Rule):
@@ -39,19 +47,32 @@ class UnknownChoice(Rule):
     bad = (
         Bad(
             '<sensor name="s" type="«camra»"/>',
+            fixed='<sensor name="s" type="camera"/>',
+            unsafe=True,
             says="unknown `type` of sensor `s`: `camra`; did you mean `camera`?",
         ),
-        Bad('<light name="l" type="«Point»"/>', says="did you mean `point`?"),
+        Bad(
+            '<light name="l" type="«Point»"/>',
+            fixed='<light name="l" type="point"/>',
+            unsafe=True,
+            says="did you mean `point`?",
+        ),
         Bad(
             '<joint name="j" type="«hinge»"><parent>world</parent><child>base</child></joint>',
             scaffold=IN_MODEL,
             says="unknown `type` of joint `j`: `hinge`",
         ),
-        Bad('<physics type="«odee»"/>', scaffold=IN_WORLD, says="did you mean `ode`?"),
         Bad(
-            '<sensor name="s" type="gpu_lidar"><lidar><scan><horizontal><samples>9</samples>'
-            "<min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan><range><min>1</min><max>2</max>"
-            "</range><noise><type>«guassian»</type></noise></lidar></sensor>",
+            '<physics type="«odee»"/>',
+            fixed='<physics type="ode"/>',
+            unsafe=True,
+            scaffold=IN_WORLD,
+            says="did you mean `ode`?",
+        ),
+        Bad(
+            NOISY.format("«guassian»"),
+            fixed=NOISY.format("gaussian"),
+            unsafe=True,
             scaffold=IN_LINK,
             says="did you mean `gaussian`?",
         ),
@@ -82,6 +103,7 @@ class UnknownChoice(Rule):
         yield self.diagnostic(
             value,
             message,
+            fix=write_instead(guess, value),
             help=known if guess is None or len(choices) <= MANY else None,
             severity=None if problem.refused else Severity.WARNING,
             affects=unreadable(value)

@@ -1,6 +1,15 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity, suggest
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Good,
+    Rule,
+    Semantics,
+    Severity,
+    suggest,
+    write_instead,
+)
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 
 
@@ -39,4 +48,5 @@ class UnknownSemanticGroup(Rule):
         for value in semantics.unknown_groups:
             near = suggest(value.text.strip(), semantics.groups)
             guess = f"; did you mean `{near}`?" if near else ""
-            yield self.diagnostic(value, f"there is no group `{value.text.strip()}`{guess}")
+            message = f"there is no group `{value.text.strip()}`{guess}"
+            yield self.diagnostic(value, message, fix=write_instead(near, value))

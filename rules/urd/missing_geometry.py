@@ -8,6 +8,7 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Element,
+    Fix,
     Geometry,
     Good,
     Rule,
@@ -15,6 +16,7 @@ from sdfcheck import (
     Visual,
     accepts,
     refuses,
+    rename,
     unreadable,
     warns,
 )
@@ -54,13 +56,15 @@ class MissingGeometry(Rule):
         ),
         Bad(
             '<visual><geometry><«sphear» radius="1"/></geometry></visual>',
-            says="`sphear` is no shape of URDF; did you mean `sphere`?",
+            fixed='<visual><geometry><sphere radius="1"/></geometry></visual>',
+            unsafe=True,
+            says="`sphear` is not a shape of URDF; did you mean `sphere`?",
         ),
         Bad(
             '<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="a"><collision>'
             '<geometry><«drake:ellipsoid» a="1" b="2" c="3"/></geometry></collision></link></robot>',
             scaffold="",
-            says="`drake:ellipsoid` is no shape of URDF",
+            says="`drake:ellipsoid` is not a shape of URDF",
         ),
     )
     good = (Good('<visual><geometry><mesh filename="package://p/m.stl"/></geometry></visual>'),)
@@ -78,16 +82,19 @@ class MissingGeometry(Rule):
         elif geometry.shape not in SHAPES:
             near = geometry.nearest(geometry.shape, SHAPES)
             guess = f"; did you mean `{near}`?" if near else ""
-            yield self.about(shape, geometry.shape_element, f"`{geometry.shape}` is no shape of URDF{guess}")
+            message = f"`{geometry.shape}` is not a shape of URDF{guess}"
+            yield self.about(shape, geometry.shape_element, message, rename(near, geometry.shape_element))
         if mesh is not None and geometry.part(mesh).lacks("filename"):
             yield self.about(shape, mesh, f"the mesh of {shape.title} has no `filename`")
 
-    def about(self, shape: Visual | Collision, place: Element, message: str) -> Diagnostic:
+    def about(
+        self, shape: Visual | Collision, place: Element, message: str, fix: Fix | None = None
+    ) -> Diagnostic:
         affects = {Consumer.MUJOCO: unreadable(shape.element)[Consumer.MUJOCO]}
         if place.name.startswith("drake:"):
             affects[Consumer.DRAKE] = accepts("knows it")
         severity = Severity.WARNING if place.is_custom else None
-        return self.diagnostic(place, message, severity=severity, affects=affects)
+        return self.diagnostic(place, message, severity=severity, affects=affects, fix=fix)
 
 
 def lacks_shape(geometry: Geometry) -> bool:

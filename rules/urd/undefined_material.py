@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Material, Model, Rule, Severity, used, warns
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Material,
+    Model,
+    Rule,
+    Severity,
+    used,
+    warns,
+    write_instead,
+)
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 LINK = f'<robot name="r">{{}}<link name="a"><visual>{SHAPE}<material name="grey"/></visual></link></robot>'
@@ -31,6 +44,9 @@ class UndefinedMaterial(Rule):
         Bad(
             '<robot name="r"><material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>'
             f'<link name="a"><visual>{SHAPE}<material name="«gray»"/></visual></link></robot>',
+            fixed='<robot name="r"><material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>'
+            f'<link name="a"><visual>{SHAPE}<material name="grey"/></visual></link></robot>',
+            unsafe=True,
             scaffold="",
             says="material `gray` is not defined; did you mean `grey`?",
         ),
@@ -94,7 +110,8 @@ class UndefinedMaterial(Rule):
             return self.diagnostic(place, message, labels={later.name_value or later: "defined here"})
         near = robot.nearest(name, defined)
         guess = f"; did you mean `{near}`?" if near else ""
-        return self.diagnostic(place, f"material `{name}` is not defined{used(len(uses))}{guess}")
+        fix = write_instead(near, *(use.name_value or use for use in uses))
+        return self.diagnostic(place, f"material `{name}` is not defined{used(len(uses))}{guess}", fix=fix)
 
 
 def is_empty(material: Material) -> bool:

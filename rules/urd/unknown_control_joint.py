@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Ros2Control, Rule, Severity, warns
+from sdfcheck import (
+    IN_URDF_JOINT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Ros2Control,
+    Rule,
+    Severity,
+    warns,
+    write_instead,
+)
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 CONTROL = (
@@ -49,4 +60,4 @@ class UnknownControlJoint(Rule):
             message = f"{control.title} is for joint `{value.text}`, which does not exist"
             if near := control.nearest(value.text, control.model.driven_names):
                 message += f"; did you mean `{near}`?"
-            yield self.diagnostic(value, message)
+            yield self.diagnostic(value, message, fix=write_instead(near, value))

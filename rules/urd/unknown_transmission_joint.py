@@ -11,6 +11,7 @@ from sdfcheck import (
     Severity,
     Transmission,
     warns,
+    write_instead,
 )
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
@@ -39,6 +40,8 @@ class UnknownTransmissionJoint(Rule):
     bad = (
         Bad(
             TRANSMISSION.replace("{}", "«sholder»"),
+            fixed=TRANSMISSION.replace("{}", "shoulder"),
+            unsafe=True,
             says="transmission `t` is for joint `sholder`, which does not exist; did you mean `shoulder`?",
         ),
     )
@@ -53,4 +56,4 @@ class UnknownTransmissionJoint(Rule):
             message = f"{transmission.title} is for joint `{value.text}`, which does not exist"
             if near := transmission.nearest(value.text, transmission.model.driven_names):
                 message += f"; did you mean `{near}`?"
-            yield self.diagnostic(value, message)
+            yield self.diagnostic(value, message, fix=write_instead(near, value))

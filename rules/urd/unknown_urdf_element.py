@@ -5,14 +5,12 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
-    Fix,
     Good,
     Rule,
     Severity,
-    make_fix,
     named,
     problems,
+    rename,
     unreadable,
     used,
     warns,
@@ -77,15 +75,6 @@ class UnknownUrdfElement(Rule):
             element,
             message + used(len(problem.uses)),
             severity=severity,
-            fix=rename(problem),
+            fix=rename(problem.suggestion, *problem.uses),
             affects=affects,
         )
-
-
-def rename(problem: problems.UnknownUrdfElement) -> Fix | None:
-    near = problem.suggestion
-    if near is None:
-        return None
-    ends = [end for use in problem.uses if (end := use.document.spans.end_name(use)) is not None]
-    edits = tuple(Edit(span, near) for span in (*(use.span for use in problem.uses), *ends))
-    return make_fix(f"rename it to `{near}`", edits, unsafe=True)

@@ -1,6 +1,14 @@
 """How to speak of names that are not defined."""
 
-from sdfcheck import Diagnostic, Origin, Rule, problems, used
+from sdfcheck import (
+    Diagnostic,
+    Fix,
+    Origin,
+    Rule,
+    problems,
+    used,
+    write_instead,
+)
 from sdfcheck_rules.xac.unreached import unless_reached
 
 SHOWN = 3
@@ -21,6 +29,14 @@ def report(rule: Rule, problem: problems.UndefinedName, what: str) -> Diagnostic
         problem.span,
         f"{what} `{problem.name}` is not defined{here}{used(1 + len(problem.others))}{guess}",
         labels=labels,
+        fix=_fix(problem),
         origins=tuple(Origin(*step) for step in problem.origins),
         **unless_reached(is_dormant=problem.is_dormant),
     )
+
+
+def _fix(problem: problems.UndefinedName) -> Fix | None:
+    """The name that was meant at all uses, where all of them are written in this file as they are."""
+    places = (problem.span, *problem.others, *problem.ends)
+    is_literal = all(place.source is problem.span.source and place.text == problem.name for place in places)
+    return write_instead(problem.near, *places) if is_literal else None

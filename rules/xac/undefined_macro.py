@@ -23,11 +23,20 @@ class UndefinedMacro(Rule):
     bad = (
         Bad(
             '<xacro:macro name="wheel" params="side"><link name="${side}"/></xacro:macro>'
-            '<xacro:«weel» side="left"/>',
+            '<xacro:«weel» side="left"></xacro:weel>',
+            fixed='<xacro:macro name="wheel" params="side"><link name="${side}"/></xacro:macro>'
+            '<xacro:wheel side="left"></xacro:wheel>',
+            unsafe=True,
             file=FILE,
             says="did you mean `wheel`?",
         ),
-        Bad('<xacro:«proprety» name="w" value="1"/>', file=FILE, says="did you mean `property`?"),
+        Bad(
+            '<xacro:«proprety» name="w" value="1"/>',
+            fixed='<xacro:property name="w" value="1"/>',
+            unsafe=True,
+            file=FILE,
+            says="did you mean `property`?",
+        ),
         Bad("<xacro:«grey»/><xacro:grey/>", file=FILE, says="macro `grey` is not defined (used 2 times)"),
     )
     good = (

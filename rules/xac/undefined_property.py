@@ -24,6 +24,8 @@ class UndefinedProperty(Rule):
     bad = (
         Bad(
             '<xacro:property name="length" value="1"/><link name="l${«lenght»}"/>',
+            fixed='<xacro:property name="length" value="1"/><link name="l${length}"/>',
+            unsafe=True,
             file=FILE,
             says="did you mean `length`?",
         ),
@@ -34,6 +36,8 @@ class UndefinedProperty(Rule):
         ),
         Bad(
             '<xacro:macro name="m" params="side"><link name="${side}${«sied»}"/></xacro:macro>',
+            fixed='<xacro:macro name="m" params="side"><link name="${side}${side}"/></xacro:macro>',
+            unsafe=True,
             file=FILE,
             says="did you mean `side`?",
         ),
@@ -44,6 +48,8 @@ class UndefinedProperty(Rule):
         ),
         Bad(
             '<xacro:macro name="m" params="*origin"><xacro:insert_block name="«orign»"/></xacro:macro>',
+            fixed='<xacro:macro name="m" params="*origin"><xacro:insert_block name="origin"/></xacro:macro>',
+            unsafe=True,
             file=FILE,
             says="block `orign` is not defined; did you mean `origin`?",
         ),

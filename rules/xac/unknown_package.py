@@ -12,6 +12,7 @@ from sdfcheck import (
     Severity,
     problems,
     warns,
+    write_instead,
 )
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
@@ -54,6 +55,7 @@ class UnknownPackage(Rule):
         yield self.diagnostic(
             problem.span,
             f"package `{problem.name}` is not found{guess}",
+            fix=write_instead(problem.near, problem.span) if problem.span.text == problem.name else None,
             help=f"say where it is with `packages` in the configuration or `--package {problem.name}=PATH`",
             origins=tuple(Origin(*step) for step in problem.origins),
             missing=None if problem.near else Missing(MissingKind.PACKAGE, problem.name),

@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, named, problems, refuses
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Origin,
+    Rule,
+    Severity,
+    named,
+    problems,
+    refuses,
+    write_instead,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -26,8 +38,10 @@ class WrongMacroArguments(Rule):
         Bad("<«xacro:leg»><visual/></xacro:leg>", file=FILE, says="without `side`"),
         Bad(
             '<xacro:leg side="l" «lenght»="2"><visual/></xacro:leg>',
+            fixed='<xacro:leg side="l" length="2"><visual/></xacro:leg>',
+            unsafe=True,
             file=FILE,
-            says="takes no parameter `lenght`",
+            says="takes no parameter `lenght`; did you mean `length`?",
         ),
         Bad('<«xacro:leg» side="l"/>', file=FILE, says="needs an element for `*origin`"),
         Bad(
@@ -42,13 +56,14 @@ class WrongMacroArguments(Rule):
     )
 
     def check(self, problem: problems.WrongMacroArguments) -> Iterator[Diagnostic]:
-        names = named(problem.names)
+        names, fix = named(problem.names), None
         kind, macro = problem.kind.value, f"macro `{problem.macro}`"
         if kind == "missing":
             message = f"{macro} is called without {names}"
         elif kind == "unknown":
             guess = f"; did you mean `{problem.near}`?" if problem.near else ""
             message = f"{macro} takes no parameter {names}{guess}"
+            fix = write_instead(problem.near, problem.span)
         elif kind == "missing block":
             message = f"{macro} needs an element for {names or 'each of its blocks'}"
         else:
@@ -58,6 +73,7 @@ class WrongMacroArguments(Rule):
         yield self.diagnostic(
             problem.span,
             message,
+            fix=fix,
             labels={problem.definition: "defined here"} if problem.definition else None,
             origins=tuple(Origin(*step) for step in problem.origins),
             **unless_reached(is_dormant=problem.is_dormant, help=advice),

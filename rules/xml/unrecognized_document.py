@@ -1,6 +1,16 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    write_instead,
+)
 
 
 class UnrecognizedDocument(Rule):
@@ -17,7 +27,12 @@ class UnrecognizedDocument(Rule):
     explains = (problems.UnrecognizedDocument,)
 
     bad = (
-        Bad('<«robt» name="r"><link name="l"/></robt>', says="did you mean `robot`?"),
+        Bad(
+            '<«robt» name="r"><link name="l"/></robt>',
+            fixed='<robot name="r"><link name="l"/></robot>',
+            unsafe=True,
+            says="did you mean `robot`?",
+        ),
         Bad("<«html»><body/></html>", says="the root element is `html`, not `sdf` or `robot`"),
         Bad("«solid cube»\n", says="this looks like plain text"),
         Bad("«»", says="the file is empty"),
@@ -36,4 +51,5 @@ class UnrecognizedDocument(Rule):
             message = f"the root element is `{problem.root}`, not `sdf` or `robot`"
             if problem.suggestion is not None:
                 message = f"unknown root element `{problem.root}`; did you mean `{problem.suggestion}`?"
-        yield self.diagnostic(problem.span, message)
+        fix = write_instead(problem.suggestion, problem.span, problem.end) if problem.end else None
+        yield self.diagnostic(problem.span, message, fix=fix)

@@ -11,6 +11,7 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_arguments, search_of, surroundings
+from sdfcheck.cli.parts.notifier import Notifier
 from sdfcheck.cli.parts.options import (
     PATH,
     colored,
@@ -23,15 +24,26 @@ from sdfcheck.cli.parts.options import (
 )
 from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.parts.shown import exit_code, shown, view_of
-from sdfcheck.cli.parts.terminal import Progress, emit, emit_lines, lines_of, say, wants_color, width_of
+from sdfcheck.cli.parts.terminal import (
+    Progress,
+    emit,
+    emit_lines,
+    lines_of,
+    say,
+    say_lines,
+    wants_color,
+    width_of,
+)
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
-from sdfcheck.lint.session import Level, Notice, Options, find, selected
+from sdfcheck.lint.session import Options, find, selected
+from sdfcheck.lint.wording import counted
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
+    from sdfcheck.cli.rewrite import Rewriter
     from sdfcheck.lint.run import Run
     from sdfcheck.report.summary import View
 
@@ -59,6 +71,8 @@ class Request:
     exit_zero: bool
     fix: bool
     unsafe_fixes: bool
+    fix_only: bool
+    show_fixes: bool
     diff: bool
     add_ignore: bool
     reason: str
@@ -94,6 +108,10 @@ class Request:
 @click.option(
     "--unsafe-fixes", is_flag=True, help="With --fix or --diff: also those that a person should check."
 )
+@click.option(
+    "--fix-only", is_flag=True, help="Apply safe fixes; do not report what is left, nor fail for it."
+)
+@click.option("--show-fixes", is_flag=True, help="List the fixes that were made.")
 @click.option("--diff", is_flag=True, help="Show what --fix would change; exit with 1 if that is anything.")
 @click.option("--add-ignore", is_flag=True, help="Silence what is found, by comments in the files.")
 @click.option(
@@ -132,6 +150,7 @@ def lint(**given: Any) -> int:
     PATHS are files, folders to walk (default: the current one), or - for stdin; NAME:=VALUE
     among them is an argument for the expansion of xacro files.
     """
+    given["fix"] |= given["fix_only"]
     request = Request(given)
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())
@@ -140,7 +159,7 @@ def lint(**given: Any) -> int:
     if request.show_files:
         return _show_files(request, paths, options)
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
-    notifier = _Notifier(quiet=request.quiet)
+    notifier = Notifier(quiet=request.quiet)
     done = _run(request, paths, options, notifier)
     places = [output.file for output in wanted]
     refuse_inputs([*places, request.baseline if request.write_baseline else None], inputs_of(paths, done))
@@ -152,8 +171,12 @@ def lint(**given: Any) -> int:
         if request.diff:
             changes = rewriter.show(done)
             notifier.flush()
+            if request.show_fixes:
+                say_lines(rewriter.fixes())
             return 2 if notifier.failed else 0 if request.exit_zero else changes
         done = rewriter.write(done)
+        if request.fix and (request.show_fixes or request.fix_only):
+            _say_fixes(request, rewriter, done)
     if request.baseline is not None:
         from sdfcheck.cli import baseline
 
@@ -162,12 +185,14 @@ def lint(**given: Any) -> int:
             return baseline.write(done, request.baseline, quiet=request.quiet)
         done = baseline.without_known(done, request.baseline, notifier)
     notifier.flush()
+    if request.fix_only:
+        return 2 if notifier.failed else 0
     view = view_of(request, settings.fail_on)
     _report(request, wanted, done, view, aside=rewrites and options.stdin is not None)
     return 2 if notifier.failed else exit_code(request, done, settings.fail_on)
 
 
-def _run(request: Request, paths: Sequence[Path], options: Options, notifier: _Notifier) -> Run:
+def _run(request: Request, paths: Sequence[Path], options: Options, notifier: Notifier) -> Run:
     progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
     try:
         return run_in_parallel(paths, options, request.jobs, progress=progress, notify=notifier)
@@ -193,29 +218,18 @@ def _report(request: Request, wanted: Sequence[Output], done: Run, view: View, *
         say(closing_line(done))
 
 
-class _Notifier:
-    """Says notices on stderr when the run is over, so that they do not mix with its progress."""
-
-    def __init__(self, *, quiet: bool) -> None:
-        self.failed = False
-        self._quiet = quiet
-        self._lines: list[str] = []
-
-    def __call__(self, notice: Notice) -> None:
-        self.failed |= notice.level is Level.FAILURE
-        line = f"{notice.level.value}: {notice.text}"
-        # Linting again reports the same again.
-        if line not in self._lines and (notice.level is Level.FAILURE or not self._quiet):
-            self._lines.append(line)
-
-    def flush(self) -> None:
-        for line in self._lines:
-            say(line)
-        self._lines.clear()
+def _say_fixes(request: Request, rewriter: Rewriter, done: Run) -> None:
+    """The fixes that were made; with --fix-only this is all that is said."""
+    if request.show_fixes:
+        say_lines(rewriter.fixes())
+    if request.fix_only and not request.quiet:
+        say(f"Fixed {counted(done.fixed, 'finding')}." if done.fixed else "Nothing to fix.")
 
 
 def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
     """What the session needs to know, and the paths without ``-``."""
+    if request.show_fixes and not (request.fix or request.diff):
+        raise WrongUsage("--show-fixes goes with --fix, --fix-only or --diff")
     if request.add_ignore and (request.fix or request.baseline):
         raise WrongUsage("--add-ignore goes with neither --fix nor --baseline")
     if request.reason and not request.add_ignore:
@@ -252,7 +266,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
 
 
 def _show_files(request: Request, paths: Sequence[Path], options: Options) -> int:
-    notifier = _Notifier(quiet=request.quiet)
+    notifier = Notifier(quiet=request.quiet)
     found = find(paths, options)
     skipped = list(found.skipped)
     files = [file.path for file in selected(found, options, skipped, notify=notifier)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
@@ -10,12 +11,14 @@ from typing import Protocol
 
 from sdfcheck.cli.parts.terminal import emit, say
 from sdfcheck.files.overwrite import overwrite
-from sdfcheck.lint.fix.fixer import ROUNDS, FixedFile, fix_files
+from sdfcheck.lint.fix.fixer import ROUNDS, FixedFile, MadeFix, fix_files
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify, Options, run
 from sdfcheck.lint.wording import counted
+from sdfcheck.report.paths import Paths
 from sdfcheck.source.decode import decode, encoding_of
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
@@ -62,6 +65,8 @@ class Rewriter:
         self._work = work
         self._quiet = quiet
         self._given_up: set[Path] = set()
+        self.made: dict[Path, Counter[MadeFix]] = {}
+        """The fixes that were made, or would be, by file."""
 
     def write(self, done: Run) -> Run:
         """Write what changes, and lint again: a fix in one file may show in another.
@@ -70,9 +75,11 @@ class Rewriter:
         """
         fixed, silenced = 0, done.suppressed
         for _ in range(ROUNDS):
-            written = sum(
-                fixed_file.fixed for fixed_file in self._fixed_files(done) if self._write(fixed_file)
-            )
+            written = 0
+            for fixed_file in self._fixed_files(done):
+                if self._write(fixed_file):
+                    written += fixed_file.fixed
+                    self._note(fixed_file)
             if not written:
                 break
             fixed += written
@@ -93,10 +100,22 @@ class Rewriter:
         for fixed_file in self._fixed_files(done):
             emit(unified_diff(fixed_file))
             fixed += fixed_file.fixed
+            self._note(fixed_file)
         if not self._quiet:
             whole, verb = counted(max(fixed, len(done.diagnostics)), "finding"), self._work.verb
             say(f"Would {verb} {fixed} of {whole}." if fixed else f"Nothing to {verb}.")
         return int(fixed > 0)
+
+    def _note(self, fixed_file: FixedFile) -> None:
+        self.made.setdefault(fixed_file.path, Counter()).update(fixed_file.made)
+
+    def fixes(self) -> Iterator[str]:
+        """The fixes by file: how often each was made, and what it did."""
+        paths = Paths()
+        for path, made in sorted(self.made.items()):
+            yield f"- {visible(paths(path))}:"
+            for fix, count in sorted(made.items(), key=lambda item: item[0]):
+                yield f"    {count} × {fix.code} {fix.name}: {visible(fix.title)}"
 
     def _fixed_files(self, done: Run) -> Iterator[FixedFile]:
         for fixed_file in self._work.change(done, self._paths, self._options):

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
 from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
 from sdfcheck.source.text import Span
+
+if TYPE_CHECKING:
+    from sdfcheck.source.element import Element
 
 
 class Placed(Protocol):
@@ -107,6 +110,29 @@ def span_of(target: Target) -> Span:
 def replace(target: Target, text: str, title: str, *, unsafe: bool = False) -> Fix:
     """A fix that replaces what ``target`` points at."""
     return make_fix(title, (Edit(span_of(target), text),), unsafe=unsafe)
+
+
+def write_instead(name: str | None, *targets: Target) -> Fix | None:
+    """The unsafe fix that writes the name which was probably meant at each of the targets.
+
+    None without a name, and where it would have to be escaped in XML.
+    """
+    if not name or set(name) & set("<>&\"'"):
+        return None
+    return make_fix(f"write `{name}`", tuple(Edit(span_of(one), name) for one in targets), unsafe=True)
+
+
+def rename(name: str | None, *elements: Element) -> Fix | None:
+    """The unsafe fix that gives elements the name which was probably meant, in their end tags, too."""
+    if not name:
+        return None
+    edits = [
+        Edit(span, name)
+        for one in elements
+        for span in (one.span, one.document.spans.end_name(one))
+        if span is not None
+    ]
+    return make_fix(f"rename it to `{name}`", tuple(edits), unsafe=True)
 
 
 def make_fix(title: str, edits: tuple[Edit, ...], *, unsafe: bool = False) -> Fix:

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage, nearest_choice, suggestion
 
 ALL = "ALL"
 
@@ -27,7 +27,9 @@ class UnknownSelector(WrongUsage):
         self.selector = selector
         families = sorted({facts.family for facts in rules})
         choices = (ALL, *families, *(facts.name for facts in rules), *(facts.code for facts in rules))
-        super().__init__(f"unknown rule `{selector}`{suggestion(selector, choices)}")
+        self.near = nearest_choice(selector, choices)
+        guess = f", did you mean `{self.near}`?" if self.near else ""
+        super().__init__(f"unknown rule `{selector}`{guess}")
 
 
 class Choice(NamedTuple):

@@ -114,13 +114,14 @@ class UnrecognizedDocument(Record):
     """A document of no kind that is linted; ``looks_like`` says what it seems to be.
 
     ``root`` is the name of the root element where that is all that can be said, and
-    ``suggestion`` what it was probably meant to be.
+    ``suggestion`` what it was probably meant to be; ``end`` is the name in its end tag.
     """
 
     span: Span
     looks_like: str
     root: str | None
     suggestion: str | None
+    end: Span | None = None
 
 
 class TooDeep(Record):

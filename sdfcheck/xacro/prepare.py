@@ -149,7 +149,8 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
     for first, *others in names.values():
         places = tuple(other.span for other in others)
         values = {field: getattr(first, field) for field in first._fields}
-        yield type(first)(**{**values, "others": places})
+        ends = tuple(end for one in (first, *others) for end in one.ends)
+        yield type(first)(**{**values, "others": places, "ends": ends})
 
 
 def is_complete(document: Document) -> bool:

@@ -68,6 +68,8 @@ class UndefinedName(Record):
     origins: tuple[Step, ...] = ()
     others: tuple[Span, ...] = ()
     """Further uses, where they are reported with this one."""
+    ends: tuple[Span, ...] = ()
+    """The name in the end tags of the elements that use it as theirs."""
     is_dormant: bool = False
     reason: Reason | None = None
 

@@ -16,11 +16,19 @@ from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.sniff import Kind
+from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.splice import Unwritable, replaced, splice
 
 ROUNDS = 10
 """So many times a file is linted again without fewer fixes to apply before it counts as endless."""
+
+
+class MadeFix(NamedTuple):
+    """A fix that was applied: its title, and the rule that it is of."""
+
+    code: str
+    name: str
+    title: str
 
 
 class FixedFile(NamedTuple):
@@ -31,6 +39,8 @@ class FixedFile(NamedTuple):
     after: bytes
     fixed: int
     refusal: str = ""
+    made: tuple[MadeFix, ...] = ()
+    """The fixes that were applied, in the order in which they were."""
 
 
 class Refused(Exception):
@@ -61,23 +71,26 @@ def fix_files(done: Run, paths: Sequence[Path], options: Options, *, unsafe: boo
 
 def fix_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], *, unsafe: bool) -> FixedFile:
     """Apply the fixes of one file: lint, edit, and lint again until it is stable."""
-    now, fixed, left, fewest = file, 0, ROUNDS, -1
+    now, left, fewest = file, ROUNDS, -1
+    made: list[MadeFix] = []
     seen = {file.data}
     try:
-        while fixes := applicable(lint(now), file.path, unsafe=unsafe):
+        while fixes := applicable(found := lint(now), file.path, unsafe=unsafe):
             if 0 <= fewest <= len(fixes):
                 left -= 1
             else:
                 left, fewest = ROUNDS, len(fixes)
             edits, applied = together(fixes)
             now = now._replace(data=edited(now, edits))
+            if now.kind is Kind.MISSPELT_ROOT:
+                now = now._replace(kind=sniff(now.data, now.path))
             if now.data in seen or not left:
                 raise Refused("its fixes undo one another")
             seen.add(now.data)
-            fixed += applied
+            made += _made(found, applied)
     except Refused as refusal:
         return FixedFile(file.path, file.data, file.data, 0, str(refusal))
-    return FixedFile(file.path, file.data, now.data, fixed)
+    return FixedFile(file.path, file.data, now.data, len(made), made=tuple(made))
 
 
 def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -> list[Fix]:
@@ -93,14 +106,23 @@ def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -
     return sorted(fixes, key=lambda fix: min(_range(edit) for edit in fix.edits))
 
 
-def together(fixes: Sequence[Fix]) -> tuple[list[Edit], int]:
-    """The edits, in order, of those fixes that stand apart from the ones before; and how many these are.
+def _made(found: Sequence[Diagnostic], applied: Sequence[Fix]) -> Iterator[MadeFix]:
+    """What is said of applied fixes; each belongs to one of the diagnostics."""
+    left = list(found)
+    for fix in applied:
+        at = next(at for at, diagnostic in enumerate(left) if diagnostic.fix == fix)
+        diagnostic = left.pop(at)
+        yield MadeFix(diagnostic.code, diagnostic.name, fix.title)
+
+
+def together(fixes: Sequence[Fix]) -> tuple[list[Edit], list[Fix]]:
+    """The edits, in order, of those fixes that are apart from the ones before; and these fixes.
 
     What two fixes want alike is done once.
     """
     taken: list[tuple[int, int]] = []
     edits: dict[tuple[int, int], Edit] = {}
-    applied = 0
+    applied: list[Fix] = []
     for fix in fixes:
         new = [edit for edit in fix.edits if not _is(edits.get(_range(edit)), edit)]
         places = [_range(edit) for edit in new]
@@ -110,7 +132,7 @@ def together(fixes: Sequence[Fix]) -> tuple[list[Edit], int]:
                 taken.remove(place)
             continue
         edits.update(zip(places, new, strict=True))
-        applied += 1
+        applied.append(fix)
     return [edits[place] for place in taken], applied
 
 
@@ -162,4 +184,5 @@ def _is_worse(before: Document, after: Document) -> bool:
     """Is there more wrong with the text than there was?"""
     if before.root is None or after.root is None:
         return before.root is not None
-    return len(after.problems) > len(before.problems) or after.root.name != before.root.name
+    is_other = after.root.name != before.root.name and before.kind is not Kind.MISSPELT_ROOT
+    return is_other or len(after.problems) > len(before.problems)

@@ -13,13 +13,14 @@ import re
 from collections.abc import Iterable, Sequence
 
 from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.rule import write_instead
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import UnknownSelector, covered
 from sdfcheck.lint.suppress.comments import Comment
 from sdfcheck.lint.suppress.rules import MalformedSuppression, report
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.source.wrong_usage import suggestion
+from sdfcheck.source.wrong_usage import nearest_choice
 
 IGNORE, DISABLE, ENABLE, IGNORE_FILE = "ignore", "disable", "enable", "ignore-file"
 VERBS = (IGNORE, DISABLE, ENABLE, IGNORE_FILE)
@@ -88,15 +89,17 @@ def _understand(word: Span, rules: Sequence[RuleFacts]) -> Selector | Diagnostic
     try:
         return Selector(word, covered(word.text, rules)[1])
     except UnknownSelector as error:
-        return report(MalformedSuppression, word, str(error))
+        return report(MalformedSuppression, word, str(error), fix=write_instead(error.near, word))
 
 
 def _complaint(comment: Comment, match: re.Match[str]) -> Diagnostic | None:
     """What keeps a directive from being understood at all."""
     verb = match[3]
     if verb not in VERBS:
-        near = suggestion(verb, VERBS)
-        return report(MalformedSuppression, _part(comment, match, 3), f"unknown directive `{verb}`{near}")
+        near, place = nearest_choice(verb, VERBS), _part(comment, match, 3)
+        guess = f", did you mean `{near}`?" if near else ""
+        message = f"unknown directive `{verb}`{guess}"
+        return report(MalformedSuppression, place, message, fix=write_instead(near, place))
     if not match[2]:
         return report(MalformedSuppression, _part(comment, match, 1), "`:` is missing after `sdfcheck`")
     if match[4] and not match[6]:

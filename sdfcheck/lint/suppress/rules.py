@@ -43,9 +43,19 @@ class MalformedSuppression:
     severity = Severity.WARNING
     scaffold = IN_URDF_JOINT
     bad = (
-        Bad("<!-- sdfcheck: «ignored»[internal-error] -->", says="did you mean `ignore`?"),
+        Bad(
+            "<!-- sdfcheck: «ignored»[internal-error] -->",
+            fixed="<!-- sdfcheck: ignore[internal-error] -->",
+            unsafe=True,
+            says="did you mean `ignore`?",
+        ),
         Bad("<!-- sdfcheck: «ignore» internal-error -->", says="names no rule"),
-        Bad("<!-- sdfcheck: ignore[«internal-eror»] -->", says="did you mean `internal-error`?"),
+        Bad(
+            "<!-- sdfcheck: ignore[«internal-eror»] -->",
+            fixed="<!-- sdfcheck: ignore[internal-error] -->",
+            unsafe=True,
+            says="did you mean `internal-error`?",
+        ),
     )
     good = (Good("<!-- sdfcheck is a linter -->", why="prose that begins with a name, no directive"),)
 
@@ -67,5 +77,5 @@ def _facts(rule: OwnRule, fixable: str) -> RuleFacts:
     )
 
 
-FACTS = (_facts(UnusedSuppression, "safe"), _facts(MalformedSuppression, ""))
+FACTS = (_facts(UnusedSuppression, "safe"), _facts(MalformedSuppression, "unsafe"))
 """What the index of rules would hold about these, were they part of a pack."""

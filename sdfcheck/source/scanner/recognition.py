@@ -21,4 +21,12 @@ def unrecognized(source: Source, kind: Kind, name: str | None, place: Span | Non
         return UnrecognizedDocument(source.span(*line), looks_like, None, None)
     if kind not in {Kind.OTHER_XML, Kind.MISSPELT_ROOT}:
         return UnrecognizedDocument(place, looks_like, None, None)
-    return UnrecognizedDocument(place, looks_like, name, suggested_root(name))
+    return UnrecognizedDocument(place, looks_like, name, suggested_root(name), _end(source, name))
+
+
+def _end(source: Source, name: str) -> Span | None:
+    """The name in the end tag of the root, where the text ends with that."""
+    tag, end = f"</{name}>", len(source.text.rstrip())
+    if not source.text.endswith(tag, 0, end):
+        return None
+    return source.span(end - len(tag) + 2, end - 1)

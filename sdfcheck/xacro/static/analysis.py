@@ -83,7 +83,7 @@ def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Prob
             near = guess(document, call.name, known | elsewhere, surely=True)
             if near is None or call.name in elsewhere:
                 continue
-        yield UndefinedMacro(_called(call), call.name, near)
+        yield UndefinedMacro(_called(call), call.name, near, ends=_ends(call))
 
 
 def _called(call: Call) -> Span:
@@ -92,6 +92,14 @@ def _called(call: Call) -> Span:
         return call.element.document.spans.attribute_value(call.element, "macro")
     span = call.element.span
     return span.source.span(span.start + len(PREFIX), span.end)
+
+
+def _ends(call: Call) -> tuple[Span, ...]:
+    """The name of the macro in the end tag of a call."""
+    end = call.element.document.spans.end_name(call.element)
+    if end is None or call.element.name == "xacro:call":
+        return ()
+    return (end.source.span(end.start + len(PREFIX), end.end),)
 
 
 def _undefined_properties(document: Document, visible: Definitions) -> Iterator[Problem]:

@@ -237,8 +237,9 @@ def place(element: Element, attribute: str | None, code: str, word: str = "") ->
     if start < 0:
         return whole if attribute is not None else element.span
     if word:
-        pattern = re.compile(rf"(?<![\w.]){re.escape(word)}(?!\w)")
-        match = pattern.search(whole.source.text, start, start + len(code))
+        pattern = re.compile(rf"'[^']*'|\"[^\"]*\"|(?<![\w.])({re.escape(word)})(?!\w)")
+        matches = pattern.finditer(whole.source.text, start, start + len(code))
+        match = next((match for match in matches if match[1]), None)
         if match:
             return whole.source.span(match.start(), match.end())
     return whole.source.span(start, start + len(code))

@@ -176,3 +176,53 @@ def test_what_only_an_include_leads_to_is_not_fixed(lint: Shell) -> None:
     assert Path("part.sdf").read_bytes() == before
     lint("--fix", "a.sdf", "part.sdf")
     assert Path("part.sdf").read_bytes() != before
+
+
+MISSPELLED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:macro name="wheel" params="side radius:=1"><link name="${side}_wheel"/></xacro:macro>
+<xacro:weel side="left"></xacro:weel>
+<xacro:wheel side="left" raduis="2"/>
+</robot>
+"""
+
+
+def test_fixes_are_listed_by_file_and_rule(lint: Shell) -> None:
+    Path("b.urdf.xacro").write_text(MISSPELLED)
+    lint("--fix", "--unsafe-fixes", "--show-fixes")
+    assert lint.err.splitlines()[:6] == [
+        "- a.sdf:",
+        "    1 × NS003 undeclared-prefix: declare it on the root element",
+        "    1 × XML002 double-hyphen-in-comment: put spaces between the hyphens",
+        "- b.urdf.xacro:",
+        "    1 × XAC003 undefined-macro: write `wheel`",
+        "    1 × XAC008 wrong-macro-arguments: write `radius`",
+    ]
+    text = Path("b.urdf.xacro").read_text()
+    assert '<xacro:wheel side="left"></xacro:wheel>' in text
+    assert 'radius="2"' in text
+    lint("--fix", "--unsafe-fixes", "--show-fixes")
+    assert "×" not in lint.err
+
+
+def test_a_diff_can_list_its_fixes_too(lint: Shell) -> None:
+    assert lint("--diff", "--show-fixes", "a.sdf") == 1
+    assert "    1 × NS003 undeclared-prefix" in lint.err
+    assert Path("a.sdf").read_bytes() == WRONG
+    assert lint("--show-fixes", "a.sdf") == 2
+    assert "--show-fixes goes with" in lint.err
+
+
+def test_fixing_only_reports_nothing_that_is_left(lint: Shell) -> None:
+    Path("b.sdf").write_text('<sdf version="1.9"><model/></sdf>')
+    assert lint("b.sdf") == 1
+    before = Path("b.sdf").read_bytes()
+    assert lint("--fix-only") == 0
+    assert lint.out == b""
+    assert lint.err == "Fixed 2 findings.\n"
+    assert Path("a.sdf").read_bytes() != WRONG
+    assert Path("b.sdf").read_bytes() == before
+    assert lint("--fix-only") == 0
+    assert lint.err == "Nothing to fix.\n"
+    assert lint("--fix-only", "--quiet") == 0
+    assert lint.err == ""
+    assert lint("--fix-only", "--add-ignore") == 2

@@ -236,6 +236,11 @@ def test_the_documented_examples_hold(code: str, example: Bad) -> None:
     (report,) = (*found.malformed, *suppress([], found.known, CODES | {"INT001"}).unused)
     assert (report.code, report.span.start, report.span.end) == (code, start, end)
     assert example.says in report.message
+    if report.code == MalformedSuppression.code and example.fixed is not None:
+        assert report.fix is not None
+        (edit,) = report.fix.edits
+        assert f"{text[: edit.span.start]}{edit.text}{text[edit.span.end :]}" == example.fixed
+    assert (report.fix is None) is (example.fixed is None)
 
 
 def test_the_facts_are_complete() -> None:
@@ -244,4 +249,4 @@ def test_the_facts_are_complete() -> None:
         assert (facts.code, facts.name, facts.severity) == (own.code, own.name, own.severity)
         assert facts.summary
         assert "\n" not in facts.summary
-    assert [facts.fixable for facts in FACTS] == ["safe", ""]
+    assert [facts.fixable for facts in FACTS] == ["safe", "unsafe"]

@@ -195,7 +195,7 @@ def test_a_material_defined_twice() -> None:
         ("<geometry><mesh/></geometry>", "the mesh of `visual` has no `filename`"),
         ('<geometry><mesh filenam="a.stl"/></geometry>', ""),
         ("<geometri/>", ""),
-        ("<geometry><cone/></geometry>", "`cone` is no shape of URDF"),
+        ("<geometry><cone/></geometry>", "`cone` is not a shape of URDF"),
         (SHAPE.replace("</", "<mesh/></"), "the mesh of `visual` has no `filename`"),
     ],
 )
