@@ -38,8 +38,8 @@ def graph_command(
 
     \b
     frames  what moves with what
-    poses   what is placed relative to what, and where in the world or model that is,
-            all joints at zero: x y z (m) roll pitch yaw (rad)
+    poses   what is placed relative to what, and where in the world or model that
+            is, all joints at zero: x y z (m) roll pitch yaw (rad)
     joints  which joint carries which link
     """
     require_file(file)

@@ -23,27 +23,25 @@ from sdfcheck.cli.parts.options import (
     written,
 )
 from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
+from sdfcheck.cli.parts.progress import Progress
 from sdfcheck.cli.parts.shown import exit_code, shown, view_of
 from sdfcheck.cli.parts.terminal import (
-    Progress,
     emit,
     emit_lines,
     lines_of,
     say,
-    say_lines,
     wants_color,
+    wants_links,
     width_of,
 )
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import Options, find, selected
-from sdfcheck.lint.wording import counted
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.cli.rewrite import Rewriter
     from sdfcheck.lint.run import Run
     from sdfcheck.report.summary import View
 
@@ -161,22 +159,16 @@ def lint(**given: Any) -> int:
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
     notifier = Notifier(quiet=request.quiet)
     done = _run(request, paths, options, notifier)
-    places = [output.file for output in wanted]
-    refuse_inputs([*places, request.baseline if request.write_baseline else None], inputs_of(paths, done))
-    rewrites = request.fix or request.add_ignore
-    if rewrites or request.diff:
+    places = (*(output.file for output in wanted), request.baseline if request.write_baseline else None)
+    refuse_inputs(places, inputs_of(paths, done))
+    if (rewrites := request.fix or request.add_ignore) or request.diff:
         from sdfcheck.cli.rewrite import Rewriter, work
 
-        rewriter = Rewriter(paths, options, notifier, work(request), quiet=request.quiet)
+        rewriter = Rewriter(paths, options, notifier, work(request), request)
         if request.diff:
             changes = rewriter.show(done)
-            notifier.flush()
-            if request.show_fixes:
-                say_lines(rewriter.fixes())
-            return 2 if notifier.failed else 0 if request.exit_zero else changes
+            return 2 if notifier.flush() else 0 if request.exit_zero else changes
         done = rewriter.write(done)
-        if request.fix and (request.show_fixes or request.fix_only):
-            _say_fixes(request, rewriter, done)
     if request.baseline is not None:
         from sdfcheck.cli import baseline
 
@@ -193,7 +185,9 @@ def lint(**given: Any) -> int:
 
 
 def _run(request: Request, paths: Sequence[Path], options: Options, notifier: Notifier) -> Run:
-    progress = Progress(sys.stderr) if sys.stderr.isatty() and not request.quiet else None
+    progress = (
+        Progress(sys.stderr, width_of(sys.stderr)) if sys.stderr.isatty() and not request.quiet else None
+    )
     try:
         return run_in_parallel(paths, options, request.jobs, progress=progress, notify=notifier)
     finally:
@@ -203,27 +197,19 @@ def _run(request: Request, paths: Sequence[Path], options: Options, notifier: No
 
 def _report(request: Request, wanted: Sequence[Output], done: Run, view: View, *, aside: bool) -> None:
     """Write the reports (``aside``: to stderr, not stdout); where none is for people, sum up on stderr."""
-    color = wants_color(request.color, sys.stderr if aside else sys.stdout)
     for output in wanted:
         if output.file is not None or not request.statistics:
-            write(output, done, color=color, aside=aside, view=view)
+            write(output, done, color=request.color, aside=aside, view=view)
     if request.statistics:
         from sdfcheck.report import statistics
 
-        shown_as = statistics.render(done, color=color, width=width_of(sys.stdout))
-        emit_lines(lines_of(shown_as), color=color)
+        color, links = wants_color(request.color, sys.stdout), wants_links(request.color, sys.stdout)
+        view = view._replace(width=width_of(sys.stdout), links=links)
+        emit_lines(lines_of(statistics.render(done, color=color, view=view)), color=color)
     elif not request.quiet and not any(o.file is None and o.format.is_text for o in wanted):
         from sdfcheck.report.summary import closing_line
 
         say(closing_line(done))
-
-
-def _say_fixes(request: Request, rewriter: Rewriter, done: Run) -> None:
-    """The fixes that were made; with --fix-only this is all that is said."""
-    if request.show_fixes:
-        say_lines(rewriter.fixes())
-    if request.fix_only and not request.quiet:
-        say(f"Fixed {counted(done.fixed, 'finding')}." if done.fixed else "Nothing to fix.")
 
 
 def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:

@@ -18,7 +18,6 @@ from sdfcheck.lint.wording import counted
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.decode import decode, encoding_of
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
@@ -34,8 +33,11 @@ class Request(Protocol):
     """What the command line says about it."""
 
     unsafe_fixes: bool
+    fix_only: bool
+    show_fixes: bool
     add_ignore: bool
     reason: str
+    quiet: bool
 
 
 def work(request: Request) -> Work:
@@ -57,16 +59,15 @@ class Rewriter:
     """Changes the files below ``paths`` in which a run has found something, or the text of stdin."""
 
     def __init__(
-        self, paths: Sequence[Path], options: Options, notify: Notify, work: Work, *, quiet: bool
+        self, paths: Sequence[Path], options: Options, notify: Notify, work: Work, request: Request
     ) -> None:
         self._paths = paths
         self._options = options
         self._notify = notify
         self._work = work
-        self._quiet = quiet
+        self._request = request
         self._given_up: set[Path] = set()
-        self.made: dict[Path, Counter[MadeFix]] = {}
-        """The fixes that were made, or would be, by file."""
+        self._made: dict[Path, Counter[MadeFix]] = {}
 
     def write(self, done: Run) -> Run:
         """Write what changes, and lint again: a fix in one file may show in another.
@@ -88,8 +89,11 @@ class Rewriter:
             sys.stdout.buffer.write(self._options.stdin)
             sys.stdout.flush()
         if self._work.verb == "fix":
+            self._say_fixes()
+            if self._request.fix_only and not self._request.quiet:
+                say(f"Fixed {counted(fixed, 'finding')}." if fixed else "Nothing to fix.")
             return done._replace(fixed=fixed)
-        if not self._quiet:
+        if not self._request.quiet:
             new = done.suppressed - silenced
             say(f"Silenced {counted(new, 'finding')}." if new else "Nothing to silence.")
         return done
@@ -101,21 +105,24 @@ class Rewriter:
             emit(unified_diff(fixed_file))
             fixed += fixed_file.fixed
             self._note(fixed_file)
-        if not self._quiet:
+        self._say_fixes()
+        if not self._request.quiet:
             whole, verb = counted(max(fixed, len(done.diagnostics)), "finding"), self._work.verb
             say(f"Would {verb} {fixed} of {whole}." if fixed else f"Nothing to {verb}.")
         return int(fixed > 0)
 
     def _note(self, fixed_file: FixedFile) -> None:
-        self.made.setdefault(fixed_file.path, Counter()).update(fixed_file.made)
+        self._made.setdefault(fixed_file.path, Counter()).update(fixed_file.made)
 
-    def fixes(self) -> Iterator[str]:
-        """The fixes by file: how often each was made, and what it did."""
+    def _say_fixes(self) -> None:
+        """List the fixes by file: how often each was made, or would be, and what it does."""
+        if not self._request.show_fixes:
+            return
         paths = Paths()
-        for path, made in sorted(self.made.items()):
-            yield f"- {visible(paths(path))}:"
+        for path, made in sorted(self._made.items()):
+            say(f"- {paths(path)}:")
             for fix, count in sorted(made.items(), key=lambda item: item[0]):
-                yield f"    {count} × {fix.code} {fix.name}: {visible(fix.title)}"
+                say(f"    {count} × {fix.code} {fix.name}: {fix.title}")
 
     def _fixed_files(self, done: Run) -> Iterator[FixedFile]:
         for fixed_file in self._work.change(done, self._paths, self._options):

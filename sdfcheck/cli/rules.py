@@ -11,7 +11,7 @@ from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.result import deliver, deliver_lines
-from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, width_of
+from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import RuleIndex
@@ -57,7 +57,9 @@ def rules(
     else:
         painted = output_file is None and wants_color(color, sys.stdout)
         width = width_of(sys.stdout) if output_file is None else None
-        deliver_lines(listed(chosen, width=width, color=painted), output_file, color=painted)
+        links = output_file is None and wants_links(color, sys.stdout)
+        lines = listed(chosen, width=width, color=painted, links=links)
+        deliver_lines(lines, output_file, color=painted)
     return 2 if index.faults else 0
 
 
@@ -113,18 +115,21 @@ def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[R
     return sorted((facts for facts in known if facts.code in codes), key=lambda facts: facts.code)
 
 
-def listed(rules: list[RuleFacts], *, width: int | None, color: bool) -> list[str]:
+def listed(rules: list[RuleFacts], *, width: int | None, color: bool, links: bool = False) -> list[str]:
     """One line a rule, in columns; on a terminal they fit its width."""
     from sdfcheck.report.colors import INK_OF
     from sdfcheck.report.table import Cell, Column, table
 
     columns = (
-        *map(Column, ("rule", "name", "severity", "fix")),
+        Column("rule"),
+        Column("name", gives_way=True),
+        Column("severity"),
+        Column("fix"),
         Column("summary", gives_way=True),
     )
     rows = [
         (
-            Cell(facts.code),
+            Cell(facts.code, address=facts.page if links else None),
             Cell(facts.name),
             Cell(facts.severity.value, INK_OF[facts.severity]),
             Cell(_traits(facts)),

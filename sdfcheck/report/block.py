@@ -6,33 +6,46 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.report.colors import INK_OF, Ink, Paint
+from sdfcheck.report.colors import INK_OF, Ink, Paint, linked
 from sdfcheck.report.frame import Mark, frame
 from sdfcheck.report.paths import Paths
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.source.visible import visible
+from sdfcheck.source.visible import visible, width_of
 
 _HINT_COLUMN = 53
 
 
+class Style(NamedTuple):
+    """How diagnostics are shown: names of files, colors, and the cells of the terminal, if there is one."""
+
+    paths: Paths
+    paint: Paint
+    width: int | None = None
+
+
 def block(
-    diagnostic: Diagnostic, is_explained: bool, paths: Paths, paint: Paint, others: str = ""
+    diagnostic: Diagnostic, is_explained: bool, style: Style, others: str = "", page: str | None = None
 ) -> Iterator[str]:
-    """The lines of one diagnostic, which may stand for ``others``; ``is_explained``: there is a rule to read about."""
+    """The lines of one diagnostic, which may stand for ``others``.
+
+    ``is_explained``: there is a rule to read about; ``page``: where its code leads to.
+    """
+    paths, paint, width = style
     ink = INK_OF[diagnostic.severity]
     frames = list(marks_by_file(diagnostic))
     gutter = len(str(max(mark.span.begin.line for marks in frames for mark in marks)))
-    title = paint(f"{diagnostic.severity.value}[{diagnostic.code}]", ink)
+    title = paint(f"{diagnostic.severity.value}[{linked(diagnostic.code, page)}]", ink)
     yield title + paint(f": {visible(diagnostic.message)}", Ink.STRONG)
     for number, marks in enumerate(frames):
         arrow, first = (":::", first_of(marks)) if number else ("-->", marks[0])
         yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span))}"
-        yield from frame(marks, gutter, paint, ink)
+        yield from frame(marks, gutter, paint, ink, width)
     hint = f"sdfcheck rule {diagnostic.name}" if is_explained else ""
     remarks = list(_remarks(diagnostic, paths))
     if others:
         remarks.append(("and", others))
-    yield from _notes(remarks, hint, f"{'':{gutter}} ", paint)
+    yield from _notes(remarks, hint, f"{'':{gutter}} ", paint, width)
 
 
 def marks_by_file(diagnostic: Diagnostic) -> Iterator[list[Mark]]:
@@ -63,10 +76,13 @@ def _remarks(diagnostic: Diagnostic, paths: Paths) -> Iterator[tuple[str, str]]:
         yield "note", f"{origin.text}: {paths.place(origin.span)}"
 
 
-def _notes(remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint) -> Iterator[str]:
+def _notes(
+    remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint, width: int | None
+) -> Iterator[str]:
     """The lines below the frames; the hint is beside the last one if there is room."""
-    widths = [len(f"{indent}= {kind}: {visible(text)}") for kind, text in remarks]
-    if hint and not (widths and widths[-1] + 2 <= _HINT_COLUMN):
+    widths = [width_of(f"{indent}= {kind}: {visible(text)}") for kind, text in remarks]
+    is_wide = width is None or _HINT_COLUMN + len(hint) <= width
+    if hint and not (widths and is_wide and widths[-1] + 2 <= _HINT_COLUMN):
         remarks, widths, hint = [*remarks, ("more", hint)], [*widths, 0], ""
     for number, (kind, text) in enumerate(remarks):
         line = f"{indent}{paint('=', Ink.GUTTER)} {paint(f'{kind}:', Ink.STRONG)} {visible(text)}"

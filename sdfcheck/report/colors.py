@@ -24,6 +24,11 @@ Paint = Callable[[str, Ink], str]
 INK_OF = {Severity.ERROR: Ink.ERROR, Severity.WARNING: Ink.WARNING, Severity.INFO: Ink.INFO}
 
 
+def linked(text: str, address: str | None) -> str:
+    """A text that leads to an address on terminals that know links; the text alone without one."""
+    return f"\x1b]8;;{address}\x1b\\{text}\x1b]8;;\x1b\\" if address else text
+
+
 def painter(color: bool) -> Paint:
     """Paints, or leaves everything as it is."""
     return _paint if color else _leave

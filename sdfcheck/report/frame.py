@@ -5,12 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from sdfcheck.report.colors import Ink, Paint
+from sdfcheck.report.fit import folded
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
-from sdfcheck.source.visible import cells, visible
+from sdfcheck.source.visible import cells, visible, width_of
 
-_LONGEST = 120  # characters of a line that are shown
-_CONTEXT = 30  # characters kept on either side of a mark in a longer line
+_LONGEST = 120  # cells of a line that are shown
+_LEAST = 24  # on however narrow a terminal
+_CONTEXT = 30  # characters kept on either side of a mark in a longer line, at most
+
+
+_BESIDE = 4  # characters before a mark that wide ones do not push out
 
 
 class Mark(NamedTuple):
@@ -38,11 +43,31 @@ class _View(NamedTuple):
     is_cut_after: bool
 
 
-def frame(marks: Iterable[Mark], gutter: int, paint: Paint, ink: Ink) -> Iterator[str]:
+class _Look(NamedTuple):
+    """How lines are drawn: ``code`` cells for one, after a gutter; ``is_narrow``: labels have to fit, too."""
+
+    gutter: int
+    paint: Paint
+    ink: Ink
+    code: int
+    is_narrow: bool
+
+    @property
+    def context(self) -> int:
+        return min(_CONTEXT, self.code // 4)
+
+
+def frame(
+    marks: Iterable[Mark], gutter: int, paint: Paint, ink: Ink, width: int | None = None
+) -> Iterator[str]:
     """The lines of one source that hold marks.
 
-    ``ink`` paints the defect; ``gutter`` is the width of the widest line number.
+    ``ink`` paints the defect; ``gutter`` is the width of the widest line number; ``width``
+    is the number of cells of the terminal, if there is one.
     """
+    look = _Look(gutter, paint, ink, _LONGEST, is_narrow=False)
+    if width is not None:
+        look = look._replace(code=max(min(_LONGEST, width - gutter - len(" | ") - 2), _LEAST), is_narrow=True)
     by_line: dict[int, list[Mark]] = {}
     for mark in sorted(marks, key=lambda mark: (mark.span.start, mark.span.end)):
         by_line.setdefault(mark.span.begin.line, []).append(mark)
@@ -52,31 +77,26 @@ def frame(marks: Iterable[Mark], gutter: int, paint: Paint, ink: Ink) -> Iterato
     for number, on_line in by_line.items():
         source = on_line[0].span.source
         if previous and number == previous + 2:
-            yield from _line(source, number - 1, [], gutter, paint, ink)
+            yield from _line(source, number - 1, [], look)
         elif previous and number > previous + 2:
             yield paint(f"{'':{gutter}} :", Ink.GUTTER)
-        yield from _line(source, number, on_line, gutter, paint, ink)
+        yield from _line(source, number, on_line, look)
         previous = number
 
 
-def _line(
-    source: Source, number: int, marks: list[Mark], gutter: int, paint: Paint, ink: Ink
-) -> Iterator[str]:
+def _line(source: Source, number: int, marks: list[Mark], look: _Look) -> Iterator[str]:
+    gutter, paint = look.gutter, look.paint
     start, end = _bounds(source, number)
     strokes = [_stroke(mark, start, end) for mark in marks]
-    for group in _groups(strokes) if end - start > _LONGEST else [strokes]:
-        view = _view(source.text, start, end, group)
+    for group in _groups(strokes, look) if _is_long(source.text, start, end, look) else [strokes]:
+        view = _view(source.text, start, end, group, look)
         shown, columns = cells(view.text)
         before, after = "…" * view.is_cut_before, "…" * view.is_cut_after
         code = f" {before}{shown}{after}".rstrip()
         yield paint(f"{number:>{gutter}} |", Ink.GUTTER) + code
         for row in _rows(group):
-            text, column = "", 0
-            for stroke in row:
-                left, right = _extent(stroke, view, columns)
-                text += " " * (left - column) + _underline(stroke.mark, right - left, paint, ink)
-                column = right
-            yield paint(f"{'':{gutter}} |", Ink.GUTTER) + f" {text}"
+            for text in _underlines(row, view, columns, look):
+                yield paint(f"{'':{gutter}} |", Ink.GUTTER) + f" {text}"
 
 
 def _extent(stroke: _Stroke, view: _View, columns: Sequence[int]) -> tuple[int, int]:
@@ -88,10 +108,22 @@ def _extent(stroke: _Stroke, view: _View, columns: Sequence[int]) -> tuple[int, 
     return left + view.is_cut_before, max(right, left + 1) + view.is_cut_before
 
 
-def _underline(mark: Mark, width: int, paint: Paint, ink: Ink) -> str:
-    line = ("^" if mark.is_primary else "-") * width
-    text = f"{line} {visible(mark.text)}" if mark.text else line
-    return paint(text, ink if mark.is_primary else Ink.LABEL)
+def _underlines(row: list[_Stroke], view: _View, columns: Sequence[int], look: _Look) -> Iterator[str]:
+    """The line below a line of code; what is to be said of the last stroke goes on below that."""
+    text, column, label, left, is_beside = "", 0, "", 0, True
+    for stroke in row:
+        left, right = _extent(stroke, view, columns)
+        line = ("^" if stroke.mark.is_primary else "-") * (right - left)
+        color = look.ink if stroke.mark.is_primary else Ink.LABEL
+        label = visible(stroke.mark.text)
+        is_beside = not look.is_narrow or right + 1 + width_of(label) <= look.code + 2
+        text += " " * (left - column) + look.paint(f"{line} {label}" if label and is_beside else line, color)
+        column = right
+    yield text
+    if label and not is_beside:
+        indent = min(left, max(look.code - width_of(label), 2))
+        for part in folded(" " * indent + label, look.code, indent):
+            yield " " * indent + look.paint(part[indent:], color)
 
 
 def _bounds(source: Source, number: int) -> tuple[int, int]:
@@ -114,26 +146,50 @@ def _stroke(mark: Mark, start: int, end: int) -> _Stroke:
     return _Stroke(first - start, max(last, first + 1) - start, mark)
 
 
-def _groups(strokes: list[_Stroke]) -> Iterator[list[_Stroke]]:
+def _is_long(text: str, start: int, end: int, look: _Look) -> bool:
+    """Whether a line has more cells than there is room for."""
+    return end - start > look.code or cells(text[start:end])[1][-1] > look.code
+
+
+def _groups(strokes: list[_Stroke], look: _Look) -> Iterator[list[_Stroke]]:
     """Strokes of a long line in groups that one view can show."""
     group: list[_Stroke] = []
     for stroke in strokes:
-        if group and stroke.end - group[0].start > _LONGEST - 2 * _CONTEXT:
+        if group and stroke.end - group[0].start > look.code - 2 * look.context:
             yield group
             group = []
         group.append(stroke)
     yield group
 
 
-def _view(text: str, start: int, end: int, strokes: list[_Stroke]) -> _View:
+def _view(text: str, start: int, end: int, strokes: list[_Stroke], look: _Look) -> _View:
     length = end - start
     furthest = max((stroke.end for stroke in strokes), default=0)
-    if length <= _LONGEST or furthest + _CONTEXT <= _LONGEST:
+    if length <= look.code or furthest + look.context <= look.code:
         first = 0
     else:
-        first = max(0, min(strokes[0].start - _CONTEXT, length - _LONGEST))
-    last = min(first + _LONGEST, length)
+        first = max(0, min(strokes[0].start - look.context, length - look.code))
+    last = min(first + look.code, length)
+    first, last = _narrowed(text, start, first, last, strokes, look)
     return _View(text[start + first : start + last], first, first > 0, last < length)
+
+
+def _narrowed(
+    text: str, start: int, first: int, last: int, strokes: list[_Stroke], look: _Look
+) -> tuple[int, int]:
+    """The stretch of a line without what does not fit, as characters are wide: less before the marks, then after."""
+    columns = cells(text[start + first : start + last])[1]
+    excess = columns[-1] - look.code
+    if excess <= 0:
+        return first, last
+    kept = min((stroke.start for stroke in strokes), default=first)
+    while excess > 0 and first < kept - _BESIDE:
+        excess -= columns[1] - columns[0]
+        first, columns = first + 1, columns[1:]
+    while excess > 0 and last > first + 1:
+        excess -= columns[-1] - columns[-2]
+        last, columns = last - 1, columns[:-1]
+    return first, last
 
 
 def _rows(strokes: list[_Stroke]) -> Iterator[list[_Stroke]]:

@@ -20,7 +20,7 @@ from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.release import FIRST_RELEASE
-from sdfcheck.report.block import block
+from sdfcheck.report.block import Style, block
 from sdfcheck.report.colors import painter
 from sdfcheck.report.example_layout import laid_out
 from sdfcheck.report.paths import Paths
@@ -120,7 +120,7 @@ def _bad(example: Bad, scaffold: str, code: str, runners: Sequence[ExampleRunner
             found = runner.lint(text, lined, Path(made))
             own = [d for d in found if d.code == code and (d.span.start, d.span.end) == (start, end)]
             if own:
-                report = "\n".join(block(own[0], False, _Beside(made), painter(False)))
+                report = "\n".join(block(own[0], False, Style(_Beside(made), painter(False))))
                 return _shown(example, text, report, own[0])
     return Shown(file_name(written, example), unmark(laid_out(written))[0], _files(example))
 

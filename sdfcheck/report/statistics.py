@@ -5,13 +5,13 @@ from __future__ import annotations
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import INK_OF
-from sdfcheck.report.summary import closing_line
+from sdfcheck.report.summary import EVERYTHING, View, closing_line
 
 
-def render(run: Run, *, color: bool = False, width: int | None = None) -> str:
+def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
     """Counts by rule, the most frequent first, with the gravest severity and the kind of fix.
 
-    ``width``: the cells of the terminal that shows it, if one does.
+    Of the view, the width and the links count.
     """
     closing = closing_line(run) + "\n"
     if not run.diagnostics:
@@ -25,7 +25,10 @@ def render(run: Run, *, color: bool = False, width: int | None = None) -> str:
     for code, found in sorted(by_code.items(), key=lambda group: (-len(group[1]), group[0])):
         severity = max((diagnostic.severity for diagnostic in found), key=lambda severity: severity.rank)
         words = (str(len(found)), severity.value, code, found[0].name, _fix(found))
-        rows.append([Cell(word, INK_OF[severity] if at == 1 else None) for at, word in enumerate(words)])
+        row = [Cell(word) for word in words]
+        row[1] = row[1]._replace(ink=INK_OF[severity])
+        row[2] = row[2]._replace(address=run.pages.get(code) if view.links else None)
+        rows.append(row)
     columns = (
         Column("count", is_number=True),
         Column("severity"),
@@ -33,7 +36,7 @@ def render(run: Run, *, color: bool = False, width: int | None = None) -> str:
         Column("name", gives_way=True),
         Column("fix"),
     )
-    return "\n".join([*table(columns, rows, width=width, color=color), "", closing])
+    return "\n".join([*table(columns, rows, width=view.width, color=color), "", closing])
 
 
 def _fix(found: list[Diagnostic]) -> str:

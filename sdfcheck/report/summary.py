@@ -15,11 +15,15 @@ class View(NamedTuple):
 
     ``least``: what is less severe is only counted. ``folds``: repeated findings are shown
     once, and those about this computer together. ``most``: so many are shown at most.
+    ``width``: the cells of the terminal that shows them, if one does; ``links``: it knows
+    links, and the codes of rules lead to their pages.
     """
 
     least: Severity = Severity.INFO
     folds: bool = False
     most: int | None = None
+    width: int | None = None
+    links: bool = False
 
     def singles(self, run: Run) -> list[Diagnostic]:
         """The findings of a run, but for those that are shown together."""

@@ -24,10 +24,11 @@ class Column(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """What is in a row and a column, and its color."""
+    """What is in a row and a column, its color, and where it leads to on a terminal that knows links."""
 
     text: str
     ink: Ink | None = None
+    address: str | None = None
 
 
 def table(
@@ -37,6 +38,7 @@ def table(
     from io import StringIO
 
     from rich.console import Console
+    from rich.style import Style
     from rich.table import Table
     from rich.text import Text
 
@@ -44,7 +46,10 @@ def table(
 
     def text(cell: Cell) -> Text:
         shown = visible(cell.text)
-        return Text.from_ansi(paint(shown, cell.ink) if cell.ink is not None else shown)
+        made = Text.from_ansi(paint(shown, cell.ink) if cell.ink is not None else shown)
+        if cell.address:
+            made.stylize(Style(link=cell.address))
+        return made
 
     drawn = Table(box=None, show_header=width is not None, pad_edge=False, padding=(0, _GAP, 0, 0))
     for column, cells in zip(columns, _widths(columns, rows, width), strict=True):
@@ -82,7 +87,7 @@ def _widths(columns: Sequence[Column], rows: Sequence[Sequence[Cell]], width: in
     if width is None:
         return widths
     excess = sum(widths) + _GAP * (len(columns) - 1) - width
-    for at, column in enumerate(columns):
+    for at, column in reversed(list(enumerate(columns))):
         if column.gives_way and excess > 0:
             taken = min(excess, widths[at] - min(_LEAST, widths[at]))
             widths[at] -= taken

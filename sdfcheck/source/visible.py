@@ -9,7 +9,9 @@ _TAB = 4
 _JOINERS = "\u200c\u200d"  # invisible by design: inside emoji, and between Persian letters
 
 
-_COLOR = re.compile(r"(\x1b\[[0-9;]*m)")
+ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]8;(?:id=\d+)?;(?:https?://[!-~]*)?\x1b\\")
+"""Colors, and the starts and ends of links."""
+_ESCAPE = re.compile(f"({ESCAPE.pattern})")
 _COMMAND = re.compile(r"##(?=[a-z]*\[)")
 """What CI systems take for a command anywhere in a line, such as ``##vso[``."""
 _COMMAND_MARK = "::"
@@ -27,13 +29,13 @@ def visible(text: str) -> str:
 
 
 def harmless(line: str, *, color: bool = False) -> str:
-    """A line of text for people as it may leave the program; with ``color`` colors pass.
+    """A line of text for people as it may leave the program; with ``color`` colors and links pass.
 
     None of it acts on a terminal, begins another line or a command of a CI system. Names
     that are painted must be visible before, as their own colors would pass, too.
     """
     if color and "\x1b" in line:
-        pieces = _COLOR.split(line)
+        pieces = _ESCAPE.split(line)
         return "".join(piece if at % 2 else visible(piece) for at, piece in enumerate(pieces))
     text = visible(line)
     rest = text.lstrip()
@@ -68,6 +70,13 @@ def cells(text: str) -> tuple[str, Sequence[int]]:
         shown.append(piece)
         columns.append(column + _width(piece))
     return "".join(shown), columns
+
+
+def width_of(text: str) -> int:
+    """Cells that a terminal gives to a text; colors and links have none."""
+    if "\x1b" in text:
+        text = ESCAPE.sub("", text)
+    return len(text) if text.isascii() else sum(map(_width, text))
 
 
 def _spelled(character: str) -> str:

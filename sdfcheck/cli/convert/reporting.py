@@ -9,7 +9,7 @@ from pathlib import Path
 from sdfcheck.cli.convert.options import Request
 from sdfcheck.cli.convert.outcome import Outcome
 from sdfcheck.cli.parts.output import Output, show, write
-from sdfcheck.cli.parts.terminal import emit_lines, say, say_lines, wants_color
+from sdfcheck.cli.parts.terminal import emit_lines, say, say_lines, wants_color, width_of
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.wording import counted, listed
@@ -81,11 +81,12 @@ class Reporting:
             (one for outcome in self._done for one in outcome.diagnostics), key=lambda one: one.sort_key
         )
         run = Run(tuple(diagnostics), tuple(outcome.file for outcome in self._done))
-        view = View(Severity(request.min_severity))
-        color = wants_color(request.color, sys.stderr if aside else sys.stdout)
+        stream = sys.stderr if aside else sys.stdout
+        color = wants_color(request.color, stream)
+        view = View(Severity(request.min_severity), width=width_of(stream))
         for output in self._wanted:
             if diagnostics or not output.format.is_text:
-                write(output, run, color=color, aside=aside, view=view)
+                write(output, run, color=request.color, aside=aside, view=view)
         if self._wanted or not view.shown(run):
             return
         refused = len(self._done) == 1 and self._done[0].failed
@@ -99,6 +100,10 @@ class Reporting:
             )
             return
         lines = list(self._grouped(view.shown(run), color=color))
+        if view.width is not None:
+            from sdfcheck.report.fit import folded
+
+            lines = [part for line in lines for part in folded(line, view.width)]
         (say_lines if aside else emit_lines)(lines, color=color)
 
     def _grouped(self, diagnostics: Sequence[Diagnostic], *, color: bool) -> Iterator[str]:

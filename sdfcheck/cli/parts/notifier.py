@@ -21,7 +21,9 @@ class Notifier:
         if line not in self._lines and (notice.level is Level.FAILURE or not self._quiet):
             self._lines.append(line)
 
-    def flush(self) -> None:
+    def flush(self) -> bool:
+        """Write the notices; was one of them a failure?"""
         for line in self._lines:
             say(line)
         self._lines.clear()
+        return self.failed

@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, say_exactly, say_lines
+from sdfcheck.cli.parts.terminal import (
+    emit,
+    emit_lines,
+    lines_of,
+    say_exactly,
+    say_lines,
+    wants_color,
+    wants_links,
+    width_of,
+)
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.report.summary import EVERYTHING, View
@@ -77,16 +87,21 @@ def show(format: OutputFormat, text: str, *, color: bool, aside: bool = False) -
         (say_exactly if aside else emit)(text)
 
 
-def write(output: Output, run: Run, *, color: bool, aside: bool = False, view: View = EVERYTHING) -> None:
+def write(output: Output, run: Run, *, color: str, aside: bool = False, view: View = EVERYTHING) -> None:
     """Render a run and put it where it belongs; ``aside``: to stderr where that is stdout.
+
+    ``color`` is auto, always or never. What goes to a terminal fits it.
 
     Raises:
         WrongUsage: the file cannot be written.
     """
-    text = render(output.format, run, color=color and output.file is None, view=view)
     if output.file is None:
-        show(output.format, text, color=color, aside=aside)
+        stream = sys.stderr if aside else sys.stdout
+        painted = wants_color(color, stream)
+        view = view._replace(width=width_of(stream), links=wants_links(color, stream))
+        show(output.format, render(output.format, run, color=painted, view=view), color=painted, aside=aside)
         return
+    text = render(output.format, run, color=False, view=view)
     from sdfcheck.files.overwrite import overwrite
 
     try:

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import os
 import sys
-import time
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import TextIO
 
 import click
 
-from sdfcheck.source.visible import harmless, harmless_document, visible
+from sdfcheck.source.visible import harmless, harmless_document
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
@@ -24,6 +22,26 @@ def wants_color(choice: str, stream: TextIO | None, environment: Mapping[str, st
     if environment.get("FORCE_COLOR"):
         return True
     return stream is not None and stream.isatty() and environment.get("TERM") != "dumb"
+
+
+_KNOWS_LINKS = ("VTE_VERSION", "WT_SESSION", "KONSOLE_VERSION", "KITTY_WINDOW_ID", "DOMTERM")
+"""Variables of terminals that show links."""
+_LINKING_PROGRAMS = {"iTerm.app", "WezTerm", "vscode", "ghostty", "Hyper"}
+_LINKING_TERMS = {"xterm-kitty", "alacritty", "foot", "xterm-ghostty", "wezterm"}
+
+
+def wants_links(choice: str, stream: TextIO | None, environment: Mapping[str, str] = os.environ) -> bool:
+    """Whether ``stream`` goes to a terminal that is known to show links; never without colors."""
+    if stream is None or not stream.isatty() or not wants_color(choice, stream, environment):
+        return False
+    term = environment.get("TERM", "")
+    if environment.get("CI") or term == "dumb" or term.startswith(("screen", "tmux")):
+        return False
+    return (
+        any(environment.get(name) for name in _KNOWS_LINKS)
+        or environment.get("TERM_PROGRAM") in _LINKING_PROGRAMS
+        or term in _LINKING_TERMS
+    )
 
 
 def width_of(stream: TextIO | None, environment: Mapping[str, str] = os.environ) -> int | None:
@@ -95,33 +113,6 @@ def say_lines(lines: Iterable[str], *, color: bool = False) -> None:
 def say_exactly(text: str) -> None:
     """Write what programs read to stderr."""
     click.echo(text, err=True, nl=False)
-
-
-class Progress:
-    """One line on a terminal that says which file is being read, once a run takes noticeably long."""
-
-    DELAY = 1.0
-    INTERVAL = 0.1
-
-    def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
-        self._next = time.monotonic() + self.DELAY
-        self._drawn = False
-
-    def __call__(self, done: int, total: int, path: Path) -> None:
-        now = time.monotonic()
-        if now < self._next:
-            return
-        self._next = now + self.INTERVAL
-        self._drawn = True
-        self._stream.write(f"\r\x1b[K[{done}/{total}] {visible(str(path)[-60:])}")
-        self._stream.flush()
-
-    def clear(self) -> None:
-        if self._drawn:
-            self._stream.write("\r\x1b[K")
-            self._stream.flush()
-            self._drawn = False
 
 
 def pair(text: str, sign: str, form: str) -> tuple[str, str]:

@@ -16,7 +16,12 @@ _LINES = 110
 
 
 def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
-    return "\n\n".join([*_blocks(run, view, color), closing_line(run, view)]) + "\n"
+    text = "\n\n".join([*_blocks(run, view, color), closing_line(run, view)]) + "\n"
+    if view.width is None:
+        return text
+    from sdfcheck.report.fit import fitted
+
+    return fitted(text, view.width)
 
 
 def _blocks(run: Run, view: View, color: bool) -> Iterator[str]:
@@ -31,12 +36,15 @@ def _blocks(run: Run, view: View, color: bool) -> Iterator[str]:
     shown = digest(run, view)
 
     def blocks(groups: Iterator[Group]) -> Iterator[str]:
-        from sdfcheck.report.block import block
+        from sdfcheck.report.block import Style, block
         from sdfcheck.report.digest import others_of
 
+        style = Style(paths, paint, view.width)
         for group in groups:
             first = group.first
-            yield "\n".join(block(first, first.code in known, paths, paint, others_of(group, paths)))
+            page = run.pages.get(first.code) if view.links else None
+            others = others_of(group, paths)
+            yield "\n".join(block(first, first.code in known, style, others, page))
 
     room = _LINES if view.folds and view.most is None else None
     found = _first(blocks(iter(shown)), room, view.most)

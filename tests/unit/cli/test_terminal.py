@@ -1,9 +1,9 @@
 import io
-from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.parts.terminal import Progress, emit, wants_color
+from sdfcheck.cli.parts.terminal import emit, wants_color, wants_links
+from sdfcheck.source.visible import harmless
 
 
 class Terminal(io.StringIO):
@@ -19,19 +19,23 @@ def test_terminals_are_coloured_unless_they_cannot_be() -> None:
     assert not wants_color("auto", io.StringIO(), {})
 
 
-def test_short_runs_show_no_progress(monkeypatch: pytest.MonkeyPatch) -> None:
-    times = iter([0.0, 0.5, 1.2, 1.25, 1.4])
-    monkeypatch.setattr("time.monotonic", lambda: next(times))
-    stream = Terminal()
-    progress = Progress(stream)
-    progress(0, 9, Path("a.sdf"))
-    progress.clear()
-    assert stream.getvalue() == ""
-    for done in (1, 2, 3):
-        progress(done, 9, Path("b.sdf"))
-    assert stream.getvalue() == "\r\x1b[K[1/9] b.sdf\r\x1b[K[3/9] b.sdf"
-    progress.clear()
-    assert stream.getvalue().endswith("\r\x1b[K")
+@pytest.mark.parametrize(
+    ("environment", "links"),
+    [
+        ({"TERM": "xterm-kitty"}, True),
+        ({"TERM": "xterm-256color", "VTE_VERSION": "7200"}, True),
+        ({"TERM": "xterm-256color", "TERM_PROGRAM": "vscode"}, True),
+        ({"TERM": "xterm-256color"}, False),
+        ({"TERM": "dumb", "VTE_VERSION": "7200"}, False),
+        ({"TERM": "xterm-kitty", "NO_COLOR": "1"}, False),
+        ({"TERM": "tmux-256color", "VTE_VERSION": "7200"}, False),
+        ({"TERM": "xterm-kitty", "CI": "true"}, False),
+    ],
+)
+def test_links_are_for_terminals_that_know_them(environment: dict[str, str], links: bool) -> None:
+    assert wants_links("auto", Terminal(), environment) is links
+    assert not wants_links("never", Terminal(), environment)
+    assert not wants_links("always", io.StringIO(), environment)
 
 
 def test_pipes_get_utf8_whatever_the_locale(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -49,3 +53,11 @@ def test_terminals_get_what_they_can_show(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr("sys.stdout", stream)
     emit("ä\n")
     assert stream.getvalue() == "\\xe4\n"
+
+
+def test_links_of_our_own_pass_and_no_others() -> None:
+    link = "\x1b]8;;https://sdfcheck.example/rules/x/\x1b\\NS003\x1b]8;;\x1b\\"
+    assert harmless(link, color=True) == link
+    assert "\x1b" not in harmless(link)
+    for other in ("\x1b]8;;file:///etc/passwd\x1b\\a", "\x1b]0;title\x07", "\x1b]8;;https://a b\x1b\\"):
+        assert "\x1b" not in harmless(other, color=True)
