@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from lsprotocol import types
+from pygls.exceptions import FeatureRequestError, JsonRpcException
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
@@ -28,6 +29,17 @@ T = TypeVar("T")
 class Protocol(LanguageServerProtocol):
     """Leaves the texts to the server, which counts lines and columns as the protocol does."""
 
+    def structure_message(self, data: dict[str, Any]) -> Any:
+        """What the client sent; a request that cannot be read is answered, too, so that nobody waits for it."""
+        if data.get("method") == types.TEXT_DOCUMENT_CODE_ACTION and "jsonrpc" in data:
+            data = {**data, "params": _without_diagnostics(data.get("params"))}
+        try:
+            return super().structure_message(data)
+        except JsonRpcException as error:
+            if "id" in data and "method" in data:
+                self._send_response(data["id"], None, error.to_response_error())
+            raise
+
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
     def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> Iterator[Any]:
         yield self.fm.features[types.TEXT_DOCUMENT_DID_OPEN], (params,), None
@@ -39,6 +51,15 @@ class Protocol(LanguageServerProtocol):
     @lsp_method(types.TEXT_DOCUMENT_DID_CLOSE)
     def lsp_text_document__did_close(self, params: types.DidCloseTextDocumentParams) -> Iterator[Any]:
         yield self.fm.features[types.TEXT_DOCUMENT_DID_CLOSE], (params,), None
+
+
+def _without_diagnostics(params: Any) -> Any:
+    """The parameters of a request for actions without diagnostics, which some clients send in another form."""
+    if not isinstance(params, dict):
+        return params
+    context = params.get("context")
+    kinds = context.get("only") if isinstance(context, dict) else None
+    return {**params, "context": {"diagnostics": [], **({"only": kinds} if isinstance(kinds, list) else {})}}
 
 
 class Server(LanguageServer):
@@ -91,6 +112,11 @@ class Server(LanguageServer):
         if words not in self._reported:
             self._reported.add(words)
             self.show(f"sdfcheck: internal error: {' '.join(words.split())} ({REPORT_IT})")
+
+    def report_server_error(self, error: Exception, source: Any) -> None:
+        """What went wrong outside of the work on documents; refusals are answers."""
+        if source is not FeatureRequestError or not isinstance(error, JsonRpcException):
+            self.report(error.__cause__ or error)
 
     def show(self, text: str, kind: types.MessageType = types.MessageType.Error) -> None:
         """Show a message to the person."""
@@ -174,8 +200,10 @@ class Server(LanguageServer):
             await self.work(lambda: self._prime(key, number), None, SURVEY)
 
     def _prime(self, key: str, number: int | None) -> None:
-        """Work out what the next question about a text will need."""
+        """Work out what the next question about a text will need, and let go of what none will."""
         buffer = self.robots.buffers.get(key)
+        if buffer is not None:
+            buffer.tidy()
         document = None if buffer is None else self.robots.document(buffer.path)
         if buffer is not None and document is not None and self._edits.get(key) == number:
             at(document, 0)

@@ -11,6 +11,7 @@ from typing import Any
 
 from lsprotocol import types
 
+from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import NAMES
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import NAME, path_of
@@ -19,6 +20,8 @@ from sdfcheck.lsp.workspace import Choices
 _DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,dae,stl,obj}"
 _SURROUNDINGS = "**/{.sdfcheck.toml,sdfcheck.toml,pyproject.toml,package.xml,CMakeLists.txt,.gitignore}"
 _LAYOUT = frozenset({*NAMES, "package.xml", "CMakeLists.txt"})
+_OUTDATED = -1.0
+"""When a file was changed that is not as it was read."""
 _PAUSE = 1.0
 """Between two looks at the disk, in s, for clients that do not watch files."""
 
@@ -101,8 +104,10 @@ class Watch:
                 continue
             changed = {path for path in before.keys() | stamps.keys() if before.get(path) != stamps.get(path)}
             is_layout = any(os.path.basename(path) in _LAYOUT for path in changed)
-            known = before.keys() & stamps.keys()
-            if is_layout or any(path in known and 0.0 in (before[path], stamps[path]) for path in changed):
+            known = (before.keys() & stamps.keys()) | {path for path, stamp in stamps.items() if stamp < 0}
+            if is_layout or any(
+                path in known and 0.0 in (before.get(path), stamps.get(path)) for path in changed
+            ):
                 await self.server.refreshed(self.server.robots.refresh)
             elif changed & known:
                 await self.server.refreshed(self.server.robots.forget)
@@ -121,7 +126,18 @@ class Watch:
             paths |= {str(above / name) for above in (folder, *folder.parents) for name in NAMES}
             for around in robots.folders:
                 paths.add(str(around / "package.xml"))
-        return {path: _stamp(path) for path in sorted(paths)}
+        return {path: _stamp(path) if self._is_as_read(path) else _OUTDATED for path in sorted(paths)}
+
+    def _is_as_read(self, path: str) -> bool:
+        """Does a file that was not looked at before hold what was read of it?"""
+        if path in self._stamps:
+            return True
+        libraries = [each for each in self.server.robots.caches.libraries if each.holds(Path(path))]
+        try:
+            data = read_regular(Path(path)) if libraries else b""
+        except OSError:
+            return False
+        return all(each.known(data, Path(path)) is not None for each in libraries)
 
 
 def _stamp(path: str) -> float:

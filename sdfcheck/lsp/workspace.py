@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.one_file import Caches
 from sdfcheck.lint.rulebook.rulebook import RuleBook
@@ -59,6 +60,11 @@ class Buffer:
             self._stale.append(self._document)
         self._document = None
 
+    def tidy(self, kept: int = 0) -> None:
+        """Let go of old documents, which takes a while; so many are kept for later."""
+        while len(self._stale) > kept:
+            self._stale.pop(0).release()
+
     @property
     def data(self) -> bytes:
         return self.source.text.encode("utf-8", "surrogatepass")
@@ -73,8 +79,7 @@ class Buffer:
     def document(self) -> Document:
         """The text as it is read; not to be looked at by two threads."""
         if self._document is None:
-            while self._stale:  # not earlier: whoever types does not wait for that
-                self._stale.pop().release()
+            self.tidy(kept=1)
             kind = self.kind
             self._document = Document(self.source, None if kind is Kind.BROKEN_XML else kind, [])
         return self._document
@@ -83,6 +88,17 @@ class Buffer:
     def is_linted(self) -> bool:
         """Is it something that has diagnostics?"""
         return treatment(self.kind, self.path, named=True) is Treatment.LINT
+
+
+def _kind(path: Path) -> Kind | None:
+    """What a file of ROS holds: robots, their semantics and macros have the same root."""
+    if path.suffix not in {".urdf", ".xacro", ".srdf"}:
+        return None
+    try:
+        kind = sniff(read_regular(path)[:HEAD], path)
+    except OSError:
+        return None
+    return kind if kind in {Kind.URDF, Kind.XACRO, Kind.SRDF} else None
 
 
 Buffers = dict[str, Buffer]
@@ -262,7 +278,7 @@ class Workspace:
         library = self.library(path)
         buffer = self.buffers.get(self.key(path))
         if buffer is None:
-            return library.document(path)
+            return library.document(path, _kind(path))
         document = buffer.document
         document.library = library
         return document

@@ -69,7 +69,7 @@ async function savedFile(): Promise<string | undefined> {
 /** What the program prints; its complaints are shown. */
 async function sdfcheck(...args: string[]): Promise<string | undefined> {
   try {
-    return (await run(command(), args, { maxBuffer: 1 << 26 })).stdout;
+    return (await run(command(), args, { maxBuffer: 1 << 28 })).stdout;
   } catch (error) {
     const { stderr, message } = error as { stderr?: string; message: string };
     output.appendLine(stderr || message);
@@ -90,6 +90,29 @@ async function convert(): Promise<void> {
     const language = isSdf ? "urdf" : "sdformat";
     await vscode.window.showTextDocument(await vscode.workspace.openTextDocument({ content: text, language }));
   }
+}
+
+/** Shows the robot beside its text, and again whenever the file is saved. */
+async function view(): Promise<void> {
+  const file = await savedFile();
+  const page = file && (await sdfcheck("view", file));
+  if (!file || !page) {
+    return;
+  }
+  const panel = vscode.window.createWebviewPanel(
+    "sdfcheck.view",
+    path.basename(file),
+    { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
+    { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [] },
+  );
+  panel.webview.html = page;
+  const saved = vscode.workspace.onDidSaveTextDocument(async (document) => {
+    const text = document.fileName === file ? await sdfcheck("view", file) : undefined;
+    if (text) {
+      panel.webview.html = text;
+    }
+  });
+  panel.onDidDispose(() => saved.dispose());
 }
 
 async function graph(): Promise<void> {
@@ -124,6 +147,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("sdfcheck.restart", restart),
     vscode.commands.registerCommand("sdfcheck.fixAll", fixAll),
     vscode.commands.registerCommand("sdfcheck.convert", convert),
+    vscode.commands.registerCommand("sdfcheck.view", view),
     vscode.commands.registerCommand("sdfcheck.graph", graph),
     vscode.commands.registerCommand("sdfcheck.output", () => output.show()),
     vscode.workspace.onDidChangeConfiguration(async (change) => {

@@ -11,6 +11,7 @@ from sdfcheck.files.discover import discover
 from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.lsp.names.robot_names import robot_names
+from sdfcheck.lsp.names.srdf_names import srdf_names
 from sdfcheck.lsp.names.symbol import Occurrence, Symbol
 from sdfcheck.lsp.names.xacro_names import xacro_names
 from sdfcheck.lsp.workspace import Workspace
@@ -20,6 +21,8 @@ from sdfcheck.source.sniff import HEAD, Kind, sniff
 MOST_FILES = 5_000
 """So many files of a project are searched for a name, no more."""
 LARGEST = 16 * MEGABYTE
+
+_NAMING = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF})
 
 
 class Occurrences:
@@ -31,6 +34,8 @@ class Occurrences:
             found = list(xacro_names(document))
         elif document.root is not None and document.kind in {Kind.SDF, Kind.URDF}:
             found = list(robot_names(document))
+        elif document.kind is Kind.SRDF:
+            found = list(srdf_names(document))
         by_place: dict[tuple[int, int, str], Occurrence] = {}
         for each in found:
             if each.span.source is document.source:
@@ -92,5 +97,5 @@ def project_files(workspace: Workspace, path: Path, wanted: bytes = b"") -> Iter
             data = read_regular(file.path, LARGEST)
         except OSError:
             continue
-        if wanted in data and sniff(data[:HEAD], file.path) in {Kind.SDF, Kind.URDF, Kind.XACRO}:
+        if wanted in data and sniff(data[:HEAD], file.path) in _NAMING:
             yield file.path

@@ -77,6 +77,8 @@ def _check_form(symbol: Symbol, name: str) -> None:
 
 def _check_free(document: Document, symbol: Symbol, name: str) -> None:
     """Is the name taken where the symbol is known?"""
+    if document.kind is Kind.SRDF:
+        return  # it defines none of them
     taken = _taken_in_xacro if document.kind is Kind.XACRO else _taken_in_robot
     for kind in taken(document, symbol, name):
         raise Refused(f"there is a {kind} `{name}` already in {document.path.name}")

@@ -37,6 +37,11 @@ def xacro_names(document: Document) -> Iterator[Occurrence]:
     yield from _of_robot(document, known)
 
 
+def robot_symbols(document: Document) -> dict[tuple[str, str], Symbol]:
+    """The links, joints and materials that a xacro document and what it includes define, by kind and name."""
+    return _Known(visible_definitions(document)).robot
+
+
 class _Known:
     """The symbols that a document can see."""
 

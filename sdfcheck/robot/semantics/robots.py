@@ -46,6 +46,21 @@ def robots_of(semantics: Semantics, expand: Expand | None) -> tuple[Model, ...]:
     return ()
 
 
+def descriptions_of(semantics: Semantics) -> Iterator[Document]:
+    """The documents of robots with the name of an SRDF file, as they are written, the nearest first."""
+    library = library_of(semantics.document)
+    if library is None or not semantics.name:
+        return
+    path = semantics.document.path
+    seen: set[str] = set()
+    for packages in (Packages(_package(path)), library.packages(path)):
+        for file in _files(semantics.document, packages, (".urdf", ".xacro")):
+            kind = _kind(file, semantics) if str(file) not in seen else None
+            seen.add(str(file))
+            if kind is not None and (found := library.document(file, kind)) is not None:
+                yield found
+
+
 def _package(path: Path) -> Path:
     """The folder of the package that a file is in, else its own."""
     folders = path.absolute().parents
@@ -61,7 +76,8 @@ def _score(semantics: Semantics, robot: Model) -> float:
 
 def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None) -> Iterator[Model]:
     found = 0
-    for path in _files(semantics.document, packages, expand):
+    suffixes = (".urdf", ".xacro") if expand is not None else (".urdf",)
+    for path in _files(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
             return
         robot = _robot(path, semantics, expand)
@@ -70,9 +86,8 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
             yield robot
 
 
-def _files(document: Document, packages: Packages, expand: Expand | None) -> list[Path]:
+def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) -> list[Path]:
     """The files that may hold robots, the nearest first."""
-    suffixes = (".urdf", ".xacro") if expand is not None else (".urdf",)
     found = [path for suffix in suffixes for path in packages.files(suffix, MOST_FILES)]
     own = document.path.absolute().parts
 
@@ -86,8 +101,8 @@ def _files(document: Document, packages: Packages, expand: Expand | None) -> lis
     return sorted((path for path in found if ".srdf" not in path.name), key=distance)
 
 
-def _robot(path: Path, semantics: Semantics, expand: Expand | None) -> Model | None:
-    """The robot of a file, if it has the name."""
+def _kind(path: Path, semantics: Semantics) -> Kind | None:
+    """Which kind of file describes a robot of the name; None: it does not."""
     try:
         data = read_regular(path)
     except OSError:
@@ -95,11 +110,18 @@ def _robot(path: Path, semantics: Semantics, expand: Expand | None) -> Model | N
     match = _ROBOT.search(data[:8192].decode("utf-8", "replace"))
     if match is None or match[1] != semantics.name:
         return None
-    is_xacro = path.suffix == ".xacro" or b"<xacro:" in data
-    document: Document | None = read(data, path, Kind.XACRO if is_xacro else Kind.URDF)
+    return Kind.XACRO if path.suffix == ".xacro" or b"<xacro:" in data else Kind.URDF
+
+
+def _robot(path: Path, semantics: Semantics, expand: Expand | None) -> Model | None:
+    """The robot of a file, if it has the name."""
+    kind = _kind(path, semantics)
+    if kind is None:
+        return None
+    document: Document | None = read(read_regular(path), path, kind)
     assert document is not None
     document.library = semantics.document.library
-    if is_xacro:
+    if kind is Kind.XACRO:
         document = expand(document) if expand is not None else None
     if document is None or document.root is None or document.root.name != "robot":
         return None

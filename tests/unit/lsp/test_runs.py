@@ -1,0 +1,121 @@
+"""When the server lints, and what it keeps."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import threading
+import weakref
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.lsp.findings import Findings
+from sdfcheck.lsp.schedule import Schedule
+from sdfcheck.lsp.worker import ANSWER, LINT, Worker
+from sdfcheck.lsp.workspace import Choices, Workspace
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.text import Source
+
+ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_changes_in_quick_succession_make_few_runs_and_never_two_at_once() -> None:
+    running, most, text = 0, 0, 0
+    runs: list[int] = []
+
+    async def lint(key: str) -> None:
+        nonlocal running, most
+        running += 1
+        most = max(most, running)
+        seen = text
+        await asyncio.sleep(0.05)
+        running -= 1
+        runs.append(seen)
+
+    schedule = Schedule(lint)
+    for number in range(1, 60):
+        text = number
+        schedule.note("m.sdf")
+        await asyncio.sleep(0.005)
+    while running or not runs or runs[-1] != text:
+        await asyncio.sleep(0.01)
+    assert most == 1
+    assert len(runs) < 30
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_one_thread_does_all_work_and_answers_first() -> None:
+    worker = Worker()
+    done: list[str] = []
+    threads: set[int] = set()
+    begun, may_go = threading.Event(), threading.Event()
+
+    def job(name: str) -> None:
+        if name == "first":
+            begun.set()
+            may_go.wait()
+        threads.add(threading.get_ident())
+        done.append(name)
+
+    first = asyncio.ensure_future(worker.run(lambda: job("first"), LINT))
+    while not begun.is_set():
+        await asyncio.sleep(0.01)
+    others = asyncio.gather(worker.run(lambda: job("lint"), LINT), worker.run(lambda: job("answer"), ANSWER))
+    await asyncio.sleep(0)
+    may_go.set()
+    await asyncio.gather(first, others)
+    worker.close()
+    assert done == ["first", "answer", "lint"]
+    assert len(threads) == 1
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_a_job_that_fails_does_not_end_the_thread() -> None:
+    worker = Worker()
+    with pytest.raises(ZeroDivisionError):
+        await worker.run(lambda: 1 // 0)
+    assert await worker.run(lambda: 7) == 7
+    worker.close()
+
+
+@pytest.mark.parametrize("name", ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf"])
+def test_an_old_reading_is_let_go_at_once(name: str) -> None:
+    path = ROBOTS / name
+    workspace = Workspace()
+    findings = Findings(workspace)
+    buffer = workspace.open(path.as_uri(), path, path.read_text(), 1)
+    findings.lint(buffer)
+    gc.collect()
+    gc.disable()
+    try:
+        old = weakref.ref(root_of(buffer.document))
+        workspace.write(buffer, Source(path, f"{buffer.source.text} "), 2)
+        findings.lint(buffer)
+        buffer.tidy()
+        assert old() is None
+    finally:
+        gc.enable()
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "rover/rover.urdf.xacro", "workcell/workcell.world"],
+)
+def test_edits_leave_nothing_behind(name: str) -> None:
+    path = ROBOTS / name
+    text = path.read_text()
+    workspace = Workspace()
+    workspace.choose(Choices(expand=False))
+    findings = Findings(workspace)
+    buffer = workspace.open(path.as_uri(), path, text, 1)
+    counts = []
+    for number in range(60):
+        broken = text.replace("</link>", "</lnik>", 1) if number % 3 == 1 else text
+        workspace.write(buffer, Source(path, broken + " " * (number % 7)), number)
+        findings.lint(buffer)
+        if number % 20 == 19:
+            gc.collect()
+            counts.append(len(gc.get_objects()))
+    assert counts[-1] - counts[0] < 50, counts
