@@ -24,6 +24,7 @@ from sdfcheck.cli.parts.options import (
 )
 from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.parts.progress import Progress
+from sdfcheck.cli.parts.robots import robots_of
 from sdfcheck.cli.parts.shown import exit_code, shown, view_of
 from sdfcheck.cli.parts.terminal import (
     emit,
@@ -95,6 +96,11 @@ class Request:
     jobs: int | None
     quiet: bool
 
+    @property
+    def rewrites(self) -> bool:
+        """Whether the files that are linted are changed."""
+        return self.fix or self.add_ignore
+
 
 @click.command(cls=Command)
 @click.argument("paths", nargs=-1, type=PATH)
@@ -161,7 +167,7 @@ def lint(**given: Any) -> int:
     done = _run(request, paths, options, notifier)
     places = (*(output.file for output in wanted), request.baseline if request.write_baseline else None)
     refuse_inputs(places, inputs_of(paths, done))
-    if (rewrites := request.fix or request.add_ignore) or request.diff:
+    if request.rewrites or request.diff:
         from sdfcheck.cli.rewrite import Rewriter, work
 
         rewriter = Rewriter(paths, options, notifier, work(request), request)
@@ -179,8 +185,7 @@ def lint(**given: Any) -> int:
     notifier.flush()
     if request.fix_only:
         return 2 if notifier.failed else 0
-    view = view_of(request, settings.fail_on)
-    _report(request, wanted, done, view, aside=rewrites and options.stdin is not None)
+    _report(request, options, wanted, done, view_of(request, settings.fail_on))
     return 2 if notifier.failed else exit_code(request, done, settings.fail_on)
 
 
@@ -195,11 +200,13 @@ def _run(request: Request, paths: Sequence[Path], options: Options, notifier: No
             progress.clear()
 
 
-def _report(request: Request, wanted: Sequence[Output], done: Run, view: View, *, aside: bool) -> None:
-    """Write the reports (``aside``: to stderr, not stdout); where none is for people, sum up on stderr."""
+def _report(request: Request, options: Options, wanted: Sequence[Output], done: Run, view: View) -> None:
+    """Write the reports; where none is for people, sum up on stderr."""
+    aside = request.rewrites and options.stdin is not None  # stdout gets the text
+    robots = robots_of(done, wanted, options)
     for output in wanted:
         if output.file is not None or not request.statistics:
-            write(output, done, color=request.color, aside=aside, view=view)
+            write(output, done, color=request.color, aside=aside, view=view, robots=robots)
     if request.statistics:
         from sdfcheck.report import statistics
 

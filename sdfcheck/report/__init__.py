@@ -6,9 +6,10 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from sdfcheck.lint.run import Run
+    from sdfcheck.report.robots import Robot
     from sdfcheck.report.summary import View
 
 
@@ -35,11 +36,23 @@ class OutputFormat(Enum):
         return self in {OutputFormat.FULL, OutputFormat.CONCISE}
 
 
-def render(format: OutputFormat, run: Run, *, color: bool = False, view: View | None = None) -> str:
-    """The report of a run. Unless empty it ends with a line end; only text formats know colors and views."""
+def render(
+    format: OutputFormat,
+    run: Run,
+    *,
+    color: bool = False,
+    view: View | None = None,
+    robots: Sequence[Robot] = (),
+) -> str:
+    """The report of a run. Unless empty it ends with a line end.
+
+    Only text formats know colors and views, and only HTML shows robots.
+    """
     from importlib import import_module
 
     renderer: Callable[..., str] = import_module(f"sdfcheck.report.formats.{format.value}").render
+    if format is OutputFormat.HTML:
+        return renderer(run, robots)
     if not format.is_text:
         return renderer(run)
     return renderer(run, color=color) if view is None else renderer(run, color=color, view=view)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from hashlib import sha256
 from html import escape
 from typing import Any
@@ -23,7 +23,7 @@ _TEMPLATE = """<!doctype html>
 </head>
 <body>
 {body}
-<script type="application/json" id="data">{data}</script>
+{more}<script type="application/json" id="data">{data}</script>
 <script>{script}</script>
 </body>
 </html>
@@ -38,16 +38,40 @@ class Assets(NamedTuple):
     script: str
 
 
-def sealed(title: str, body: str, data: Any, assets: Assets, *, framed: Sequence[Assets] = ()) -> str:
-    """The whole page: ``body`` is markup, ``data`` JSON for the script; ``framed``: the assets of pages in frames."""
+def sealed(
+    title: str,
+    body: str,
+    data: Any,
+    assets: Assets,
+    *,
+    more: Mapping[str, str] | None = None,
+    framed: Sequence[Assets] = (),
+) -> str:
+    """The whole page: ``body`` is markup, ``data`` is JSON for the script.
+
+    ``more`` are texts of :func:`as_data` that the script asks for by their id; ``framed``: the assets of pages
+    that it shows in frames, which inherit its policy.
+    """
     return _TEMPLATE.format(
         title=escape(title),
         policy=_policy([assets, *framed]),
         style=assets.style,
         body=body,
+        more="".join(f"{_opening(name)}{text}</script>\n" for name, text in (more or {}).items()),
         data=as_data(data),
         script=assets.script,
     )
+
+
+def split(page: str) -> tuple[str, str, str]:
+    """A sealed page: what is before its data, the data, and the rest."""
+    before, opening, after = page.rpartition(_opening("data"))
+    data, closing, rest = after.partition("</script>")
+    return before + opening, data, closing + rest
+
+
+def _opening(name: str) -> str:
+    return f'<script type="application/json" id="{name}">'
 
 
 def as_data(value: Any) -> str:

@@ -18,7 +18,7 @@ pytestmark = [
 ROBOTS = Path(__file__).parents[2] / "fixtures" / "robots"
 LARGEST = 15_000_000
 """Bytes of the report of a large run."""
-VIEWS = ("#view=summary", "#view=findings", "#view=rules", "#view=files", "#fix=safe")
+VIEWS = ("#view=summary", "#view=findings", "#view=rules", "#view=files", "#view=robots", "#fix=safe")
 
 
 @pytest.fixture(scope="module")
@@ -122,15 +122,16 @@ def test_an_opened_finding_has_code_and_the_fix(tab: chromium.Tab, report: Path)
     assert tab.page.text_content("pre.fix ins") == "-1.57"
 
 
-def test_a_print_holds_everything(tab: chromium.Tab, report: Path) -> None:
+def test_a_print_holds_everything(report: Path, tab: chromium.Tab) -> None:
     tab.open(report)
     tab.page.emulate_media(media="print")
     tab.run("dispatchEvent(new Event('beforeprint'))")
+    visible = "[...document.querySelectorAll('main > section')].filter(section => section.offsetHeight)"
+    sections = tab.run(f"{visible}.map(section => section.dataset.view)")
+    tab.page.emulate_media(media="screen")
+    assert sections == ["summary", "findings", "rules", "files"]
     assert tab.run("document.querySelectorAll('details.finding:not([open])').length") == 0
     assert shown(tab) > 50
-    hidden = "[...document.querySelectorAll('main > section')].filter(each => !each.offsetHeight).length"
-    assert tab.run(hidden) == 0
-    tab.page.emulate_media(media="screen")
 
 
 def test_names_bring_no_script(tab: chromium.Tab, tmp_path: Path) -> None:
@@ -158,4 +159,33 @@ def test_many_findings_are_listed_on_demand(tab: chromium.Tab, tmp_path: Path) -
     assert shown(tab) == 300
     tab.page.click("text=Show 300 more")
     assert shown(tab) == 600
+    assert tab.errors == []
+
+
+def test_robots_are_shown_one_at_a_time(tab: chromium.Tab, report: Path) -> None:
+    tab.open(report, "#view=findings")
+    tab.page.click("nav >> text=Robots")
+    files = tab.run("[...document.querySelectorAll('.robots li')].map(item => item.textContent)")
+    assert len(files) >= 5
+    for file in files[:2]:
+        tab.page.click(f".robots >> text={file}")
+        robot = tab.page.frame_locator("iframe")
+        robot.locator("#panel details").first.wait_for(timeout=60_000)
+        assert robot.locator("h1").text_content() == file
+        assert robot.locator("canvas").count() == 1
+        assert tab.run("document.querySelectorAll('iframe').length") == 1
+        assert tab.run("new URLSearchParams(location.hash.slice(1)).get('file')") == file
+    assert tab.errors == []
+
+
+def test_names_bring_no_script_into_the_frame(tab: chromium.Tab, tmp_path: Path) -> None:
+    name = "&lt;/script>&lt;img src=x onerror=alert(1)>&lt;script>alert(2)&lt;/script>"
+    file = tmp_path / "<img src=x onerror=alert(3)>.urdf"
+    file.write_text(f'<robot name="{name}"><link name="{name}"/></robot>')
+    tab.open(made(tmp_path, tmp_path), "#view=robots")
+    robot = tab.page.frame_locator("iframe")
+    robot.locator("#panel details").first.wait_for(timeout=60_000)
+    assert "onerror=alert(3)" in robot.locator("h1").text_content()
+    assert robot.locator("img").count() == 0
+    assert tab.dialogs == []
     assert tab.errors == []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from sdfcheck.cli.parts.terminal import (
     emit,
@@ -21,6 +22,9 @@ from sdfcheck.report import OutputFormat, render
 from sdfcheck.report.summary import EVERYTHING, View
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+
+if TYPE_CHECKING:
+    from sdfcheck.report.robots import Robot
 
 FORMATS = tuple(known.value for known in OutputFormat)
 
@@ -87,7 +91,15 @@ def show(format: OutputFormat, text: str, *, color: bool, aside: bool = False) -
         (say_exactly if aside else emit)(text)
 
 
-def write(output: Output, run: Run, *, color: str, aside: bool = False, view: View = EVERYTHING) -> None:
+def write(
+    output: Output,
+    run: Run,
+    *,
+    color: str,
+    aside: bool = False,
+    view: View = EVERYTHING,
+    robots: Sequence[Robot] = (),
+) -> None:
     """Render a run and put it where it belongs; ``aside``: to stderr where that is stdout.
 
     ``color`` is auto, always or never. What goes to a terminal fits it.
@@ -99,9 +111,10 @@ def write(output: Output, run: Run, *, color: str, aside: bool = False, view: Vi
         stream = sys.stderr if aside else sys.stdout
         painted = wants_color(color, stream)
         view = view._replace(width=width_of(stream), links=wants_links(color, stream))
-        show(output.format, render(output.format, run, color=painted, view=view), color=painted, aside=aside)
+        text = render(output.format, run, color=painted, view=view, robots=robots)
+        show(output.format, text, color=painted, aside=aside)
         return
-    text = render(output.format, run, color=False, view=view)
+    text = render(output.format, run, color=False, view=view, robots=robots)
     from sdfcheck.files.overwrite import overwrite
 
     try:

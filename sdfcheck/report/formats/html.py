@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 from importlib.resources import files
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import painter
@@ -11,8 +13,14 @@ from sdfcheck.report.content import WHOLE, Content
 from sdfcheck.report.overview import overview
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import closing_line
+from sdfcheck.source.visible import visible
 from sdfcheck.view.sealed import Assets, sealed
 
+if TYPE_CHECKING:
+    from sdfcheck.report.robots import Robot
+
+MOST_ROBOTS = 20
+"""Reports of more files show no robots."""
 _BODY = """<a class="skip" href="#main">Skip to the content</a>
 <header><h1>Robot descriptions</h1><p id="closing">{closing}</p>
 <nav id="views" aria-label="Views"></nav></header>
@@ -23,13 +31,24 @@ _BODY = """<a class="skip" href="#main">Skip to the content</a>
 <footer id="footer"></footer>"""
 
 
-def render(run: Run) -> str:
+def render(run: Run, robots: Sequence[Robot] = ()) -> str:
+    paths = Paths()
     body = _BODY.format(
         closing=escape(closing_line(run, WHOLE)),
-        overview=escape("\n".join(overview(run, WHOLE, Paths(), painter(False))) if run.diagnostics else ""),
+        overview=escape("\n".join(overview(run, WHOLE, paths, painter(False))) if run.diagnostics else ""),
     )
     folder = files("sdfcheck.report").joinpath("data")
     style, script = (
         folder.joinpath(name).read_text(encoding="utf-8") for name in ("report.css", "report.js")
     )
-    return sealed("sdfcheck report", body, Content(run).as_json(), Assets(style, script))
+    shown = [visible(paths(robot.path)) for robot in robots]
+    data = Content(run).as_json() | {"robots": shown, "mostRobots": MOST_ROBOTS}
+    if not robots:
+        return sealed("sdfcheck report", body, data, Assets(style, script))
+    from sdfcheck.view.page import assets
+    from sdfcheck.view.sealed import as_data, split
+
+    before, _, after = split(robots[0].page)
+    more = {"viewer": as_data([before, after])}
+    more |= {f"robot-{number}": split(robot.page)[1] for number, robot in enumerate(robots)}
+    return sealed("sdfcheck report", body, data, Assets(style, script), more=more, framed=[assets()])

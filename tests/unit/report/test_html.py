@@ -6,12 +6,18 @@ import base64
 import json
 import re
 from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
+import pytest
+
+from sdfcheck.cli.main import main
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
 from sdfcheck.lint.fix.fix import Edit, Fix
 from sdfcheck.report import OutputFormat, content, render
 from sdfcheck.report.edits import DELETED, INSERTED, KEPT, Hunk, hunks
+from sdfcheck.report.formats.html import MOST_ROBOTS
+from sdfcheck.report.robots import TITLE
 from sdfcheck.source.text import Span
 from tests.unit.report.runs import diagnostic, facts, fixed, marked, rich_diagnostic, run
 
@@ -92,10 +98,62 @@ def test_names_are_text() -> None:
     assert "alert(1)</script>" not in text
 
 
-def test_past_a_number_findings_have_no_lines_of_code(monkeypatch: Any) -> None:
+def test_past_a_number_findings_have_no_lines_of_code(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(content, "MOST_FRAMES", 2)
     found = data(*(diagnostic("«a»") for _ in range(3)))["findings"]
     assert ["frames" in each for each in found] == [True, True, False]
+
+
+def lint(folder: Path, *options: str) -> str:
+    out = folder / "out.html"
+    main(["lint", str(folder), "--isolated", "-q", "--exit-zero", *options, "--output-format", f"html={out}"])
+    return out.read_text(encoding="utf-8")
+
+
+def robots_of(text: str) -> list[Any]:
+    found = re.findall(r'<script type="application/json" id="robot-\d+">(.*?)</script>', text, re.DOTALL)
+    return [json.loads(each) for each in found]
+
+
+def test_robots_are_embedded_with_their_findings(tmp_path: Path) -> None:
+    for name, mass in (("a", 1), ("b", -1)):
+        (tmp_path / f"{name}.urdf").write_text(
+            f'<robot name="{name}"><link name="{EVIL.replace("<", "&lt;")}"><inertial><mass value="{mass}"/>'
+            '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>'
+        )
+    (tmp_path / "broken.urdf").write_text("no robot")
+    text = lint(tmp_path)
+    first, second = robots_of(text)
+    assert [robot["scenes"][0]["models"][0]["name"] for robot in (first, second)] == ["a", "b"]
+    assert "INR001" not in [found["code"] for found in first["findings"]]
+    assert "INR001" in [found["code"] for found in second["findings"]]
+    assert text.count("</script>") == 5
+    (viewer,) = re.findall(r'<script type="application/json" id="viewer">(.*?)</script>', text, re.DOTALL)
+    before, after = json.loads(viewer)
+    policy = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', text)
+    framed = re.search(r'http-equiv="Content-Security-Policy" content="([^"]*)"', before)
+    assert policy
+    assert framed
+    assert set(re.findall("sha256-[^']*", framed[1])) < set(re.findall("sha256-[^']*", policy[1]))
+    assert before.count(TITLE) == 2
+    assert after.endswith("</html>\n")
+
+
+def test_many_files_and_those_not_expanded_show_no_robots(tmp_path: Path) -> None:
+    for number in range(MOST_ROBOTS):
+        (tmp_path / f"{number}.urdf").write_text('<robot name="a"><link name="b"/></robot>')
+    assert len(robots_of(lint(tmp_path))) == MOST_ROBOTS
+    assert robots_of(lint(tmp_path, "--no-expand")) == []
+    (tmp_path / "more.urdf").write_text('<robot name="a"><link name="b"/></robot>')
+    assert robots_of(lint(tmp_path)) == []
+
+
+def test_robots_do_not_make_a_report_too_large(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in "ab":
+        (tmp_path / f"{name}.urdf").write_text(f'<robot name="{name}"><link name="b"/></robot>')
+    size = len(json.dumps(robots_of(lint(tmp_path))[0]))
+    monkeypatch.setattr("sdfcheck.report.robots._BYTES", size + 10)
+    assert len(robots_of(lint(tmp_path))) == 1
 
 
 def hunks_of(text: str, *replacements: str) -> list[Hunk]:

@@ -65,6 +65,10 @@ export interface Report {
   sections: { heading: string; fixable: boolean; rows: Row[] }[];
   missing: string[];
   skipped: { file: string; reason: string }[];
+  /** Files of which the page holds the robot. */
+  robots: string[];
+  /** Pages about more files hold none. */
+  mostRobots: number;
   /** Left out of the names of files: see folderOf. */
   folder: string;
 }

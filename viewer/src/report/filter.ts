@@ -2,7 +2,7 @@
 
 import { kindOf, type Finding, type Report } from "./data";
 
-export const VIEWS = ["summary", "findings", "rules", "files"] as const;
+export const VIEWS = ["summary", "findings", "rules", "files", "robots"] as const;
 export type View = (typeof VIEWS)[number];
 
 export const FIXES: Record<string, string> = {

@@ -3,7 +3,7 @@
 import { counted, made, path } from "../made";
 import { nameOf, type Finding, type Report } from "./data";
 import { fill, row } from "./finding";
-import { linkTo } from "./filter";
+import { fragmentOf, linkTo } from "./filter";
 
 const ROWS = 300;
 /** So few findings are shown open. */
@@ -62,8 +62,11 @@ export class List {
       if (finding.file !== this.file || this.group === null) {
         this.file = finding.file;
         const link = linkTo({ file: this.report.places[finding.file]! });
-        this.group = made("section", {},
-          made("h3", {}, made("a", { href: link }, ...path(nameOf(this.report, finding.file)))));
+        const heading = made("h3", {}, made("a", { href: link }, ...path(nameOf(this.report, finding.file))));
+        const place = this.report.places[finding.file]!;
+        if (this.report.robots.includes(place))
+          heading.append(" ", made("a", { class: "robot", href: fragmentOf({ view: "robots", filter: { file: place } }) }, "robot"));
+        this.group = made("section", {}, heading);
         this.element.append(this.group);
       }
       this.group.append(row(this.report, finding));

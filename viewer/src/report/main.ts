@@ -4,6 +4,7 @@ import { counted, made } from "../made";
 import { KIND_NAMES, KINDS, folderOf, kindOf, type Report } from "./data";
 import { FIXES, fragmentOf, Search, stateOf, VIEWS, type Name, type State, type View } from "./filter";
 import { List } from "./list";
+import { Robots } from "./robots";
 import { files, rules, summary } from "./tables";
 
 const report = JSON.parse(document.getElementById("data")!.textContent!) as Report;
@@ -11,8 +12,9 @@ report.folder = folderOf(report.places);
 const main = document.getElementById("main")!;
 const search = new Search(report);
 const list = new List(report);
+const robots = new Robots(report);
 const sections = new Map<View, HTMLElement>();
-const names: Record<View, string> = { summary: "Summary", findings: "Findings", rules: "Rules", files: "Files" };
+const names: Record<View, string> = { summary: "Summary", findings: "Findings", rules: "Rules", files: "Files", robots: "Robots" };
 let state = stateOf(location.hash);
 
 const found = made("p", { role: "status", class: "found" });
@@ -21,12 +23,14 @@ const fields = new Map<Name, HTMLInputElement | HTMLSelectElement>();
 
 function start(): void {
   for (const view of VIEWS) {
+    if (view === "robots" && !report.robots.length) continue;
     const section = made("section", { "data-view": view, "aria-label": names[view] });
     sections.set(view, section);
     main.append(section);
     document.getElementById("views")!.append(made("a", { href: `#view=${view}`, "data-view": view }, names[view]));
   }
   sections.get("findings")!.append(made("h2", { class: "unseen" }, "Findings"), filters(), list.element);
+  sections.get("robots")?.append(made("h2", { class: "unseen" }, "Robots"), robots.element);
   document.getElementById("footer")!.append(
     `Made by sdfcheck ${report.version}. Keys: `, made("kbd", {}, "/"), " search, ", made("kbd", {}, "j"), " ",
     made("kbd", {}, "k"), " next and previous finding, ", made("kbd", {}, "Enter"), " open, ", made("kbd", {}, "Esc"),
@@ -34,7 +38,7 @@ function start(): void {
   addEventListener("hashchange", () => show(stateOf(location.hash)));
   addEventListener("keydown", pressed);
   addEventListener("beforeprint", () => {
-    for (const view of VIEWS) write(view);
+    for (const view of VIEWS) if (view !== "robots") write(view);
     list.unfold();
   });
   show(state);
@@ -44,12 +48,13 @@ function start(): void {
 function write(view: View): void {
   const section = sections.get(view)!;
   if (view === "findings") list.show(search.found(state.filter));
+  else if (view === "robots") robots.show(state.filter.file);
   else if (!section.childElementCount)
     section.append(...{ summary, rules, files }[view](report));
 }
 
 function show(wanted: State): void {
-  state = wanted;
+  state = sections.has(wanted.view) ? wanted : { ...wanted, view: "summary" };
   write(state.view);
   for (const [view, section] of sections) section.classList.toggle("current", view === state.view);
   for (const link of document.querySelectorAll<HTMLElement>("#views a"))

@@ -79,6 +79,8 @@ export function files(report: Report): Node[] {
   return [made("h2", {}, `${counted(byFile.size, "file")} with findings`),
     ...(clean ? [made("p", {}, `${counted(clean, "file")} without findings.`)] : []),
     ...(report.folder ? [made("p", {}, "All are in ", made("code", {}, ...path(report.folder)))] : []),
+    ...(report.files > report.mostRobots
+      ? [made("p", {}, ...prose("`sdfcheck view FILE` shows the robot of one of them in three dimensions."))] : []),
     table(["File", ...KINDS.map((kind) => KIND_NAMES[kind])], rows)];
 }
 
