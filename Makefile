@@ -4,6 +4,7 @@
 # make docs     build the documentation site into build/site; broken links are errors
 # make package  build the source distribution and the wheel into build/dist, and try both
 # make vscode   compile and package the extension for Visual Studio Code (needs node)
+# make picture  draw the terminal of the README again
 # make viewer   build the scripts of the pages for browsers from viewer/ (needs node)
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
@@ -20,7 +21,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo test check layers format format-check lint types generate generated golden docs package vscode viewer bench fuzz mutants clean
+.PHONY: picture demo test check layers format format-check lint types generate generated golden docs package vscode viewer bench fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -93,6 +94,9 @@ package: $(RUNTIME)
 	done
 	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /tests/test_rules.py
 	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /docs/tutorial.md
+
+picture: $(TOOLS)
+	$(BIN)/python -m tables.picture
 
 viewer:
 	cd viewer && npm ci --no-audit --no-fund && npm run check && npm run build

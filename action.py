@@ -30,7 +30,7 @@ def requirement(environment: Mapping[str, str], folder: Path) -> str:
     if version == "latest":
         return "sdfcheck"
     if not _VERSION.fullmatch(version):
-        raise ValueError(f"`{version}` is no version of sdfcheck")
+        raise ValueError(f"`{version}` is not a version of sdfcheck")
     return f"sdfcheck=={version}"
 
 

@@ -40,7 +40,7 @@ def test_what_is_installed(action: ModuleType, version: str, expected: str) -> N
 
 @pytest.mark.parametrize("version", ["1.0 --index-url x", "git+https://example.org/x", "-r x", "1.0; x"])
 def test_only_versions_are_versions(action: ModuleType, version: str) -> None:
-    with pytest.raises(ValueError, match="is no version"):
+    with pytest.raises(ValueError, match="is not a version"):
         action.requirement({"SDFCHECK_VERSION": version}, Path("here"))
 
 

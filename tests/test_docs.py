@@ -8,6 +8,7 @@ import shlex
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -100,3 +101,17 @@ def test_reports_follow_their_schema(capsys: pytest.CaptureFixture[str]) -> None
     assert set(found) == set(schema["$defs"]["diagnostic"]["properties"]), "every key is documented"
     page = (DOCS / "output.md").read_text(encoding="utf-8")
     assert [key for key in (*report, *found, *report["summary"]) if f"`{key}`" not in page] == []
+
+
+def test_the_picture_of_the_readme_is_of_this_version() -> None:
+    from tables.picture import PICTURE, report
+
+    drawn = ElementTree.fromstring(PICTURE.read_text(encoding="utf-8"))
+    rows: dict[float, str] = {}
+    for text in drawn.iter("{http://www.w3.org/2000/svg}text"):
+        if "clip-path" in text.attrib:
+            rows[float(text.attrib["y"])] = rows.get(float(text.attrib["y"]), "") + "".join(text.itertext())
+    drawn_rows = ["".join(row.split()) for _, row in sorted(rows.items())]
+    lines = ["".join(line.split()) for line in re.sub(r"\x1b\[[0-9;]*m", "", report()).splitlines()]
+    assert list(filter(None, drawn_rows)) == list(filter(None, lines)), "run `make picture`"
+    assert "url(" not in PICTURE.read_text(encoding="utf-8").replace("url(#", "")

@@ -16,7 +16,7 @@ from sdfcheck_rules.drk.scaffolds import BOX, JOINT, LINK, MODEL, ROBOT
 
 FAULTS = {
     "EMPTY": "is empty",
-    "NOT_FINITE": "should be {expected}, and `{part}` is none",
+    "NOT_FINITE": "should be {expected}, and `{part}` is not a number",
     "TOO_FEW": "should be {expected}, and has fewer",
     "TOO_MANY": "should be {expected}, and has more: `{part}`",
 }

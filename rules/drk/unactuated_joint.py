@@ -55,7 +55,7 @@ class UnactuatedJoint(Rule):
     bad = (
         Bad(
             DRIVE.format("«transmission_interface/FourBarLinkageTransmission»"),
-            says="`j` has no actuator in Drake: its transmission is no SimpleTransmission",
+            says="`j` has no actuator in Drake: its transmission is not a SimpleTransmission",
         ),
         Bad(
             '<transmission><type>SimpleTransmission</type><joint name="j"/><«actuator»/></transmission>',
@@ -115,7 +115,7 @@ class UnactuatedJoint(Rule):
         elif not kind.text.strip():
             return  # crashes-drake
         elif "SimpleTransmission" not in kind.text:
-            yield self._idle(kind, name, "its transmission is no SimpleTransmission")
+            yield self._idle(kind, name, "its transmission is not a SimpleTransmission")
         elif (lack := _lack(transmission)) is not None:
             yield self._refused(lack[0], name, lack[1])
         elif value is not None and (driven := _joints(transmission.model).get(name)) is not None:

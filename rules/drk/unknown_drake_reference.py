@@ -21,7 +21,7 @@ class UnknownDrakeReference(VendorRule):
 
     Names are those of the model that the element is in. In SDF the members of groups, the groups and the
     frames may be reached in nested models (`arm::hand`), the bodies and joints of constraints may not, and
-    in URDF there are no scoped names. The world is none of a model's links.
+    in URDF there are no scoped names. The world is not a link of a model.
     """
 
     code = "DRK007"

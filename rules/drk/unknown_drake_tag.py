@@ -5,7 +5,7 @@ from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 
 class UnknownDrakeTag(VendorRule):
-    """An element or attribute with the prefix `drake:` is none of Drake's.
+    """An element or attribute with the prefix `drake:` is unknown to Drake.
 
     In most parents of an SDF file Drake refuses what it does not know in its own
     prefix. In URDF files, and in some parents in SDF (`axis`, `inertial`, `mesh`, …), it

@@ -40,7 +40,7 @@ class DetachedFrame(Rule):
         Good(
             '<model name="stand"><link name="l"/></model>'
             '<joint name="j" type="fixed"><parent>stand</parent><child>base</child></joint>',
-            why="a model that moves stands for its canonical link",
+            why="a model that moves is placed by its canonical link",
         ),
     )
 

@@ -9,7 +9,7 @@ class FrameCycle(Rule):
     """Frames are attached to, or placed relative to, each other in a ring.
 
     None of them leads to a link or to the model's own frame, so where they are and what
-    they move with cannot be told. A joint counts too: it is placed at its child. libsdformat
+    they move with is undefined. A joint counts too: it is placed at its child. libsdformat
     refuses the file with one error for every member of the ring; here it is one for the ring.
     """
 

@@ -27,8 +27,8 @@ class NonUnitQuaternion(Rule):
     """The quaternion of a pose does not have the length 1.
 
     libsdformat takes it as it is, so what becomes of it differs from program to program: some
-    make it of unit length, as Drake does, others stretch what they turn. One of four zeros is no
-    rotation at all, and Drake refuses the file for it.
+    make it of unit length, as Drake does, others stretch what they turn. Four zeros are not a
+    rotation, and Drake refuses the file for it.
     """
 
     code = "FRM007"
@@ -82,7 +82,7 @@ class NonUnitQuaternion(Rule):
         length = math.hypot(*numbers)
         if length == 0:
             fix = make_fix("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
-            message = "the quaternion is zero, which is no rotation"
+            message = "the quaternion is zero, which is not a rotation"
             affects = {Consumer.DRAKE: REFUSES}
             yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR, affects=affects)
             return

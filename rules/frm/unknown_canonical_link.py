@@ -23,7 +23,7 @@ class UnknownCanonicalLink(Rule):
             '<model name="m" canonical_link="«bsae»"><link name="base"/></model>',
             fixed='<model name="m" canonical_link="base"><link name="base"/></model>',
             unsafe=True,
-            says="`bsae` is no link of model `m`; did you mean `base`?",
+            says="`bsae` is not a link of model `m`; did you mean `base`?",
         ),
         Bad(
             '<model name="m" canonical_link="«tool»"><link name="base"/><frame name="tool"/></model>',
@@ -52,7 +52,7 @@ class UnknownCanonicalLink(Rule):
         if node is not None:
             yield self.diagnostic(value, f"`{name}` is a {node.kind}, not a link")
             return
-        message = f"`{name}` is no link of {model.title}"
+        message = f"`{name}` is not a link of {model.title}"
         meant = model.guess(name, kind="link").meant
         if meant is None:
             yield self.diagnostic(value, message)

@@ -42,7 +42,7 @@ class UnknownFrame(Rule):
             '<frame name="tool" attached_to="«bsae»"/>',
             fixed='<frame name="tool" attached_to="base"/>',
             unsafe=True,
-            says="`attached_to` names `bsae`, which is no frame of model `m`; did you mean `base`?",
+            says="`attached_to` names `bsae`, which is not a frame of model `m`; did you mean `base`?",
         ),
         Bad(
             '<link name="arm"><visual name="v"><pose relative_to="«elbow»">0 0 1 0 0 0</pose>'
@@ -60,7 +60,9 @@ class UnknownFrame(Rule):
             '<model name="gripper"><link name="palm"><pose relative_to="«base»"/></link></model>',
             says="it is defined outside, out of reach",
         ),
-        Bad('<frame name="origin" attached_to="«world»"/>', says="`world`, which is no frame of model `m`"),
+        Bad(
+            '<frame name="origin" attached_to="«world»"/>', says="`world`, which is not a frame of model `m`"
+        ),
         Bad(
             '<sdf version="1.5"><model name="m"><link name="base">'
             '<pose frame="«tool»">0 0 1 0 0 0</pose></link></model></sdf>',
@@ -98,7 +100,7 @@ class UnknownFrame(Rule):
             return
         affects = _affects(reference)
         guess = scope.guess(name, but=(reference.owner_element.attributes.get("name", ""),))
-        message = f"`{reference.value.attribute}` names `{name}`, which is no frame of {scope.title}"
+        message = f"`{reference.value.attribute}` names `{name}`, which is not a frame of {scope.title}"
         if (meant := guess.meant) is not None:
             is_deeper = meant.endswith(f"::{name}")
             message += (

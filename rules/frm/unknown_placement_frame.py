@@ -8,7 +8,7 @@ class UnknownPlacementFrame(Rule):
 
     With `placement_frame` the pose of a model or include says where this frame is, instead
     of the model's own. It can be any frame, link, joint or nested model of the model
-    (SDFormat 1.8). libsdformat refuses the file if it is none of them.
+    (SDFormat 1.8). libsdformat refuses the file otherwise.
     """
 
     code = "FRM004"
@@ -24,7 +24,7 @@ class UnknownPlacementFrame(Rule):
     bad = (
         Bad(
             '<model name="m" placement_frame="«foot»"><pose>0 0 1 0 0 0</pose><link name="base"/></model>',
-            says="`foot` is no frame of the model that is to be placed by it",
+            says="`foot` is not a frame of the model that is to be placed by it",
         ),
         Bad(
             '<model name="m" placement_frame="«bsae»"><link name="base"/></model>',
@@ -52,7 +52,7 @@ class UnknownPlacementFrame(Rule):
         if value is None or model is None:
             return
         name = value.text.strip()
-        message = f"`{name}` is no frame of the model that is to be placed by it"
+        message = f"`{name}` is not a frame of the model that is to be placed by it"
         meant = model.guess(name).meant
         if meant is None:
             yield self.diagnostic(value, message)

@@ -16,7 +16,7 @@ class ImpossibleInertia(Rule):
     """Principal moments break the triangle inequality, which no distribution of mass can.
 
     However a mass is spread, each principal moment of inertia is at most the sum of the
-    other two. libsdformat refuses the model, MuJoCo unless told otherwise; Drake takes a solid sphere
+    other two. libsdformat refuses the model, MuJoCo unless configured otherwise; Drake takes a solid sphere
     in place of the inertia. In URDF libsdformat merges links that fixed joints tie together first, and
     judges the sum.
     """

@@ -6,7 +6,7 @@ from sdfcheck_rules.inr.ratios import times
 
 
 class PlaceholderInertia(Rule):
-    """The unit inertia stands for a body that it cannot belong to.
+    """A link has the unit inertia, which cannot be that of its body.
 
     Moments of 1 kg·m² are what exporters write and consumers take when nobody gave any. For a
     link of this mass and size they are off by more than a hundredfold: it will hardly turn.

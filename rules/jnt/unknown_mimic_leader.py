@@ -40,7 +40,7 @@ class UnknownMimicLeader(Rule):
     bad = (
         Bad(
             '<axis><xyz>0 0 1</xyz><mimic joint="«elbow»"><multiplier>1</multiplier></mimic></axis>',
-            says="joint `j` mimics `elbow`, which is no joint of its model",
+            says="joint `j` mimics `elbow`, which is not a joint of its model",
         ),
         Bad(
             '<axis><xyz>0 0 1</xyz><mimic joint="k" axis="«axis2»"><multiplier>1</multiplier></mimic></axis>'
@@ -49,7 +49,9 @@ class UnknownMimicLeader(Rule):
             says="joint `j` mimics `axis2` of a joint that has no such axis",
         ),
         Bad(
-            f'<mimic joint="«elbow»"/>{_LIMIT}', scaffold=IN_URDF_JOINT, says="which is no joint of its model"
+            f'<mimic joint="«elbow»"/>{_LIMIT}',
+            scaffold=IN_URDF_JOINT,
+            says="which is not a joint of its model",
         ),
         Bad(
             f'{_LIMIT}</joint><link name="hand"/><joint name="wrist" type="revolute"><parent link="arm"/>'
@@ -88,7 +90,7 @@ class UnknownMimicLeader(Rule):
             message = f"{joint.title} mimics `{mimic.leader_axis}` of a joint that has no such axis"
             yield self.diagnostic(mimic.attribute("axis") or value, message)
             return
-        message = f"{joint.title} mimics `{mimic.leader_name}`, which is no joint of its model"
+        message = f"{joint.title} mimics `{mimic.leader_name}`, which is not a joint of its model"
         meant = mimic.leader_guess
         if meant is None:
             yield self.diagnostic(value, message)

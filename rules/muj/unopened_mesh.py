@@ -67,7 +67,7 @@ class UnopenedMesh(Rule):
 
 
 def _by_scheme(model: Model) -> dict[str, list[Value]]:
-    """The meshes whose address has a scheme, unless MuJoCo is told to take the name of the file alone."""
+    """The meshes whose address has a scheme, unless MuJoCo is set to take the name of the file alone."""
     found: dict[str, list[Value]] = {}
     if not model.is_urdf or compiler(model).get("strippath") == "true":
         return found

@@ -62,7 +62,9 @@ class ClashingName(Rule):
         ),
     )
     good = (
-        Good('<link name="arm"><sensor name="arm" type="imu"/></link>', why="a child is no sibling"),
+        Good(
+            '<link name="arm"><sensor name="arm" type="imu"/></link>', why="parent and child may share a name"
+        ),
         Good('<plugin name="base" filename="p"/>', why="the names of plugins are free"),
     )
 

@@ -25,7 +25,7 @@ class ShadowedPrefix(Rule):
         Bad(
             '<sdf version="1.12" xmlns:p="https://example.org/p" «xmlns:q»="https://example.org/p">'
             '<world name="w" p:kind="2d" q:size="3"/></sdf>',
-            says="prefix `q` stands for the same namespace as `p`",
+            says="prefix `q` is bound to the same namespace as `p`",
         ),
     )
     good = (
@@ -48,5 +48,5 @@ class ShadowedPrefix(Rule):
             message = f"prefix `{prefix}` gets another name inside its own scope"
             yield self.diagnostic(declaration, message, labels={outer: "declared with another name here"})
         elif twin is not None:
-            message = f"prefix `{prefix}` stands for the same namespace as `{twin.prefix}`"
+            message = f"prefix `{prefix}` is bound to the same namespace as `{twin.prefix}`"
             yield self.diagnostic(declaration, message, labels={twin: "the other prefix"})

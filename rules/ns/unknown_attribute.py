@@ -24,7 +24,7 @@ class UnknownAttribute(Rule):
     and goes on as if the attribute were not there; Drake refuses the file. It is a warning
     anyway, since what is somebody's own harms nobody in Gazebo, for which most files
     are written. For Drake, set it to `error` under `[severity]`. Where the
-    slip leaves out what is required, it is an error.
+    misspelling leaves out what is required, it is an error.
     """
 
     code = "NS001"

@@ -1,4 +1,4 @@
-"""ros2_control: the hardware behind the joints of a robot."""
+"""ros2_control: the hardware of the joints of a robot."""
 
 SOURCES = (
     "https://control.ros.org/rolling/doc/ros2_control/hardware_interface/doc/hardware_components_userdoc.html",

@@ -12,7 +12,7 @@ BLOCKS = (
 class ContestedControlInterface(Rule):
     """Two `ros2_control` blocks claim the same interface of a joint.
 
-    Up to iron the second block's is hidden behind the first in silence. From jazzy on a second command
+    Up to iron the second block's is hidden by the first without a message. From jazzy on a second command
     interface makes its block lose its commands, and often all hardware is given up; a state is kept once,
     with a warning. Two blocks may share a joint if one of them reads it and the other one drives it.
     """

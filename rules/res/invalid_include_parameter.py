@@ -61,7 +61,7 @@ class InvalidIncludeParameter(Rule):
         ),
         Bad('<link element_id="«base::skin»" action="remove"/>', files=ARM, says="is a visual, not a link"),
         Bad('<frame element_id="«top»" name="f" action="add"/>', files=ARM, says="no `top`"),
-        Bad('<«glow» element_id="base" action="modify"/>', files=ARM, says="`glow` is no element"),
+        Bad('<«glow» element_id="base" action="modify"/>', files=ARM, says="`glow` is not an element"),
         Bad('<link element_id="base"><«gravity»>0</gravity></link>', files=ARM, says="has an `action`"),
         Bad(
             '<link element_id="base"><«gravity» action="modify">0</gravity></link>',
@@ -117,7 +117,7 @@ class InvalidIncludeParameter(Rule):
             ParameterFault.NOTHING: f"the included model has no {entry.name} `{text}`",
             ParameterFault.OTHER_KIND: f"`{text}` is a {other}, not a {entry.name}",
             ParameterFault.NO_PARENT: f"the included model has no `{text}` to add something to",
-            ParameterFault.UNKNOWN_ENTRY: f"`{name}` is no element that can be named here",
+            ParameterFault.UNKNOWN_ENTRY: f"`{name}` is not an element that can be named here",
             ParameterFault.NO_CHILD_ACTION: f"neither this `{name}` nor its parent has an `action`",
             ParameterFault.ABSENT_CHILD: f"{other} has no `{text or name}` in the included file",
             ParameterFault.UNKNOWN_CHILD: f"`{other}` may not hold `{name}`",

@@ -24,7 +24,7 @@ class UnportableMeshUri(Rule):
 
     ROS programs such as RViz know `package://`, `file://` and web addresses; a relative
     path or `model://` shows no mesh there. Drake, MuJoCo and Gazebo do resolve relative
-    paths. Told once for each kind of address.
+    paths. Reported once for each kind of address.
     """
 
     code = "RES013"

@@ -22,7 +22,7 @@ INERTIAL = (
 )
 
 WORDS = {
-    "BLANK": "`{name}` holds a space that is not between numbers, or that is no space",
+    "BLANK": "`{name}` holds a space that is not between numbers, or that is not a space",
     "COMMA": "`{name}` should be {expected}, separated by spaces and not by commas",
     "EXPRESSION": "`{name}` holds an expression that nothing has expanded",
     "FRACTION": "`{name}` should be {expected}, and `{part}` is a fraction",
@@ -82,7 +82,7 @@ class MalformedValue(Rule):
             unsafe=True,
             says="`gravity` should be true or false, not `yes`; did you mean `true`?",
         ),
-        Bad("<pose>0 0 «high» 0 0 0</pose>", says="`pose` should be 6 numbers, and `high` is none"),
+        Bad("<pose>0 0 «high» 0 0 0</pose>", says="`pose` should be 6 numbers, and `high` is not a number"),
         Bad("<pose>«0 0 ${z} 0 0 0»</pose>", says="`pose` holds an expression that nothing has expanded"),
         Bad(
             "<pose>«0,0,1,0,0,0»</pose>",
@@ -127,7 +127,7 @@ class MalformedValue(Rule):
         elif part == value.text.strip():
             message = f"`{name}` should be {reading.expected}, not `{part}`"
         else:
-            message = f"`{name}` should be {reading.expected}, and `{part}` is none"
+            message = f"`{name}` should be {reading.expected}, and `{part}` is not a number"
         meant = MEANT.get(reading.cause.name, _nothing)(part, reading.expected)
         if meant is not None:
             message += f"; did you mean `{meant}`?"

@@ -30,7 +30,7 @@ NOISY = (
 
 
 class UnknownChoice(Rule):
-    """A value is none of those that its place knows.
+    """A value is not one of those that its place knows.
 
     libsdformat refuses unknown types of joints, sensors, lights and noise, unknown image
     formats and the like; case counts in most of them. What it keeps as it is (a

@@ -33,7 +33,7 @@ class DisconnectedLink(Rule):
             '<link name="«lower_lge»"/><link name="foot"/>'
             '<joint name="j" type="fixed"><parent link="base"/><child link="lower_leg"/></joint>'
             '<joint name="k" type="fixed"><parent link="lower_leg"/><child link="foot"/></joint>',
-            says="and 2 name `lower_leg`, which is none",
+            says="and 2 name `lower_leg`, which does not exist",
         ),
     )
     good = (
@@ -53,7 +53,9 @@ class DisconnectedLink(Rule):
         names, tree = robot.link_names, robot.tree
         for meant, link in names.misspelled.items():
             ends = names.unknown[meant]
-            message = f"no joint names link `{link.name}`, and {len(ends)} name `{meant}`, which is none"
+            message = (
+                f"no joint names link `{link.name}`, and {len(ends)} name `{meant}`, which does not exist"
+            )
             yield self.diagnostic(
                 link.name_value or link,
                 message,

@@ -30,7 +30,7 @@ class MasslessMovingLink(Rule):
     libsdformat drops the link and all that hangs on it; in Drake its joint makes the mass
     matrix singular, and the simulation fails. A link counts as massless when it and all links that
     fixed joints tie to it from below have no more than 1e-6 kg together. The same holds below a fixed
-    joint that libsdformat is told to keep. Where such a link has another one fixed to it, libsdformat
+    joint that libsdformat has to keep. Where such a link has another one fixed to it, libsdformat
     17 refuses the file.
     """
 

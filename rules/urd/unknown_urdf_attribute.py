@@ -22,7 +22,7 @@ class UnknownUrdfAttribute(Rule):
     """An attribute that no consumer of URDF looks for is given.
 
     All of them ignore it in silence and take the default of what was meant, if there
-    is one. Attributes with a prefix are free. Where the slip leaves something out that is
+    is one. Attributes with a prefix are free. Where the misspelling leaves something out that is
     required, this is an error.
     """
 

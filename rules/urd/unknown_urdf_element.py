@@ -22,10 +22,10 @@ SHAPE = '<geometry><sphere radius="1"/></geometry>'
 class UnknownUrdfElement(Rule):
     """An element that no consumer of URDF looks for is in the description.
 
-    All of them ignore it in silence, with everything in it, so that a slip in a
+    All of them ignore it in silence, with everything in it, so that a misspelling of a
     name costs the robot a mass, a limit or a shape in silence. Elements
     with a prefix are free, and so is what is inside `gazebo`, `transmission` and
-    `ros2_control`. Where the slip leaves something out that is required, this is an error.
+    `ros2_control`. Where the misspelling leaves something out that is required, this is an error.
     """
 
     code = "URD001"

@@ -5,7 +5,7 @@ from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
 class MissingXacroPrefix(Rule):
-    """An element of xacro's own stands without the prefix `xacro:`.
+    """An element of xacro lacks the prefix `xacro:`.
 
     Since ROS Noetic xacro leaves it in the description as it is, where no consumer knows
     it: the property is not defined, the macro not called, the block not inserted.

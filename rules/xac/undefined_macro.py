@@ -8,7 +8,7 @@ from sdfcheck_rules.xac.undefined import report
 class UndefinedMacro(Rule):
     """A macro is called that is defined neither here nor in an included file.
 
-    xacro stops at an element with its prefix that is none of its own and no macro. In
+    xacro stops at an element with its prefix that is neither its own nor a macro. In
     a macro library a call is reported only if no file of the project defines the macro
     and a known name is close to it: who includes the library may bring the rest.
     """

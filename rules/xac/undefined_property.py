@@ -6,7 +6,7 @@ from sdfcheck_rules.xac.undefined import report
 
 
 class UndefinedProperty(Rule):
-    """An expression uses a name that is no property, macro parameter or function of xacro.
+    """An expression uses a name that is not a property, macro parameter or function of xacro.
 
     Properties are evaluated when they are first used, so a misspelled name may lie
     dormant until a macro is called in another way. The diagnostic is in the

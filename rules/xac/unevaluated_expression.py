@@ -5,7 +5,7 @@ from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
 class UnevaluatedExpression(Rule):
-    """Something looks like an expression of xacro and is none.
+    """Something looks like an expression of xacro but is not one.
 
     Braces without a dollar sign stay as they are, so that a link is called `{side}_wheel`
     in the robot. For an expression without its end xacro 2 stops; older versions drop all that follows.

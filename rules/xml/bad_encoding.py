@@ -27,7 +27,7 @@ class BadEncoding(Rule):
         Bad(
             '<?xml version="1.0" encoding="«utf8mb4»"?><sdf version="1.12"><world name="w"/></sdf>',
             fixed='<?xml version="1.0" encoding="UTF-8"?><sdf version="1.12"><world name="w"/></sdf>',
-            says="`utf8mb4` is no encoding",
+            says="`utf8mb4` is not an encoding",
         ),
     )
     good = (
@@ -47,7 +47,7 @@ class BadEncoding(Rule):
         else:
             message = f"the file is declared as {declared}, and is {actual}"
             if kind is Kind.UNKNOWN_ENCODING:
-                message = f"`{declared}` is no encoding that XML parsers know; the text is {actual}"
+                message = f"`{declared}` is not an encoding that XML parsers know; the text is {actual}"
             yield self.diagnostic(
                 problem.span, message, fix=replace(problem.span, actual, f"declare {actual}")
             )

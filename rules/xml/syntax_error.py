@@ -27,7 +27,7 @@ MESSAGES = {
     Kind.TRUNCATED: "the file ends inside `{text}`",
     Kind.UNCLOSED_TAG: "`>` is missing at the end of the tag `<{name}`",
     Kind.BLANK_IN_TAG: "a space between `<` and `{name}`",
-    Kind.ODD_BLANK: "{name} in a tag looks like a space and is none for XML",
+    Kind.ODD_BLANK: "{name} in a tag looks like a space but is not one for XML",
     Kind.CROWDED_END_TAG: "an end tag holds only its name, not `{text}`",
     Kind.UNCLOSED_COMMENT: "`-->` is missing at the end of a comment",
     Kind.NESTED_COMMENT: "a comment begins inside a comment",

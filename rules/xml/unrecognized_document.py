@@ -14,9 +14,9 @@ from sdfcheck import (
 
 
 class UnrecognizedDocument(Rule):
-    """The file is none of SDFormat, URDF, xacro and model.config.
+    """The file is not SDFormat, URDF, xacro or model.config.
 
-    They are told by their root element: `sdf`, `robot`, `model`. Other formats share
+    They are recognized by their root element: `sdf`, `robot`, `model`. Other formats share
     the suffix `.sdf`: chemical structures, timing of circuits, templates of any kind.
     """
 

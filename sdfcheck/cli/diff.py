@@ -59,7 +59,7 @@ def diff(**given: Any) -> int:
     A and B may be of different formats: SDFormat, URDF, xacro. What is compared are
     models, links, joints and frames: poses, masses and inertias, shapes, axes, limits,
     dynamics, mimicking; and what else they have: materials, surfaces, sensors, lights,
-    plugins, physics, custom data. A default that is written out is no difference.
+    plugins, physics, custom data. A default that is written out is not a difference.
     Exit code 0: the same robot; 1: another one; 2: could not compare.
     """
     surroundings = around(given)

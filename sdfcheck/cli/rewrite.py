@@ -51,7 +51,9 @@ def work(request: Request) -> Work:
     from sdfcheck.lint.suppress.add_ignores import add_ignores
 
     if "--" in request.reason or request.reason.endswith("-") or not request.reason.isprintable():
-        raise WrongUsage("--reason cannot be in a comment: it has `--`, ends with `-` or is no line of text")
+        raise WrongUsage(
+            "--reason cannot be in a comment: it has `--`, ends with `-` or is not a line of text"
+        )
     return Work("silence", "silenced", partial(add_ignores, reason=request.reason.strip()))
 
 

@@ -43,7 +43,7 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
     elif isinstance(at, Value) and _NUMBERS.fullmatch(at.text.strip()):
         found[Consumer.DRAKE] = warns("reads the number at its beginning")
     if isinstance(at, Value) and "nan" in at.text.lower().split():
-        found[Consumer.MUJOCO] = warns("takes what is no number")
+        found[Consumer.MUJOCO] = warns("takes the nan")
     return found
 
 

@@ -62,7 +62,7 @@ def _to_sdf(document: Document, version: Version, *, verify: bool) -> Conversion
 def _version(text: str | None) -> Version:
     version = NEWEST if text is None else Version.parse(text)
     if version is None or not Version(1, 4) <= version <= NEWEST:
-        raise WrongUsage(f"`{text}` is no version of SDFormat from 1.4 to {NEWEST}")
+        raise WrongUsage(f"`{text}` is not a version of SDFormat from 1.4 to {NEWEST}")
     return version
 
 

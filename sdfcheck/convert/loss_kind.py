@@ -105,7 +105,7 @@ class LossKind(Enum):
         "massless-link",
         (
             "A link has no mass, which simulators drop or refuse; a very small mass is written, or the "
-            "simulator is told to compute one."
+            "simulator has to compute one."
         ),
     )
     CHANGED_COLOR = (
@@ -160,7 +160,7 @@ class LossKind(Enum):
         "changed-uri",
         (
             "The address of a file is written in the way in which consumers of the target look for it; they "
-            "must be told where that is."
+            "must know where that is."
         ),
     )
     UNKNOWN_REFERENCE = (

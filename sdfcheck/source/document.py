@@ -112,7 +112,7 @@ class Document:
         if self._spans is None:
             from sdfcheck.source.spans import Spans
 
-            assert self.root is not None, "spans belong to elements, and there is none"
+            assert self.root is not None, "a document without elements has no spans"
             self._spans = Spans(self.source, self.scan, self.root)
         return self._spans
 

@@ -249,7 +249,7 @@ class ExpandedDocument(Document):
     @property
     def spans(self) -> OriginSpans:
         if self._spans is None:
-            assert self.root is not None, "spans belong to elements, and there is none"
+            assert self.root is not None, "a document without elements has no spans"
             self._spans = OriginSpans(self.provenance, self.source, self.scan, self.root)
         assert isinstance(self._spans, OriginSpans)
         return self._spans

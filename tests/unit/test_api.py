@@ -219,7 +219,7 @@ def test_converting_between_versions() -> None:
         ("mjcf", {}, "URDF is not converted to `mjcf`"),
         ("urdf", {}, "URDF is not converted to `urdf`"),
         ("sdf", {"model": "m"}, "URDF is not converted to `sdf`, model m"),
-        ("sdf", {"version": "1.99"}, "`1.99` is no version of SDFormat from 1.4 to 1.12"),
+        ("sdf", {"version": "1.99"}, "`1.99` is not a version of SDFormat from 1.4 to 1.12"),
     ],
 )
 def test_what_cannot_be_converted_is_said(to: str, options: dict[str, str], message: str) -> None:

@@ -78,7 +78,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
     root = document.root
     assert root is not None
     if root.name != "sdf" or Version.parse(document.version or "") is None:
-        raise refusal(root, f"version {document.version!r} is none that can be converted")
+        raise refusal(root, f"version {document.version!r} cannot be converted")
     if not target >= LOWEST:
         raise refusal(root, f"{target} is older than anything that can be written")
     migration = Migration(document, target, to_sdf, keep_unknown=keep_unknown)

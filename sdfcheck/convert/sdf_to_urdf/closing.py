@@ -19,7 +19,7 @@ def close(context: Context, models: list[Element]) -> None:
         carry_around(context, context.root, at)
         at = at.parent
     for other in others(context.scope.place.document, context.scope):
-        message = f"{other.title} is no part of model `{context.scope.name}`"
+        message = f"{other.title} is not a part of model `{context.scope.name}`"
         context.ledger.lose(LossKind.DROPPED_ELEMENT, other, message)
     for model in models:
         around = model.parent

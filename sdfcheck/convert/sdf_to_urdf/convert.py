@@ -164,7 +164,7 @@ def _in_order(context: Context) -> list[str]:
 
 
 def _add_root(context: Context) -> None:
-    """The root of the URDF, where it is no link of the model: the world, or a base for several trees."""
+    """The root of the URDF, where it is not a link of the model: the world, or a base for several trees."""
     made, scope = context.made, context.scope
     element = scope.element
     pose = element.find("pose")

@@ -198,7 +198,7 @@ class Joints:
         if not self.context.options.has_mimic:
             reason = f"SDFormat {self.context.options.version} has no mimic joints"
         elif leader is None or leader.kind not in _KINDS or leader.kind == "fixed":
-            reason = f"`{name}` is no joint that moves"
+            reason = f"`{name}` is not a joint that moves"
         else:
             made = node.add("mimic", None, joint=plan.names.joints[name])
             made.add("multiplier", spaced(mimic.attributes.get("multiplier", "1")))

@@ -113,7 +113,7 @@ class Links:
         if shape is None or not (shape.name in {"mesh", *_OF_VENDORS} or shape.name in _SHAPES):
             context.dropped_shapes.add(shape.name if shape is not None else "")
             kind = f"<{shape.name}>" if shape is not None else "no shape"
-            text = f"the {part.name} of link `{survivor}` has {kind}, which is none of URDF's shapes"
+            text = f"the {part.name} of link `{survivor}` has {kind}, which is not a shape of URDF"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
         elif not context.allows(f"link/{part.name}/geometry/{name}"):
             context.dropped_shapes.add(name)

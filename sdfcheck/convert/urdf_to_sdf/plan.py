@@ -195,7 +195,7 @@ def _supply(made: Plan, link: Link, options: Options) -> None:
     solid = any(g.role == "collision" and g.kind != "mesh" for g in link.geometries)
     if options.massless is Massless.AUTO and options.has_mimic and solid:
         made.automatic.add(name)
-        text = f"link `{name}` has no mass; the simulator is told to compute it from the collisions"
+        text = f"link `{name}` has no mass; the simulator has to compute it from the collisions"
     else:
         made.bodies[name] = SMALL
         text = f"link `{name}` has no mass; it gets {SMALL.mass:g} kg"

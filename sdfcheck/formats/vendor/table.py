@@ -147,7 +147,7 @@ def _keys(fields: list[str]) -> list[tuple[str, str]]:
     for field in filter(None, fields):
         key, sign, value = field.partition("=")
         if not sign:
-            raise BadTable(f"`{field}` is no key=value")
+            raise BadTable(f"`{field}` is not key=value")
         found.append((key, value))
     return found
 
@@ -155,10 +155,10 @@ def _keys(fields: list[str]) -> list[tuple[str, str]]:
 def _known(word: str) -> Effect:
     effect = Effect.of(word)
     if effect.outcome is Outcome.READ:
-        raise BadTable(f"`{word}` is none of {', '.join(outcome.value for outcome in Outcome)}")
+        raise BadTable(f"`{word}` is not one of {', '.join(outcome.value for outcome in Outcome)}")
     return effect
 
 
 def _check_type(word: str) -> None:
     if word not in TYPES:
-        raise BadTable(f"`{word}` is no type: {', '.join(sorted(filter(None, TYPES)))}")
+        raise BadTable(f"`{word}` is not a type: {', '.join(sorted(filter(None, TYPES)))}")

@@ -151,7 +151,7 @@ def _pattern(file: ConfigFile, field: Field, glob: str) -> Pattern:
     try:
         return Pattern(file.root, glob)
     except ValueError:
-        raise file.error(f"`{glob}` is no pattern", field.key, glob) from None
+        raise file.error(f"`{glob}` is not a pattern", field.key, glob) from None
 
 
 def _path(file: ConfigFile, field: Field, value: object, *keys: str) -> Path:

@@ -45,7 +45,7 @@ def read(path: Path) -> Mapping[Key, int]:
     except OSError as error:
         raise WrongUsage(f"cannot read {path}: {error.strerror}; --write-baseline makes one") from None
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        raise WrongUsage(f"{path} is no baseline") from None
+        raise WrongUsage(f"{path} is not a baseline") from None
 
 
 def render(run: Run, path: Path) -> str:

@@ -35,7 +35,7 @@ class MalformedSuppression:
 
     The directives are ``ignore[…]`` for the next element, ``disable[…]`` and
     ``enable[…]`` for what is between them, and ``ignore-file`` (all rules) or
-    ``ignore-file[…]`` for the whole file; in brackets stand codes, names or families.
+    ``ignore-file[…]`` for the whole file; the brackets hold codes, names or families.
     """
 
     code = "SUP002"

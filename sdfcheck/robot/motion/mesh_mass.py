@@ -28,7 +28,7 @@ def mesh_body(mesh: Element, density: float) -> MassProperties:
     except ImportError:
         raise MeshError("meshes need trimesh (install the extra `mesh`)") from None
     if mesh.has("submesh"):
-        raise MeshError("a submesh is not told apart from its file")
+        raise MeshError("the mass of a submesh cannot be computed")
     written = mesh.value("uri") or mesh.value("filename")
     uri = written.text.strip() if written is not None else ""
     path = locate(mesh.document, uri).path if uri else None

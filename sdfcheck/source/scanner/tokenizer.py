@@ -184,7 +184,7 @@ class _Tokenizer:
         match = _DECLARATION.match(text, at)
         assert match
         end = match.end()
-        self.defect(SyntaxKind.OTHER, at, at + 2, "this is no comment, CDATA section or document type")
+        self.defect(SyntaxKind.OTHER, at, at + 2, "this is not a comment, CDATA section or document type")
         self.pieces.append(Token(TokenKind.OTHER, at, end))
         return end
 

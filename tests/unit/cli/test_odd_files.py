@@ -117,4 +117,4 @@ def test_a_deeply_nested_configuration_is_named(
 def test_a_deeply_nested_baseline_is_none(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "known.json").write_text('{"a":' * 100_000)
     assert main(["lint", "a.sdf", "--baseline", "known.json"]) == 2
-    assert capsys.readouterr().err == "error: known.json is no baseline\n"
+    assert capsys.readouterr().err == "error: known.json is not a baseline\n"

@@ -220,7 +220,7 @@ def test_declaring_again_with_the_same_name_shadows_nothing() -> None:
 
 def test_two_prefixes_for_one_name() -> None:
     diagnostic = only('<sdf xmlns:p="u" xmlns:q="u"><p:a/><q:a/></sdf>', SHADOWED)
-    assert "`q` stands for the same namespace as `p`" in diagnostic.message
+    assert "`q` is bound to the same namespace as `p`" in diagnostic.message
     assert [label.span.start for label in diagnostic.labels] == [5]
 
 

@@ -164,7 +164,7 @@ def test_extending_in_a_circle_is_refused(tmp_path: Path) -> None:
         ("[packages]\nx = 3", ":2: `x` of `packages` should be a path"),
         ('[xacro]\n"a.xacro" = 3', ":2: `a.xacro` of `xacro` should be a table of texts"),
         ('target = ["gazbo"]', ":1: unknown target `gazbo`, did you mean `gazebo`?"),
-        ('exclude = [\n  "a",\n  "!",\n]', ":3: `!` is no pattern"),
+        ('exclude = [\n  "a",\n  "!",\n]', ":3: `!` is not a pattern"),
         ("extend = 3", ":1: `extend` should be a path"),
         ('\n\nextend = "gone.toml"', ":3: no such file: "),
         ("a = 1\nb =\n", ":2: invalid value"),

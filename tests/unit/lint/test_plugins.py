@@ -85,7 +85,7 @@ def line_of(text: str, part: str) -> int:
         ("good = ()", "good = ()", "has no `good` example"),
         ("bad = Bad('x')", "bad = Bad", "`bad` should be a tuple of Bad(…): a comma is missing after it"),
         ("bad = ('x',)", "bad = ('x'", "`bad` should be a tuple of Bad(…)"),
-        ("bad = (Bad(5),)", "bad = (Bad(5)", "`bad` has an example that is no text: 5"),
+        ("bad = (Bad(5),)", "bad = (Bad(5)", "`bad` has an example that is not a text: 5"),
         ("severity = 'high'", "severity = 'high'", "`severity` should be a Severity, such as"),
         ("severity = None", "severity = None", "has no `severity`"),
         ("code = 'tst2'", "code = 'tst2'", "`code` should be capitals and three digits"),

@@ -107,9 +107,9 @@ def test_without_the_pack_its_prefix_is_free() -> None:
     ("table", "reason"),
     [
         ("x\tdouble\n", "the line `vendor` comes first"),
-        ("vendor\tX\turi\nx\tdubble\n", "2: `dubble` is no type"),
+        ("vendor\tX\turi\nx\tdubble\n", "2: `dubble` is not a type"),
         ("vendor\tX\turi\nx\tdouble\n sdg\tmodel\n", "3: `sdg` is neither sdf, urdf"),
-        ("vendor\tX\turi\nx\tdouble\n sdf\tmodel\ttext\t0\trange\n", "3: `range` is no key=value"),
+        ("vendor\tX\turi\nx\tdouble\n sdf\tmodel\ttext\t0\trange\n", "3: `range` is not key=value"),
         ("vendor\tX\turi\nx\tdouble\t\trange=low\n sdf\tmodel\ttext\t0\n", "3: not understood"),
         ("vendor\tX\turi\nx\nx\n", "3: x:x is there already"),
         ("vendor\tX\turi\nx\tdouble\t\tdiffers=:y\n", "x.vendor.txt: x:x refers to x:y, which is not there"),

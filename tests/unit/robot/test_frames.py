@@ -160,7 +160,7 @@ def test_canonical_links_are_links(name: str, kind: str | None) -> None:
     text = '<frame name="f"/><model name="n"><link name="l"/></model>'
     (diagnostic,) = reported(model(text, f' canonical_link="{name}"'), "FRM003")
     assert diagnostic.message == (
-        f"`{name}` is a {kind}, not a link" if kind else "`q` is no link of model `m`"
+        f"`{name}` is a {kind}, not a link" if kind else "`q` is not a link of model `m`"
     )
     assert reported(model(text, ' canonical_link="n::l"'), "FRM003") == []
 

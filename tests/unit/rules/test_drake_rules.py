@@ -110,7 +110,7 @@ def test_a_link_is_carried_by_mass_below_it() -> None:
         ("<type>SimpleTransmission</type><joint name='a_b'/><actuator name='m'/>", "its type is floating"),
         (
             "<type>Other</type><joint name='a_b'/>",
-            "`a_b` has no actuator in Drake: its transmission is no Simple",
+            "`a_b` has no actuator in Drake: its transmission is not a Simple",
         ),
     ],
 )

@@ -176,7 +176,7 @@ def test_leaders() -> None:
     assert {each.code for each in (unknown, axis, odd, link)} == {"JNT009"}
     assert "did you mean `j1`?" in unknown.message
     assert (axis.span.text, odd.span.text) == ("axis2", "axis3")
-    assert "`base`, which is no joint of its model" in link.message
+    assert "`base`, which is not a joint of its model" in link.message
 
 
 def test_rings_of_mimics() -> None:

@@ -91,7 +91,9 @@ def _examples(attribute: str, kind: type) -> Callable[[Any], str | None]:
         if text := listed(value):
             return text
         strange = next((example for example in value if not isinstance(example.text, str)), None)
-        return None if strange is None else f"`{attribute}` has an example that is no text: {strange.text!r}"
+        return (
+            None if strange is None else f"`{attribute}` has an example that is not a text: {strange.text!r}"
+        )
 
     return examine
 

@@ -1,0 +1,120 @@
+"""The words of the project, in everything that a person reads: plain ones, and lines that fit a page."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.convert.command import COMMANDS as CONVERSIONS
+from sdfcheck.cli.main import COMMANDS, main
+from sdfcheck.convert.loss import LossKind
+from tests.test_rules import RULES
+
+ROOT = Path(__file__).parents[1]
+PAGES = [
+    *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
+    *sorted((ROOT / "docs").rglob("*.md")),
+]
+LONGEST = 120
+INSTEAD = {
+    r"readers?": "consumer, or its name",
+    r"told|tells? of": "report",
+    r"mend(?:s|ed|ing)?|remed(?:y|ies)|cures?": "fix",
+    r"parted by": "separated by",
+    r"(?:is|was|comes?|stands?) behind": "after",
+    r"stands? (?:for|in|at|beside|without)": "be, mean, appear in",
+    r"pass(?:es|ed)? over": "ignore",
+    r"say for|at hand|besides|all the same": "leave it out, or: also, available, in addition, still",
+    r"(?<!if there )(?<!where there )(?:is|are) none": "is not one",
+    r"(?<!there )is no(?! longer\b| less\b| more\b| larger\b)": "is not a",
+    r"astray|slips?|folk|teller|barren|shelves": "a plain word",
+}
+"""What is not written → what is."""
+WORDS = re.compile(rf"(?<![\w-])(?:{'|'.join(INSTEAD)})(?![\w-])", re.IGNORECASE)
+_FENCE = re.compile(r"^( *)```.*?^\1```$", re.MULTILINE | re.DOTALL)
+_CODE = re.compile(r"``[^`]+``|`[^`\n]*`")
+
+
+def prose(markdown: str) -> str:
+    """A page without its code; the lines stay where they are."""
+    text = _FENCE.sub(lambda match: "\n" * match[0].count("\n"), markdown)
+    return _CODE.sub("`…`", text)
+
+
+def complaints(text: str, where: str) -> Iterator[str]:
+    for match in WORDS.finditer(text):
+        line = text.count("\n", 0, match.start()) + 1
+        around = " ".join(text[max(0, match.start() - 40) : match.end() + 30].split())
+        yield f"{where}:{line}: {match[0]!r} in …{around}…"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_pages_use_plain_words(page: Path) -> None:
+    text = prose(page.read_text(encoding="utf-8"))
+    found = [*complaints(text, page.name)]
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_lines_of_pages_fit(page: Path) -> None:
+    """Tables and code cannot be folded."""
+    text = _FENCE.sub(lambda match: "\n" * match[0].count("\n"), page.read_text(encoding="utf-8"))
+    lines = enumerate(text.splitlines(), 1)
+    long = [number for number, line in lines if len(line) > LONGEST and not line.lstrip().startswith("|")]
+    assert long == [], f"lines of {page.name}"
+
+
+@pytest.mark.parametrize("name", [*(name for name in COMMANDS if name != "convert"), *CONVERSIONS, ""])
+def test_help_uses_plain_words(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    line = ["convert", name] if name in CONVERSIONS else [name] if name else []
+    main([*line, "--help"])
+    text = " ".join(capsys.readouterr().out.split())
+    assert [*complaints(text, name)] == []
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
+def test_manuals_use_plain_words(rule: type) -> None:
+    found = [*complaints(_CODE.sub("`…`", rule.__doc__ or ""), rule.__name__)]
+    assert not found, "\n".join(found)
+
+
+def test_losses_use_plain_words() -> None:
+    found = [one for kind in LossKind for one in complaints(kind.facts.summary, kind.facts.code)]
+    assert not found, "\n".join(found)
+
+
+def sentences(path: Path) -> Iterator[tuple[int, str]]:
+    """The texts of a module that have several words, but for its docstrings: messages and titles."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    notes = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    for node in ast.walk(tree):
+        if not isinstance(node, ast.Constant) or not isinstance(node.value, str) or id(node) in notes:
+            continue
+        if " " in node.value.strip() and "<" not in node.value:
+            yield node.lineno, node.value
+
+
+@pytest.mark.parametrize("folder", ["rules", "sdfcheck", "action.py"])
+def test_messages_use_plain_words(folder: str) -> None:
+    top = ROOT / folder
+    modules = [top] if top.is_file() else sorted(top.rglob("*.py"))
+    found = [
+        complaint
+        for path in modules
+        if path.name not in {"conditions.py", "rule_index.py"}
+        for number, text in sentences(path)
+        for complaint in complaints(_CODE.sub("`…`", text), f"{path.relative_to(ROOT)}:{number}")
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_the_words_are_found() -> None:
+    assert [*complaints("so it is told\nto whom it is no use", "x")] == [
+        "x:1: 'told' in …so it is told to whom it is no use…",
+        "x:2: 'is no' in …so it is told to whom it is no use…",
+    ]
+    assert [*complaints("there is no link; a wheel-slip plugin; it is no longer read", "x")] == []
