@@ -63,7 +63,7 @@ class DegreesAsRadians(Rule):
     )
     good = (
         Good('<pose degrees="true">0 0 1 0 0 90</pose>'),
-        Good("<pose>90 0 0 0 0 0</pose>", why="the first three are metres"),
+        Good("<pose>90 0 0 0 0 0</pose>", why="the first three are meters"),
         Good("<pose>0 0 1 0 0 7.853981633974483</pose>", why="a turn and a quarter, in radians"),
         Good("<pose>0 0 1 0 0 6</pose>", why="less than a turn"),
     )

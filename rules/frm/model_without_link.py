@@ -29,7 +29,7 @@ class ModelWithoutLink(Rule):
         ),
         Good(
             '<model name="m"><include><uri>model://not_here</uri></include></model>',
-            why="what could not be read may bring one",
+            why="an include that could not be read may bring one",
         ),
     )
 

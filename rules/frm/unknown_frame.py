@@ -86,7 +86,7 @@ class UnknownFrame(Rule):
             '<model name="m"><include><uri>model://not_here</uri><name>arm</name></include>'
             '<frame name="tool" attached_to="arm::wrist"/></model>',
             scaffold=SDF,
-            why="what could not be read may hold it",
+            why="an include that could not be read may have it",
         ),
     )
 

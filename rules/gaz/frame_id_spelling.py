@@ -69,7 +69,7 @@ class FrameIdSpelling(Rule):
     )
     good = (
         Good("<frame_id>imu</frame_id>", scaffold=TWELVE),
-        Good("<gz_frame_id>imu</gz_frame_id>", why="what there is for URDF", scaffold=ROBOT),
+        Good("<gz_frame_id>imu</gz_frame_id>", why="the element that URDF has", scaffold=ROBOT),
     )
 
     @staticmethod

@@ -11,7 +11,7 @@ import math
 from sdfcheck import Consumer, Inertial, Reaction, accepts
 
 _FACTOR = 100.0
-"""More than this off a solid of the same mass and shape is no modelling choice any more."""
+"""More than this off a solid of the same mass and shape is no modeling choice any more."""
 
 
 def is_remarkable(inertial: Inertial) -> bool:
@@ -79,7 +79,7 @@ def ratio(inertial: Inertial) -> float:
 
 
 def is_far_off(inertial: Inertial) -> bool:
-    """Is it off by more than any choice of modelling explains?"""
+    """Is it off by more than any choice of modeling explains?"""
     found = ratio(inertial)
     return (found < 1 / _FACTOR or found > _FACTOR) and not is_about_origin(inertial)
 

@@ -12,9 +12,10 @@ WATER = (
 class NegativeAddedMass(Rule):
     """The mass that a fluid adds along an axis is negative.
 
-    What has to be moved along adds to the mass of the body. A negative number takes from it, and where the sum
-    is negative, forces push the body the wrong way. Papers on underwater vehicles write the derivatives
-    `Xudot`, `Yvdot` …, which are negative: their signs have to be changed.
+    The fluid that a body moves along adds to its mass. A negative number reduces the mass, and
+    where the sum is negative, forces push the body the wrong way. Papers on underwater vehicles
+    write the derivatives `Xudot`, `Yvdot` …, which are negative: their signs have to be
+    changed.
     """
 
     code = "INR012"
@@ -25,7 +26,7 @@ class NegativeAddedMass(Rule):
     scaffold = IN_LINK
 
     bad = (Bad(WATER.format("«-3»"), says="the added mass `xx` of link `base` is negative: -3"),)
-    good = (Good(WATER.format("3"), why="what couples two axes has either sign"),)
+    good = (Good(WATER.format("3"), why="terms that couple two axes have either sign"),)
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:

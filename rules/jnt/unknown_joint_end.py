@@ -85,7 +85,7 @@ class UnknownJointEnd(Rule):
         Good(
             "<include><uri>model://not_here</uri><name>n</name></include>"
             '<joint name="j" type="fixed"><parent>base</parent><child>n::l</child></joint>',
-            why="what could not be read may hold it",
+            why="an include that could not be read may have it",
         ),
     )
 

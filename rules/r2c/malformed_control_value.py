@@ -16,9 +16,10 @@ from sdfcheck_rules.r2c.scaffold import IN_BLOCK
 class MalformedControlValue(Rule):
     """A value in `ros2_control` is not of its kind.
 
-    Truth values are `true` or `false` (from jazzy on others are refused, before they were false), sizes and
-    priorities are positive whole numbers, and types of data are those that ros2_control knows. What is refused
-    costs the whole description, or all interfaces of the hardware.
+    Truth values are `true` or `false` (from jazzy on others are refused, before they were
+    false), sizes and priorities are positive whole numbers, and types of data are those that
+    ros2_control knows. For a refused value ros2_control drops the whole description, or all
+    interfaces of the hardware.
     """
 
     code = "R2C019"

@@ -31,7 +31,7 @@ class UnknownControlType(Rule):
         Good(f'<ros2_control name="arm" type="sensor">{HARDWARE}</ros2_control>'),
         Good(
             f'<ros2_control name="arm" type="${{t}}">{HARDWARE}</ros2_control>',
-            why="what xacro left is reported as that",
+            why="left-over expressions are reported as such",
         ),
     )
 

@@ -28,11 +28,11 @@ DOUBTS = {ParameterFault.NAME_ASSUMED, ParameterFault.NO_CHANGE}
 class InvalidIncludeParameter(Rule):
     """A parameter of an include cannot be carried out.
 
-    Each entry of `<experimental:params>` names an element of the included model by
-    `element_id` and says in `action` whether to add, modify, remove or replace it;
-    without an action its children say so. libsdformat skips an entry that it cannot
-    carry out and refuses the document; where a name is missing it takes the first one. What is added
-    or replaced has to fit the format, too.
+    Each entry of `<experimental:params>` names an element of the included model by `element_id`
+    and says in `action` whether to add, modify, remove or replace it; without an action its
+    children say so. libsdformat skips an entry that it cannot carry out and refuses the
+    document; where a name is missing it takes the first one. Added and replaced elements have
+    to fit the format, too.
     """
 
     code = "RES010"

@@ -21,7 +21,7 @@ SET = '<sdf version="1.12"><model name="set"><model name="arm"><link name="l"/><
 
 
 class InvalidMergeInclude(Rule):
-    """What an include merges cannot become a part of what it is merged into.
+    """A merged model cannot become a part of the model or world that includes it.
 
     Only models merge, into models (from version 1.9) and worlds (from 1.10). A world has
     no links and grippers of its own, so it takes models that hold nothing but nested

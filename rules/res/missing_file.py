@@ -83,7 +83,7 @@ class MissingFile(Rule):
         Good(
             "<geometry><mesh><uri>https://fuel.gazebosim.org/1.0/a/models/b/1/files/m.dae</uri></mesh></geometry>",
             files={},
-            why="what is on the network is not looked at",
+            why="files on the network are not read",
         ),
         Good(
             "<geometry><box><size>1 1 1</size></box></geometry><material><script>"

@@ -62,7 +62,7 @@ class UnknownPluginReference(Rule):
         Good(WHEEL + DRIVE.format("wheel")),
         Good(
             WHEEL + DRIVE.format("arm::wheel") + "<include><uri>model://not_here</uri></include>",
-            why="what could not be read may hold it",
+            why="an include that could not be read may have it",
         ),
         Good(ROS_DRIVE.format("continuous", "wheel"), scaffold=IN_ROBOT),
     )

@@ -28,10 +28,10 @@ SCAN = (
 class DeprecatedElement(Rule):
     """An element or value has a successor and will go.
 
-    What the format marks as deprecated gets a warning, as it does from libsdformat. What
-    merely has a newer name, and is read by everybody still, is for information: the
-    sensor types `ray`, `gpu_ray` and `gps` are now `lidar`, `gpu_lidar` and `navsat`.
-    Renaming needs a look, because Gazebo Classic knows the old names only.
+    Elements that the format marks as deprecated get a warning, as they do from libsdformat. An
+    info is for names that have a newer form and that all consumers still read: the sensor types
+    `ray`, `gpu_ray` and `gps` are now `lidar`, `gpu_lidar` and `navsat`. Renaming needs a look,
+    because Gazebo Classic knows the old names only.
     """
 
     code = "SCH009"

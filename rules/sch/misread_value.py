@@ -29,9 +29,9 @@ class MisreadValue(Rule):
     """A value is accepted and read as something else than is written.
 
     libsdformat takes the longest number from the front of a text and forgets the rest: a
-    decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one
-    counts. A value also ends at a comment. What is read as it was meant anyway (a
-    comma or quote after a number, a hexadecimal number) gets a warning.
+    decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one counts.
+    A value also ends at a comment. Values that are read as intended anyway (a comma or quote
+    after a number, a hexadecimal number) get a warning.
     """
 
     code = "SCH012"

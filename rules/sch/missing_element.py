@@ -77,7 +77,7 @@ class MissingElement(Rule):
         Good("<geometry><box><size>2 1 1</size></box></geometry>"),
         Good(
             '<world name="w"><physics type="ode"/></world>',
-            why="what a world leaves out is as people expect it",
+            why="the defaults of a world are harmless",
             scaffold='<sdf version="1.12">{}</sdf>',
         ),
         Good(

@@ -20,9 +20,9 @@ from sdfcheck import (
 class RemovedElement(Rule):
     """An element or attribute is no longer part of the version that the file declares.
 
-    What older versions had, consumers convert on loading, but only in files that declare
-    the older version. Under a newer one the element is unknown, and ignored: gravity
-    inside physics, the frame of a sensor, an axis' `use_parent_model_frame`.
+    Consumers convert the elements of older versions on loading, but only in files that declare
+    the older version. Under a newer one the element is unknown, and ignored: gravity inside
+    physics, the frame of a sensor, an axis' `use_parent_model_frame`.
     """
 
     code = "SCH008"

@@ -33,8 +33,9 @@ class UnknownChoice(Rule):
     """A value is not one of those that its place knows.
 
     libsdformat refuses unknown types of joints, sensors, lights and noise, unknown image
-    formats and the like; case counts in most of them. What it keeps as it is (a
-    physics engine's name, a lens) is a warning: the program that looks for it finds nothing.
+    formats and the like; case counts in most of them. Some values it keeps as they are, such as
+    the name of a physics engine or a lens; these are warnings: the program that reads them
+    later does not know them.
     """
 
     code = "SCH015"

@@ -7,7 +7,7 @@ from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 class OverwrittenParameter(Rule):
     """A property in a macro replaces the parameter of the same name.
 
-    What callers give has no effect: nothing reads it before the property takes its place.
+    The value that a call gives has no effect: nothing reads it before the property replaces it.
     """
 
     code = "XAC020"

@@ -7,7 +7,8 @@ from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 class UnusedMacro(Rule):
     """A robot defines a macro and nothing calls it.
 
-    What is in it is not in the robot. Macros of libraries are there for others and are not reported.
+    Its content is not in the robot. Macros of libraries are for the files that include them and
+    are not reported.
     """
 
     code = "XAC022"

@@ -8,9 +8,9 @@ IGNORED = dict.fromkeys(Consumer, warns("ignores it"))
 class ContentAfterRoot(Rule):
     """Something is after the root element: a second one, an end tag, or text.
 
-    A document has one root element. The simulators read the first one and ignore a
-    second, but refuse a file with text after it; every strict XML parser refuses both.
-    What is there is not checked.
+    A document has one root element. The simulators read the first one and ignore a second, but
+    refuse a file with text after it; every strict XML parser refuses both. Content after the
+    root is not checked.
     """
 
     code = "XML008"

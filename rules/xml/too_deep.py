@@ -7,7 +7,7 @@ class TooDeep(Rule):
     """Elements are nested deeper than XML parsers follow.
 
     libxml2 stops at 256 levels; tinyxml2, with which the simulators read, at 500, and in some
-    distributions (Debian 12) at 100. What lies deeper is not checked.
+    distributions (Debian 12) at 100. Deeper elements are not checked.
     """
 
     code = "XML010"

@@ -18,7 +18,7 @@ from sdfcheck.lint.config.fields import FIELDS
 def config(form: str, output_file: Path | None) -> None:
     """List the keys of a configuration file, with their defaults.
 
-    What holds for a file: sdfcheck lint --show-settings FILE.
+    The settings that apply to a file: sdfcheck lint --show-settings FILE.
     """
     if form == "text":
         deliver_lines(_lines(), output_file)

@@ -56,10 +56,11 @@ class Request(NamedTuple):
 def diff(**given: Any) -> int:
     """Show what changed in the robot from A to B, not in the text.
 
-    A and B may be of different formats: SDFormat, URDF, xacro. What is compared are
+    A and B may be of different formats: SDFormat, URDF, xacro. The comparison covers
     models, links, joints and frames: poses, masses and inertias, shapes, axes, limits,
-    dynamics, mimicking; and what else they have: materials, surfaces, sensors, lights,
-    plugins, physics, custom data. A default that is written out is not a difference.
+    dynamics, mimicking; and materials, surfaces, sensors, lights, plugins, physics and
+    custom data. A default that is written out is not a difference.
+
     Exit code 0: the same robot; 1: another one; 2: could not compare.
     """
     surroundings = around(given)

@@ -91,7 +91,7 @@ class LossKind(Enum):
         "CNV012",
         "changed-default",
         (
-            "What the source leaves unsaid means something else in the target, so it is written out; the "
+            "A default of the source is another one in the target, so it is written out; the "
             "robot stays the same."
         ),
     )
@@ -196,8 +196,8 @@ class LossKind(Enum):
         "CNV027",
         "expanded-include",
         (
-            "What an include brings is written out, since the target does not have such includes; changes of "
-            "the included file do not arrive any more."
+            "The included model is written out, since the target does not have such includes; later changes of "
+            "the included file have no effect."
         ),
     )
     REORDERED = (

@@ -50,7 +50,7 @@ def suggest_in(document: Document, name: str, candidates: Iterable[str]) -> str 
 
 
 def distance(one: str, other: str) -> int:
-    """Insertions, deletions, replacements and swaps of neighbours between two words."""
+    """Insertions, deletions, replacements and swaps of neighbors between two words."""
     before: list[int] = []
     last = list(range(len(other) + 1))
     for i, letter in enumerate(one, 1):

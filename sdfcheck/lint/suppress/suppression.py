@@ -205,7 +205,7 @@ def _line_or_comment(span: Span) -> Span:
 
 
 def _with_comma(directive: Directive, word: Span) -> Span:
-    """A word with the comma and spaces that part it from its neighbour."""
+    """A word with the comma and spaces that part it from its neighbor."""
     text = word.source.text
     end = directive.place.end
     behind = re.compile(r"\s*,\s*").match(text, word.end, end)

@@ -44,7 +44,7 @@ def to_rpy(rotation: Array) -> tuple[float, float, float]:
 
 
 def from_quaternion(x: float, y: float, z: float, w: float) -> Array:
-    """The 3×3 rotation of a quaternion, normalised first; of the zero quaternion, no rotation."""
+    """The 3×3 rotation of a quaternion, normalized first; of the zero quaternion, no rotation."""
     norm = math.sqrt(x * x + y * y + z * z + w * w)
     if norm == 0:
         return np.eye(3)

@@ -37,7 +37,7 @@ def write_limits(migration: Migration) -> None:
 
 
 def write_thread_pitch(migration: Migration) -> None:
-    """Below 1.10: radians per metre, left-handed."""
+    """Below 1.10: radians per meter, left-handed."""
     for joint in migration.root.of("joint"):
         pitch, old = joint.find("screw_thread_pitch"), joint.find("thread_pitch")
         if pitch is None:
