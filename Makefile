@@ -37,6 +37,7 @@ layers: $(TOOLS)
 format: $(TOOLS)
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix-only --quiet .
+	$(BIN)/python -m tables.fold_pages
 
 format-check: $(TOOLS)
 	$(BIN)/ruff format --check .
@@ -52,6 +53,7 @@ generate: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.conditions
 	$(BIN)/python -m tables.rule_pages
 	$(BIN)/python -m sdfcheck.convert.loss_table
+	$(BIN)/python -m tables.fold_pages
 
 generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index --check

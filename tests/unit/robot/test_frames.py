@@ -93,7 +93,7 @@ def test_references_know_what_they_name() -> None:
             '<model name="n"><link name="l"><pose relative_to="base"/></link></model>',
             "it is defined outside, out of reach",
         ),
-        ('<frame name="frame1" attached_to="frame2"/>', "is no frame of model `m`"),
+        ('<frame name="frame1" attached_to="frame2"/>', "is not a frame of model `m`"),
     ],
 )
 def test_what_was_meant(text: str, says: str) -> None:
