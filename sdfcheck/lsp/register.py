@@ -14,6 +14,7 @@ from sdfcheck.lsp.names.rename import Refused
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import path_of
 from sdfcheck.lsp.watch import Watch
+from sdfcheck.lsp.worker import OVERVIEW
 
 _COLORS = dict(
     zip(
@@ -123,37 +124,37 @@ def _knowledge(server: Server, answers: Answers) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
     async def symbols(params: types.DocumentSymbolParams) -> Any:
-        return await server.ask(params.text_document.uri, answers.symbols, [])
+        return await server.ask(params.text_document.uri, answers.symbols, [], OVERVIEW)
 
     @server.feature(types.TEXT_DOCUMENT_FOLDING_RANGE)
     async def folds(params: types.FoldingRangeParams) -> list[types.FoldingRange]:
-        return await server.ask(params.text_document.uri, answers.folds, [])
+        return await server.ask(params.text_document.uri, answers.folds, [], OVERVIEW)
 
     @server.feature(types.TEXT_DOCUMENT_DOCUMENT_LINK)
     async def links(params: types.DocumentLinkParams) -> list[types.DocumentLink]:
-        return await server.ask(params.text_document.uri, answers.links, [])
+        return await server.ask(params.text_document.uri, answers.links, [], OVERVIEW)
 
 
 def _decorations(server: Server, answers: Answers) -> None:
     @server.feature(types.TEXT_DOCUMENT_INLAY_HINT)
     async def hints(params: types.InlayHintParams) -> list[types.InlayHint]:
         uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.hints(buffer, params.range), [])
+        return await server.ask(uri, lambda buffer: answers.hints(buffer, params.range), [], OVERVIEW)
 
     legend = types.SemanticTokensLegend(token_types=list(_COLORS.values()), token_modifiers=["declaration"])
 
     @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, legend)
     async def tokens(params: types.SemanticTokensParams) -> types.SemanticTokens | None:
-        return await server.ask(params.text_document.uri, answers.tokens, None)
+        return await server.ask(params.text_document.uri, answers.tokens, None, OVERVIEW)
 
     @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, legend)
     async def tokens_in(params: types.SemanticTokensRangeParams) -> types.SemanticTokens | None:
         uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.tokens(buffer, params.range), None)
+        return await server.ask(uri, lambda buffer: answers.tokens(buffer, params.range), None, OVERVIEW)
 
     @server.feature(types.WORKSPACE_SYMBOL)
     async def survey(params: types.WorkspaceSymbolParams) -> list[types.WorkspaceSymbol]:
-        return await server.work(lambda: answers.survey(params.query), [])
+        return await server.work(lambda: answers.survey(params.query), [], OVERVIEW)
 
 
 def _names(server: Server, answers: Answers) -> None:

@@ -12,10 +12,9 @@ from pygls.exceptions import FeatureRequestError, JsonRpcException
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 
-from sdfcheck.lsp.cursor import at
 from sdfcheck.lsp.findings import Findings
-from sdfcheck.lsp.names.index import occurrences
 from sdfcheck.lsp.positions import Units, changed
+from sdfcheck.lsp.prime import prime
 from sdfcheck.lsp.schedule import Schedule
 from sdfcheck.lsp.speech import NAME, Speech, path_of
 from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Worker
@@ -82,6 +81,7 @@ class Server(LanguageServer):
         self._published: dict[str, list[types.Diagnostic]] = {}
         self._reported: set[str] = set()
         self._fault = ""
+        self._is_primed = False
         self.is_finished = False
         """Did the client end the session as it should?"""
 
@@ -95,14 +95,14 @@ class Server(LanguageServer):
             self.report(error)
             return otherwise
 
-    async def ask(self, uri: str, answer: Callable[[Buffer], T], otherwise: T) -> T:
+    async def ask(self, uri: str, answer: Callable[[Buffer], T], otherwise: T, urgency: int = ANSWER) -> T:
         """What an open text answers."""
 
         def job() -> T:
             buffer = self.robots.buffers.get(self.robots.key(path_of(uri)))
             return otherwise if buffer is None else answer(buffer)
 
-        return await self.work(job, otherwise)
+        return await self.work(job, otherwise, urgency)
 
     def report(self, error: BaseException) -> None:
         """Write a failure to the log; show it to the person once."""
@@ -200,15 +200,10 @@ class Server(LanguageServer):
             await self.work(lambda: self._prime(key, number), None, SURVEY)
 
     def _prime(self, key: str, number: int | None) -> None:
-        """Work out what the next question about a text will need, and let go of what none will."""
         buffer = self.robots.buffers.get(key)
-        if buffer is not None:
-            buffer.tidy()
-        document = None if buffer is None else self.robots.document(buffer.path)
-        if buffer is not None and document is not None and self._edits.get(key) == number:
-            at(document, 0)
-            occurrences(document)
-            buffer.checkpoints.around(buffer.source.text, len(buffer.source.text))
+        if buffer is not None and self._edits.get(key) == number:
+            prime(self.robots, buffer, is_first=not self._is_primed)
+            self._is_primed = True
 
     async def _survey(self, key: str) -> None:
         """Look at files that are not open and use this one: what they bring out is shown here as well."""

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _TAIL = re.compile(r"\s*>(?:\s|<!--(?:(?!-->)[\s\S])*-->)*")
+_LONG_TAG = re.compile(rf"<[^<]{{{5 * ATTRIBUTE_LIMIT}}}")
+"""A tag in which there is room for so many attributes."""
 _DEFAULT_NAMESPACE = re.compile(r"xmlns\s*=")
 
 LONG, LONGEST = 200_000, 20_000_000
@@ -266,7 +268,7 @@ def _is_all(root: Element, text: str) -> bool:
 
 def _is_overloaded(root: Element, text: str) -> bool:
     """Has an element more attributes than are looked at?"""
-    if text.count("=") <= ATTRIBUTE_LIMIT:
+    if text.count("=") <= ATTRIBUTE_LIMIT or _LONG_TAG.search(text) is None:
         return False
     overloaded = root.xpath(f"boolean(descendant-or-self::*[count(@*) > {ATTRIBUTE_LIMIT}])")
     return bool(overloaded) or text.count("xmlns:") > ATTRIBUTE_LIMIT

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lsp.completion.context import Context, Where, context
 from sdfcheck.lsp.completion.item import Item, Sort
-from sdfcheck.lsp.completion.names import name_items
+from sdfcheck.lsp.completion.names import name_items, wanted
 from sdfcheck.lsp.completion.paths import path_items
 from sdfcheck.lsp.completion.tags import (
     attribute_items,
@@ -104,13 +104,14 @@ class _Completer:
 
     def _values(self) -> Iterator[Item]:
         where = self.where
-        document = self.workspace.document(self.buffer.path)
         yield from value_items(where, self.version, is_urdf=self.is_urdf)
-        if document is None:
-            return
-        yield from name_items(document, where, self.offset)
-        name = where.attribute or where.tag
-        if name in _FILES and where.tag != "plugin":
+        is_name = bool(wanted(where, is_urdf=self.is_urdf))
+        is_file = (where.attribute or where.tag) in _FILES and where.tag != "plugin"
+        # Reading a long text takes a while.
+        document = self.workspace.document(self.buffer.path) if is_name or is_file else None
+        if document is not None and is_name:
+            yield from name_items(document, where, self.offset)
+        if document is not None and is_file:
             yield from path_items(document, where.typed, where.tag, where.around)
         if self.is_xacro and where.where is Where.VALUE and "$" not in where.typed:
             yield from command_items()

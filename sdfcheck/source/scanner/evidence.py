@@ -39,6 +39,8 @@ class Repair(NamedTuple):
     replaced: int
     tokens: tuple[Token, ...]
     doubtful: tuple[tuple[int, int], ...] = ()
+    is_known: bool = False
+    """Has what is wrong been said of the tag?"""
 
 
 class Evidence:
@@ -248,7 +250,8 @@ class Evidence:
         token = self.tokens[index]
         end = Token(TokenKind.END, token.start, token.start, element.name)
         place, other = self.gap(element, index)
-        return Repair(SyntaxKind.UNCLOSED_ELEMENT, element.name, place, other, index, 0, (end,))
+        is_known = element.tag is not None
+        return Repair(SyntaxKind.UNCLOSED_ELEMENT, element.name, place, other, index, 0, (end,), (), is_known)
 
     def gap(self, element: Token, number: int) -> tuple[tuple[int, int], tuple[int, int]]:
         """Where an end tag is missing before token ``number``, and the other place to look at.

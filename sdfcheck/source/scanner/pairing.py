@@ -269,9 +269,10 @@ class _Pairing:
                 self.open.append(step.number)
             elif step.act is Act.CLOSE:
                 self.open.pop()
-        other = self.source.span(*repair.other) if repair.other else None
-        defect = SyntaxDefect(self.source.span(*repair.place), repair.kind, other, repair.name)
-        self.problems.append((-1, defect))
+        if not repair.is_known:
+            other = self.source.span(*repair.other) if repair.other else None
+            defect = SyntaxDefect(self.source.span(*repair.place), repair.kind, other, repair.name)
+            self.problems.append((-1, defect))
         self.doubtful += [(-1, doubt) for doubt in repair.doubtful]
         return False
 

@@ -195,6 +195,18 @@ def test_one_slip_is_one_defect(marked: str, kind: SyntaxKind, elements: list[st
     assert len(result.starts) == len(elements)
 
 
+def test_a_tag_that_is_being_typed_is_one_defect() -> None:
+    inside = '    <link name="a"\n    <link name="b"/>\n    <frame name="f"/>\n'
+    text = f'<sdf>\n  <model name="m">\n{inside}  </model>\n</sdf>'
+    result = scanned(text)
+    assert [problem.kind for problem in result.problems if isinstance(problem, SyntaxDefect)] == [
+        SyntaxKind.UNCLOSED_TAG
+    ]
+    assert names(result) == ["sdf", "model", "link", "link", "frame"]
+    (model,) = etree.fromstring(result.wellformed.encode())
+    assert [child.get("name") for child in model] == ["a", "b", "f"]
+
+
 def test_every_kind_of_syntax_defect_is_found_somewhere() -> None:
     from tests.unit.source.test_start_tag import BROKEN
 
