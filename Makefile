@@ -5,7 +5,7 @@
 # make package  build the source distribution and the wheel into build/dist, and try both
 # make vscode   compile and package the extension for Visual Studio Code (needs node)
 # make picture  draw the terminal of the README again
-# make viewer   build the scripts of the pages for browsers from viewer/ (needs node)
+# make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
@@ -21,7 +21,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: picture demo test check layers format format-check lint types generate generated golden docs package vscode viewer bench fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types generate generated golden docs package vscode viewer viewer-check bench fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -100,8 +100,11 @@ package: $(RUNTIME)
 picture: $(TOOLS)
 	$(BIN)/python -m tables.picture
 
-viewer:
-	cd viewer && npm ci --no-audit --no-fund && npm run check && npm run build
+viewer: viewer-check
+	cd viewer && npm run --silent build
+
+viewer-check:
+	cd viewer && npm ci --no-audit --no-fund --silent && npm run --silent check
 
 $(RUNTIME): pyproject.toml setup.py
 	[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV)

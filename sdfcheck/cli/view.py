@@ -15,7 +15,7 @@ from sdfcheck.cli.parts.result import deliver
 from sdfcheck.cli.parts.terminal import say
 
 if TYPE_CHECKING:
-    from sdfcheck.convert.change import Change
+    from sdfcheck.lint.run import Run
     from sdfcheck.source.document import Document
 
 
@@ -54,23 +54,23 @@ def view(file: Path, other: Path | None, output_file: Path | None, opened: bool,
 
 def _page(files: list[Path], documents: list[Document], surroundings: Around) -> str:
     from sdfcheck.view.meshes import Meshes
-    from sdfcheck.view.notes import findings
+    from sdfcheck.view.notes import differences, findings
     from sdfcheck.view.page import page
-    from sdfcheck.view.scene import MOST_SHAPES, scene
+    from sdfcheck.view.scene import scene
 
     meshes = Meshes()
     scenes = [scene(document, meshes) for document in documents]
+    run = _linted(files[0], surroundings)
     return page(
         " and ".join(file.name for file in files),
         scenes,
         meshes.entries,
-        findings=findings(_linted(files[0], surroundings), documents[0]),
-        differences=_differences(documents),
-        most_shapes=MOST_SHAPES,
+        findings=findings(run.diagnostics, documents[0], run.pages),
+        differences=differences(*documents) if len(documents) > 1 else (),
     )
 
 
-def _linted(file: Path, surroundings: Around) -> Any:
+def _linted(file: Path, surroundings: Around) -> Run:
     from sdfcheck.lint.session import Options, run
 
     options = Options(
@@ -80,24 +80,3 @@ def _linted(file: Path, surroundings: Around) -> Any:
         variables=surroundings.variables,
     )
     return run([file], options)
-
-
-def _differences(documents: list[Document]) -> list[dict[str, Any]]:
-    if len(documents) == 1:
-        return []
-    from sdfcheck.convert.file_difference import compare_files
-    from sdfcheck.robot.errors import DescriptionError
-
-    try:
-        found = compare_files(*documents)
-    except DescriptionError as error:
-        return [{"text": f"not compared: {error}", "part": None}]
-    return [
-        {"text": _text(change), "part": change.name} for _, changes in found.changes for change in changes
-    ]
-
-
-def _text(change: Change) -> str:
-    what = f", {change.what}" if change.what else ""
-    values = f": {change.before} → {change.after}" if change.before or change.after else ""
-    return f"{change.kind.value} {change.part} {change.name}{what}{values}"

@@ -6,6 +6,8 @@ import base64
 from pathlib import Path
 from typing import Any
 
+from lxml import etree
+
 from sdfcheck.files.uris import locate
 from sdfcheck.source.document import Document
 
@@ -49,4 +51,15 @@ class Meshes:
             data = path.read_bytes()
         except OSError:
             return {"name": name, "missing": "cannot be read"}
+        if form == "dae" and not _is_well_formed(data):
+            return {"name": name, "missing": "not well-formed"}
         return {"name": name, "format": form, "data": base64.b64encode(data).decode()}
+
+
+def _is_well_formed(data: bytes) -> bool:
+    """Whether a page can read the XML; what browsers say of broken XML would be styled against the page's policy."""
+    try:
+        etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True))
+    except etree.XMLSyntaxError:
+        return False
+    return True

@@ -7,38 +7,52 @@ from html import escape
 from importlib.resources import files
 from typing import Any
 
+from sdfcheck.view.scene import MOST_SHAPES
 from sdfcheck.view.sealed import Assets, sealed
 
 _STYLE = """
-:root { color-scheme: light dark; --line: #8884; --error: #c92a2a; --warning: #a15c00; --info: #1864ab; }
-@media (prefers-color-scheme: dark) { :root { --error: #ff8787; --warning: #ffc078; --info: #74c0fc; } }
+:root { color-scheme: light dark; --line: #8886; --error: #c92a2a; --warning: #8f5200; --info: #1864ab; }
+:root { --before: #d9480f; --after: #1864ab; --chosen: #fff3bf; --ground: #f4f5f7; }
+@media (prefers-color-scheme: dark) {
+  :root { --error: #ff8787; --warning: #ffc078; --info: #74c0fc; --chosen: #5c4400; --ground: #1b1e23; }
+}
 * { box-sizing: border-box; }
 body { margin: 0; height: 100vh; display: flex; flex-direction: column; font: 14px/1.45 system-ui, sans-serif; }
+body { background: Canvas; color: CanvasText; }
 header { padding: 6px 12px; border-bottom: 1px solid var(--line); }
 h1 { font-size: 16px; margin: 0; overflow-wrap: anywhere; }
 main { flex: 1; display: flex; min-height: 0; }
-#stage { flex: 1; min-width: 0; position: relative; }
-canvas { display: block; width: 100%; height: 100%; touch-action: none; }
+#stage { flex: 1; min-width: 0; position: relative; background: var(--ground); }
+canvas { display: block; width: 100%; height: 100%; touch-action: none; position: absolute; }
 #panel { width: 360px; overflow: auto; border-left: 1px solid var(--line); padding: 8px 12px; }
+#legend { position: absolute; left: 12px; bottom: 8px; margin: 0; pointer-events: none; }
+#legend span { display: block; }
+#legend .before::before, #legend .after::before { content: "■ "; }
+#legend .before::before { color: var(--before); }
+#legend .after::before { color: var(--after); }
 #no-webgl { position: absolute; inset: 0; padding: 2em; }
-fieldset { border: 1px solid var(--line); display: grid; grid-template-columns: 1fr 1fr; }
+fieldset { border: 1px solid var(--line); display: grid; grid-template-columns: 1fr 1fr; margin: 0 0 8px; }
+.views { display: flex; gap: 6px; }
 details { margin: 8px 0; }
-summary { font-weight: 600; cursor: pointer; }
-ul { list-style: none; margin: 0; padding-left: 14px; }
+summary { font-weight: 600; cursor: pointer; overflow-wrap: anywhere; }
+ul { list-style: none; margin: 0; padding: 0; }
 .slider { display: grid; grid-template-columns: 9em 1fr 5em; gap: 6px; align-items: center; overflow-wrap: anywhere; }
+.slider input { min-width: 0; }
 .entry { all: unset; display: block; width: 100%; cursor: pointer; padding: 1px 4px; overflow-wrap: anywhere; }
 .entry:focus-visible { outline: 2px solid Highlight; }
-.selected { background: Highlight; color: HighlightText !important; }
+.entry[aria-pressed="true"] { background: var(--chosen); outline: 2px solid var(--line); }
 .error { color: var(--error); } .warning { color: var(--warning); } .info { color: var(--info); }
 p { margin: 2px 0; overflow-wrap: anywhere; }
 @media (max-width: 700px) { main { flex-direction: column; } #panel { width: auto; height: 45%; } }
-@media print { #panel { overflow: visible; } }
-"""
+@media print { body { height: auto; } #stage { height: 60vh; } #panel { width: auto; overflow: visible; } }
+""" + "".join(f'[data-depth="{depth}"] {{ padding-left: {14 * depth}px; }}\n' for depth in range(1, 13))
+"""Deep chains of links are not indented any further than what fits."""
 
 _BODY = """<header><h1>{title}</h1></header>
 <main>
 <div id="stage">
 <canvas aria-label="The robot, drawn; drag to turn, scroll to zoom" role="img"></canvas>
+<p id="legend"></p>
 <p id="no-webgl" hidden>This browser cannot draw in three dimensions (WebGL is off). The lists are complete.</p>
 </div>
 <section id="panel" aria-label="Parts, joints and findings" tabindex="0"></section>
@@ -51,16 +65,20 @@ def page(
     meshes: Sequence[Mapping[str, Any]],
     *,
     findings: Sequence[Mapping[str, Any]] = (),
+    heading: str = "Findings",
     differences: Sequence[Mapping[str, Any]] = (),
-    most_shapes: int,
 ) -> str:
-    """The whole page; every name in it is text, never markup."""
+    """The whole page; every name in it is text, never markup.
+
+    ``heading`` says what the findings are.
+    """
     data = {
         "scenes": scenes,
         "meshes": meshes,
         "findings": findings,
+        "heading": heading,
         "differences": differences,
-        "mostShapes": most_shapes,
+        "mostShapes": MOST_SHAPES,
     }
     return sealed(title, _BODY.format(title=escape(title)), data, assets())
 

@@ -7,8 +7,7 @@ joints are relative to the model, at the zero configuration; all others to their
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from typing import Any
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -18,17 +17,18 @@ from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.parts.sensor import Sensor
+from sdfcheck.robot.parts.light import Light
+from sdfcheck.robot.parts.link import Link as LinkPart
 from sdfcheck.robot.parts.shape import Visual
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.view.beside import light_of, sensor_of
 from sdfcheck.view.meshes import Meshes
-
-Json = dict[str, Any]
+from sdfcheck.view.numbers import Json, bound, finite, flat, place
 
 MOST_SHAPES = 2000
-"""Shapes that are drawn each for itself; beyond that the page draws boxes, and says so."""
+"""Shapes that are drawn in full; beyond that round ones have few corners and meshes are boxes, and the page says so."""
 
 
 def scene(document: Document, meshes: Meshes) -> Json:
@@ -44,8 +44,9 @@ def scene(document: Document, meshes: Meshes) -> Json:
             models.append(shown)
     shapes = sum(len(link["shapes"]) for model in models for link in model["links"])
     if shapes > MOST_SHAPES:
-        notes.append(f"{shapes} shapes: meshes are drawn as boxes")
-    return {"file": document.source.path.name, "models": models, "notes": notes}
+        notes.append(f"{shapes} shapes: drawn with few corners, and meshes as boxes")
+    lights = [light_of(light) for light in _lights(root)]
+    return {"file": document.source.path.name, "models": models, "lights": lights, "notes": notes}
 
 
 def _models(root: Root) -> Iterator[tuple[Model, Array]]:
@@ -56,7 +57,13 @@ def _models(root: Root) -> Iterator[tuple[Model, Array]]:
             yield model, _pose_of(model)
 
 
-def _pose_of(part: Model | Sensor) -> Array:
+def _lights(root: Root) -> Iterator[Light]:
+    yield from root.lights
+    for world in root.worlds:
+        yield from world.lights
+
+
+def _pose_of(part: Model) -> Array:
     """Its pose; where that cannot be worked out, none."""
     try:
         return np.asarray(part.pose())
@@ -70,13 +77,10 @@ def _model(model: Model, placed: Array, meshes: Meshes) -> Json | str:
         made = mechanism_of(model, vendors=True)
     except (DescriptionError, OverflowError, ValueError, np.linalg.LinAlgError) as error:
         return str(error)
-    sensors: dict[str, list[Json]] = {}
-    for link in made.links.values():
-        sensors[link.name] = [_sensor(sensor) for sensor in _sensors(link.element)]
     return {
         "name": model.name,
         "pose": flat(placed),
-        "links": [_link(link, sensors[link.name], made, meshes) for link in made.links.values()],
+        "links": [_link(link, made, meshes) for link in made.links.values()],
         "joints": [_joint(joint) for joint in _ordered(made)],
     }
 
@@ -88,14 +92,17 @@ def _ordered(made: Mechanism) -> list[Joint]:
     return [*tree, *(joint for joint in made.joints.values() if joint.name not in names)]
 
 
-def _link(link: Link, sensors: list[Json], made: Mechanism, meshes: Meshes) -> Json:
+def _link(link: Link, made: Mechanism, meshes: Meshes) -> Json:
+    part = root_of(link.element.document).part_of(link.element)
+    has = part if isinstance(part, LinkPart) else None
     return {
         "name": link.name,
         "pose": flat(link.pose),
         "place": place(link.element),
         "shapes": [_shape(geometry, meshes) for geometry in link.geometries],
         "inertia": _inertia(link.body),
-        "sensors": sensors,
+        "sensors": [sensor_of(sensor) for sensor in has.sensors] if has is not None else [],
+        "lights": [light_of(light) for light in has.lights] if has is not None else [],
         "frames": [
             {"name": name, "pose": flat(pose)}
             for name, (carrier, pose) in made.frames.items()
@@ -172,68 +179,3 @@ def _axis(axis: Axis) -> Json:
             "reference": finite(mimic.reference),
         },
     }
-
-
-def _sensors(element: Element) -> Sequence[Sensor]:
-    link = root_of(element.document).part_of(element)
-    return getattr(link, "sensors", ())
-
-
-def _sensor(sensor: Sensor) -> Json:
-    return {"name": sensor.name, "type": sensor.type, "pose": flat(_pose_of(sensor)), "view": _view(sensor)}
-
-
-def _view(sensor: Sensor) -> Json | None:
-    """The field of view: angles (rad) and range (m)."""
-    camera, scan = sensor.element.find("camera"), _first(sensor.element, ("lidar", "ray"))
-    if camera is not None:
-        return {
-            "kind": "camera",
-            "horizontal": _number(camera, ("horizontal_fov",), 1.047),
-            "aspect": _number(camera, ("image", "width"), 320.0)
-            / max(_number(camera, ("image", "height"), 240.0), 1.0),
-            "near": _number(camera, ("clip", "near"), 0.1),
-            "far": min(_number(camera, ("clip", "far"), 100.0), 2.0),
-        }
-    if scan is not None:
-        return {
-            "kind": "scan",
-            "from": _number(scan, ("scan", "horizontal", "min_angle"), 0.0),
-            "to": _number(scan, ("scan", "horizontal", "max_angle"), 0.0),
-            "near": _number(scan, ("range", "min"), 0.0),
-            "far": min(_number(scan, ("range", "max"), 2.0), 2.0),
-        }
-    return None
-
-
-def _first(element: Element, names: Iterable[str]) -> Element | None:
-    return next((found for name in names if (found := element.find(name)) is not None), None)
-
-
-def _number(element: Element, path: Sequence[str], default: float) -> float:
-    found: Element | None = element
-    for name in path:
-        found = found.find(name) if found is not None else None
-    try:
-        return finite(float(found.content), default) if found is not None else default
-    except ValueError:
-        return default
-
-
-def place(element: Element) -> str:
-    """``file:line`` of an element."""
-    return f"{element.span.source.path.name}:{element.span.begin.line}"
-
-
-def flat(transform: Array) -> list[float]:
-    """A transform column by column; what is no number is 0, so that the page can draw it."""
-    return [finite(number) for number in np.asarray(transform).T.ravel().tolist()]
-
-
-def finite(number: float, default: float = 0.0) -> float:
-    return float(number) if math.isfinite(number) else default
-
-
-def bound(number: float) -> float | None:
-    """A limit; None for none."""
-    return float(number) if math.isfinite(number) and abs(number) < 1e15 else None

@@ -63,15 +63,13 @@ class Tab:
 
 
 @contextmanager
-def tab(*, width: int = 1280, height: int = 800, dark: bool = False) -> Iterator[Tab]:
+def tab(*, width: int = 1280, height: int = 800) -> Iterator[Tab]:
     """A tab of a new browser; tests share one in a fixture of their module."""
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=PROGRAM, args=[*_WITHOUT_GRAPHICS_CARD])
-        page: Any = browser.new_page(
-            viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
-        )
+        page: Any = browser.new_page(viewport={"width": width, "height": height})
         opened = Tab(page)
         page.on("console", lambda said: _note(opened, said))
         page.on("pageerror", lambda error: opened.errors.append(f"exception: {error}"))

@@ -51,8 +51,17 @@ export interface Sensor {
   pose: Transform;
   view:
     | { kind: "camera"; horizontal: number; aspect: number; near: number; far: number }
-    | { kind: "scan"; from: number; to: number; near: number; far: number }
+    | { kind: "scan"; from: number; to: number; down: number; up: number; near: number; far: number }
     | null;
+}
+
+export interface Light {
+  name: string;
+  type: string;
+  pose: Transform;
+  direction: [number, number, number];
+  color: [number, number, number];
+  angle: number;
 }
 
 export interface Link {
@@ -62,6 +71,7 @@ export interface Link {
   shapes: Shape[];
   inertia: Inertia | null;
   sensors: Sensor[];
+  lights: Light[];
   frames: { name: string; pose: Transform }[];
 }
 
@@ -75,6 +85,7 @@ export interface Model {
 export interface Scene {
   file: string;
   models: Model[];
+  lights: Light[];
   notes: string[];
 }
 
@@ -85,20 +96,33 @@ export interface Mesh {
   data?: string;
 }
 
-export interface Finding {
+/** A link, joint or model that something is about; null in `part` is the model. */
+export interface Place {
+  model: string | null;
+  part: string | null;
+}
+
+export interface Finding extends Place {
   severity: "error" | "warning" | "info";
   code: string;
   name: string;
   message: string;
   place: string;
   url: string | null;
-  part: string | null;
+  /** The layer that shows what it is about. */
+  layer: string | null;
+}
+
+export interface Difference extends Place {
+  text: string;
 }
 
 export interface Page {
   scenes: Scene[];
   meshes: Mesh[];
   findings: Finding[];
-  differences: { text: string; part: string | null }[];
+  /** What the findings are: "Findings", or the losses of a conversion. */
+  heading: string;
+  differences: Difference[];
   mostShapes: number;
 }

@@ -1,132 +1,309 @@
 // The page: reads its data, draws the robots, connects the panel.
 
-import {
-  AmbientLight, Box3, Box3Helper, Color, DirectionalLight, GridHelper, Group, Object3D, PerspectiveCamera, Raycaster,
-  Scene as World, Vector2, Vector3, WebGLRenderer,
-} from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import type { Page } from "./data";
+import { Box3, Group, type Object3D, Vector3 } from "three";
+import { Crowd } from "./crowd";
+import type { Model, Page, Place, Shape } from "./data";
+import { counterpart, differing, farthest, moved } from "./difference";
+import { meters } from "./labels";
+import { lightOf } from "./markers";
 import { Meshes } from "./meshes";
-import { fill } from "./panel";
-import { type Layer, Robot } from "./robot";
+import { type Actions, type Mode, type Moved, movable, Panel } from "./panel";
+import { LAYERS, type Layer, Robot } from "./robot";
+import { type Look, Palette } from "./shapes";
+import { Stage, VIEWS } from "./stage";
 
-Object3D.DEFAULT_UP.set(0, 0, 1); // as robots have it
+/** A file as it is drawn. */
+interface Drawn {
+  group: Group;
+  robots: Robot[];
+  lights: Object3D[];
+  crowd: [string, Object3D][];
+}
 
-const TINTS = [null, 0xe8590c];
+/** Two models that are compared, and what is different in them. */
+interface Pair {
+  first: Robot;
+  second: Robot;
+  shapes: Set<Shape>;
+  inertias: Set<string>;
+  /** Links that are elsewhere now. */
+  moved: Map<string, number>;
+}
 
-function start(page: Page): void {
-  const canvas = document.querySelector("canvas") as HTMLCanvasElement;
-  const panel = document.getElementById("panel") as HTMLElement;
-  const meshes = new Meshes(page.meshes);
-  const shapes = page.scenes.flatMap((one) => one.models).flatMap((model) => model.links)
-    .reduce((sum, link) => sum + link.shapes.length, 0);
-  const robots = page.scenes.flatMap((one, index) =>
-    one.models.map((model) => new Robot(model, meshes, TINTS[index] ?? null, shapes <= page.mostShapes)));
+const SEVERAL = 300; // shapes, beyond which those of a kind are drawn together
+const MANY = 200; // joints or links, beyond which what marks them is not shown unasked
 
-  const world = new World();
-  world.background = new Color(matchMedia("(prefers-color-scheme: dark)").matches ? 0x1b1e23 : 0xf4f5f7);
-  world.add(new AmbientLight(0xffffff, 1.4), new DirectionalLight(0xffffff, 1.6));
-  world.children[1].position.set(2, -3, 5);
-  const stage = new Group();
-  for (const robot of robots) stage.add(robot.group);
-  world.add(stage);
+class Viewer implements Actions {
+  private readonly scenes: Drawn[];
+  private readonly pairs: Pair[] = [];
+  private readonly layers = new Set<Layer>(["visuals", "lights"]);
+  private readonly panel: Panel;
+  private mode: Mode = "side by side";
 
-  const bounds = new Box3().setFromObject(stage);
-  if (bounds.isEmpty()) bounds.set(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
-  const size = Math.min(Math.max(bounds.getSize(new Vector3()).length(), 0.2), 200);
-  const grid = new GridHelper(Math.ceil(size * 2), Math.min(Math.ceil(size * 2), 40), 0x888888, 0xbbbbbb);
-  grid.rotateX(Math.PI / 2);
-  world.add(grid);
-
-  const camera = new PerspectiveCamera(45, 1, size / 1000, size * 50);
-  const middle = bounds.getCenter(new Vector3());
-  camera.position.copy(middle).add(new Vector3(1, -1, 0.7).multiplyScalar(size));
-
-  let renderer: WebGLRenderer | null = null;
-  try {
-    renderer = new WebGLRenderer({ canvas, antialias: true });
-  } catch {
-    (document.getElementById("no-webgl") as HTMLElement).hidden = false;
-  }
-  let waiting = false;
-  const draw = (): void => {
-    if (waiting || !renderer) return;
-    waiting = true;
-    requestAnimationFrame(() => {
-      waiting = false;
-      renderer?.render(world, camera);
+  constructor(
+    private readonly page: Page,
+    private readonly stage: Stage,
+    meshes: Meshes,
+  ) {
+    const models = page.scenes.flatMap((scene) => scene.models);
+    const shapes = shapesOf(page);
+    const palette = new Palette();
+    if (models.reduce((sum, model) => sum + model.joints.length, 0) <= MANY) this.layers.add("axes");
+    const empty = models.flatMap((model) => model.links).filter((link) => !link.shapes.length);
+    if (empty.length <= MANY) this.layers.add("empty links");
+    this.scenes = page.scenes.map((scene) => {
+      const group = new Group();
+      stage.content.add(group);
+      const crowd = shapes > SEVERAL ? new Crowd(group, shapes <= page.mostShapes) : null;
+      const robots = scene.models.map((model) => new Robot(model, meshes, palette, crowd));
+      for (const robot of robots) group.add(robot.group);
+      const lights = scene.lights.map((light) => lightOf(light, 0.5));
+      for (const light of lights) group.add(light);
+      return { group, robots, lights, crowd: crowd?.build() ?? [] };
     });
-  };
-  const controls = new OrbitControls(camera, canvas);
-  controls.target.copy(middle);
-  controls.addEventListener("change", draw);
-  controls.update();
-  const resize = (): void => {
-    const { clientWidth, clientHeight } = canvas.parentElement as HTMLElement;
-    renderer?.setSize(clientWidth, clientHeight);
-    camera.aspect = clientWidth / Math.max(clientHeight, 1);
-    camera.updateProjectionMatrix();
-    draw();
-  };
-  addEventListener("resize", resize);
-  document.addEventListener("drawn", draw);
+    this.panel = new Panel(document.getElementById("panel") as HTMLElement, page, this);
+    this.compare();
+    this.showFindings();
+    const notes = [...page.scenes.flatMap((scene) => scene.notes), ...meshes.notes()];
+    this.panel.fill(this.sliders(), notes, this.layers, Object.keys(VIEWS));
+    for (const layer of LAYERS) this.show(layer, this.layers.has(layer));
+    this.arrange();
+    stage.onLook = () => this.legend();
+    stage.resize();
+    stage.onPick((link) => {
+      const robot = link.userData.robot as Robot;
+      this.select({ model: robot.model.name, part: link.userData.link as string });
+    });
+  }
 
-  let marker: Box3Helper | null = null;
-  const select = (name: string): void => {
-    if (marker) world.remove(marker);
-    marker = null;
-    const link = robots.map((robot) => robot.links.get(name) ?? robot.links.get(
-      robot.model.joints.find((joint) => joint.name === name)?.child ?? "")).find(Boolean);
-    if (link) {
-      const box = new Box3().setFromObject(link);
-      marker = new Box3Helper(box.isEmpty() ? new Box3(new Vector3(), new Vector3()) : box, new Color(0xf08c00));
-      world.add(marker);
-    }
-    for (const button of panel.querySelectorAll("button[data-part]"))
-      button.classList.toggle("selected", button.getAttribute("data-part") === name);
-    panel.querySelector("button.selected")?.scrollIntoView({ block: "nearest" });
-    history.replaceState(null, "", `#${new URLSearchParams({ part: name })}`);
-    draw();
-  };
+  // What the panel asks for.
 
-  const notes = [...page.scenes.flatMap((one) => one.notes), ...meshes.missing()];
-  fill(panel, page, robots, notes, {
-    layer: (layer: Layer, visible: boolean) => {
-      for (const robot of robots) robot.show(layer, visible);
-      draw();
-    },
-    moved: (robot: Robot) => {
-      robot.move();
-      for (const other of robots)
-        if (other !== robot && other.model.name === robot.model.name) {
-          for (const [name, value] of robot.positions) other.positions.set(name, [...value]);
-          other.move();
-        }
-      draw();
-    },
-    select,
-  });
+  layer(layer: Layer, visible: boolean): void {
+    if (visible) this.layers.add(layer);
+    else this.layers.delete(layer);
+    this.show(layer, visible);
+    this.paint();
+    this.stage.look();
+    this.stage.draw();
+  }
 
-  let pressed = new Vector2();
-  canvas.addEventListener("pointerdown", (event) => (pressed = new Vector2(event.clientX, event.clientY)));
-  canvas.addEventListener("pointerup", (event) => {
-    if (pressed.distanceTo(new Vector2(event.clientX, event.clientY)) > 4) return;
-    const box = canvas.getBoundingClientRect();
-    const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-    const ray = new Raycaster();
-    ray.setFromCamera(at, camera);
-    for (let hit: Object3D | null = ray.intersectObject(stage, true).find((one) => one.object.visible)?.object ?? null; hit; hit = hit.parent)
-      if (typeof hit.userData.link === "string") {
-        select(hit.userData.link);
-        return;
+  view(name: string): void {
+    this.stage.look(VIEWS[name], true);
+  }
+
+  arrangeAs(mode: Mode): void {
+    this.mode = mode;
+    this.arrange();
+    this.stage.look(VIEWS.Fit, true);
+  }
+
+  select(place: Place, layer: string | null = null): void {
+    if (layer) this.panel.turnOn(layer);
+    const bounds = new Box3();
+    let found = false;
+    for (const { group, robots } of this.scenes) {
+      if (!group.visible) continue;
+      for (const robot of robots) {
+        if (place.model !== null && robot.model.name !== place.model) continue;
+        const links = place.part === null ? [...robot.links.values()] : [robot.linkOf(place.part)];
+        for (const link of links)
+          if (link) {
+            const own = robot.bounds(link);
+            bounds.union(own.isEmpty() ? new Box3().expandByPoint(link.getWorldPosition(new Vector3())) : own);
+            found = true;
+          }
+        if (found) break;
       }
-  });
+      if (found) break;
+    }
+    this.stage.mark(found ? bounds : null, place.part ?? place.model ?? "");
+    this.panel.highlight(place);
+    const chosen = Object.entries(place).filter((entry): entry is [string, string] => entry[1] !== null);
+    history.replaceState(null, "", `#${new URLSearchParams(chosen)}`);
+  }
 
-  resize();
-  const chosen = new URLSearchParams(location.hash.slice(1)).get("part");
-  if (chosen) select(chosen);
-  document.documentElement.dataset.ready = String(robots.length);
+  // How it comes about.
+
+  private compare(): void {
+    if (this.scenes.length < 2) return;
+    const [before, after] = this.scenes.map((scene) => scene.robots);
+    const models = (robots: Robot[]): Model[] => robots.map((robot) => robot.model);
+    for (const first of before) {
+      const other = counterpart(first.model, models(after), models(before));
+      const second = after.find((robot) => robot.model === other);
+      if (!second) continue;
+      const { shapes, inertias } = differing(first.model, second.model, this.page.meshes);
+      this.pairs.push({ first, second, shapes, inertias, moved: moved(first.model, second.model, new Map()) });
+      if ([...shapes].some((shape) => shape.role === "collision")) this.layers.add("collisions");
+      if (inertias.size) this.layers.add("inertias");
+    }
+  }
+
+  /** Shows what findings are about, where it is not shown anyway. */
+  private showFindings(): void {
+    for (const { layer, severity } of this.page.findings)
+      if (severity !== "info" && (layer === "inertias" || layer === "collisions" || layer === "sensors"))
+        this.layers.add(layer);
+  }
+
+  private sliders(): Moved[] {
+    const paired = new Set(this.pairs.map((pair) => pair.second));
+    return this.scenes
+      .flatMap(({ robots }) => robots)
+      .filter((robot) => !paired.has(robot))
+      .map((robot) => {
+        const pair = this.pairs.find((one) => one.first === robot);
+        const { positions } = robot;
+        return {
+          model: robot.model,
+          joints: movable(robot.model, pair?.second.model),
+          positions,
+          changed: () => this.moved(robot, pair),
+          differMost: pair ? () => this.differMost(pair, positions) : null,
+        };
+      });
+  }
+
+  private moved(robot: Robot, pair: Pair | undefined): void {
+    robot.move();
+    if (pair) {
+      pair.second.positions.clear();
+      for (const [name, values] of robot.positions) pair.second.positions.set(name, [...values]);
+      pair.second.move();
+      pair.moved = moved(robot.model, pair.second.model, robot.positions);
+      this.paint();
+    }
+    this.stage.draw();
+  }
+
+  private differMost(pair: Pair, positions: Map<string, number[]>): string {
+    const found = farthest(pair.first.model, pair.second.model);
+    if (!found.link) return "Their links are in the same places in all configurations that were tried.";
+    positions.clear();
+    for (const [name, values] of found.positions) positions.set(name, values);
+    return `${found.link} is up to ${meters(found.distance)} m apart`;
+  }
+
+  private show(layer: Layer, visible: boolean): void {
+    for (const { robots, lights, crowd } of this.scenes) {
+      for (const robot of robots) robot.show(layer, visible);
+      for (const [own, mesh] of crowd) if (own === layer) mesh.visible = visible;
+      if (layer === "lights") for (const light of lights) light.visible = visible;
+    }
+  }
+
+  /** Puts two robots beside or over each other, and shows which are asked for. */
+  private arrange(): void {
+    const [first, second] = this.scenes;
+    if (second) {
+      first.group.visible = this.mode !== "only the second";
+      second.group.visible = this.mode !== "only the first";
+      second.group.position.set(0, 0, 0);
+      second.group.updateMatrixWorld(true);
+      if (this.mode === "side by side") {
+        const [a, b] = [first, second].map((scene) => this.taken(scene));
+        const wide = [a, b].flatMap((box) => box.getSize(new Vector3()).toArray().slice(0, 2));
+        second.group.position.y = a.max.y - b.min.y + Math.max(...wide) * 0.7;
+      }
+      second.group.updateMatrixWorld(true);
+    }
+    this.paint();
+  }
+
+  /** What the robots of a scene take up. */
+  private taken(scene: Drawn): Box3 {
+    const all = new Box3();
+    for (const robot of scene.robots) for (const link of robot.links.values()) all.union(robot.bounds(link));
+    if (all.isEmpty()) all.set(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
+    return all;
+  }
+
+  private paint(): void {
+    const isOver = this.mode === "over each other";
+    const seeThrough = isOver || this.layers.has("inertias") || this.layers.has("collisions");
+    const paired = new Map<Robot, [Pair, Look]>();
+    for (const pair of this.pairs) {
+      paired.set(pair.first, [pair, "before"]);
+      paired.set(pair.second, [pair, "after"]);
+    }
+    this.scenes.forEach(({ robots }, index) => {
+      for (const robot of robots) {
+        const [pair, marked] = paired.get(robot) ?? [null, index ? "after" : "before"];
+        const differs = (link: string, shape: Shape): boolean =>
+          this.scenes.length > 1 && (!pair || pair.shapes.has(shape) || pair.moved.has(link));
+        robot.paint((link, shape) => (differs(link, shape) ? (marked as Look) : "own"), seeThrough);
+      }
+    });
+  }
+
+  private legend(): void {
+    const legend = document.getElementById("legend") as HTMLElement;
+    const lines = [`grid: ${meters(this.stage.cell)} m`];
+    const marks = this.page.scenes.length > 1 ? ["before", "after"] : [];
+    legend.replaceChildren(
+      ...[...lines, ...marks].map((text, index) => {
+        const line = document.createElement("span");
+        line.className = text;
+        line.textContent = index ? `different in ${this.page.scenes[index - 1].file}` : text;
+        return line;
+      }),
+    );
+  }
+
+  /** Draws; returns how many drawing calls that took. For tests, as what follows. */
+  draw(): number {
+    return this.stage.drawNow();
+  }
+
+  /** The size of the selected part. */
+  size(): number[] {
+    return this.stage.marked?.getSize(new Vector3()).toArray() ?? [];
+  }
+
+  /** Shapes that are marked as different, each as its role and link. */
+  marked(scene: number): string[] {
+    const robots = new Set(this.scenes[scene].robots);
+    return this.pairs.flatMap((pair) =>
+      [pair.first, pair.second].flatMap((robot) =>
+        robots.has(robot)
+          ? robot.model.links.flatMap((link) =>
+              link.shapes.flatMap((shape) =>
+                pair.shapes.has(shape) || pair.moved.has(link.name) ? [`${shape.role} ${link.name}`] : [],
+              ),
+            )
+          : [],
+      ),
+    );
+  }
+
+  /** The poses of the links of each robot in its frame, as they are drawn, by model. */
+  poses(scene = 0): Record<string, Record<string, number[]>> {
+    return Object.fromEntries(
+      this.scenes[scene].robots.map(({ model, links }) => [
+        model.name,
+        Object.fromEntries([...links].map(([name, link]) => [name, link.matrix.toArray()])),
+      ]),
+    );
+  }
+}
+
+function shapesOf(page: Page): number {
+  const links = page.scenes.flatMap((scene) => scene.models).flatMap((model) => model.links);
+  return links.reduce((sum, link) => sum + link.shapes.length, 0);
+}
+
+async function start(page: Page): Promise<void> {
+  const stage = new Stage(document.querySelector("canvas") as HTMLCanvasElement, shapesOf(page) <= page.mostShapes);
+  (document.getElementById("no-webgl") as HTMLElement).hidden = stage.works;
+  const meshes = new Meshes(page.meshes);
+  await meshes.load();
+  const viewer = new Viewer(page, stage, meshes);
+  const chosen = new URLSearchParams(location.hash.slice(1));
+  if (chosen.has("part") || chosen.has("model"))
+    viewer.select({ model: chosen.get("model"), part: chosen.get("part") });
+  Object.assign(window, { viewer });
+  document.documentElement.dataset.ready = "true";
 }
 
 const data = document.getElementById("data")?.textContent;
-if (data) start(JSON.parse(data) as Page);
+if (data) void start(JSON.parse(data) as Page);

@@ -122,7 +122,7 @@ def test_large_worlds_are_drawn_as_boxes() -> None:
     many = "".join(visual.format(number) for number in range(MOST_SHAPES + 1))
     text = f'<sdf version="1.12"><model name="m"><link name="l">{many}</link></model></sdf>'
     assert scene(sdfcheck.parse(text).document, Meshes())["notes"] == [
-        f"{MOST_SHAPES + 1} shapes: meshes are drawn as boxes"
+        f"{MOST_SHAPES + 1} shapes: drawn with few corners, and meshes as boxes"
     ]
 
 
