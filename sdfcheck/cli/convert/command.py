@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from sdfcheck.cli.convert.before_and_after import write_page
 from sdfcheck.cli.convert.options import Request
 from sdfcheck.cli.convert.outcome import converted
 from sdfcheck.cli.convert.places import Source, refuse_to_overwrite, sources, targets
@@ -87,6 +88,8 @@ def convert_files(
     paths = [file.path for file in files if file.data is None]
     refuse_to_overwrite(paths, places, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
     _check_arguments(request, files)
+    if request.report is not None and len(files) > 1:
+        raise WrongUsage("--report shows one conversion, and there are several inputs")
     done = Reporting(request, wanted)
     with Reader(request.around, lint=request.lint, expand=not request.no_expand) as reader:
         for file, target in zip(files, places, strict=True):
@@ -95,6 +98,8 @@ def convert_files(
                 outcome = converted(given, convert, request)
                 if outcome.conversion is not None and not outcome.failed:
                     outcome = outcome.judged(reader.judge(given, outcome.conversion.text, kind))
+                if request.report is not None:
+                    write_page(request.report, given, outcome, kind)
                 if outcome.conversion is not None and not outcome.failed:
                     _write(outcome.conversion, file, target, kind)
             except WrongUsage as error:

@@ -30,6 +30,7 @@ class Request(NamedTuple):
     losses: str
     min_severity: str
     output_format: tuple[str, ...]
+    report: Path | None
     color: str
     quiet: bool
     around: Around
@@ -78,6 +79,12 @@ _OPTIONS = (
         help="Show what is at least so severe, and count the rest (text formats).  [default: warning]",
     ),
     reported(f"How to report all losses: {', '.join(FORMATS)}. May be repeated, with a file each."),
+    click.option(
+        "--report",
+        type=_PATH,
+        metavar="FILE",
+        help="Write a page that shows the robot before and after, with losses at their parts (one input).",
+    ),
     surroundings,
     configured,
     colored(),

@@ -126,6 +126,27 @@ def test_large_worlds_are_drawn_as_boxes() -> None:
     ]
 
 
+def test_a_conversion_is_shown_before_and_after(tmp_path: Path) -> None:
+    source = ROOT / "fixtures" / "convert" / "sdf-to-urdf" / "shapes-without-equal" / "input.sdf"
+    out, page = tmp_path / "out.urdf", tmp_path / "page.html"
+    assert (
+        main(["convert", "sdf-to-urdf", str(source), "-o", str(out), "--report", str(page), "--isolated"])
+        == 0
+    )
+    data = data_of(page.read_text(encoding="utf-8"))
+    before, after = (scene["models"][0]["links"][0]["shapes"] for scene in data["scenes"])
+    assert len(before) > len(after)
+    losses = [finding for finding in data["findings"] if finding["code"] == "CNV008"]
+    assert any(loss["part"] == "a" and loss["layer"] == "visuals" for loss in losses)
+
+
+def test_a_page_shows_one_conversion(tmp_path: Path) -> None:
+    robots = [str(ROBOTS / "desk_arm" / "desk_arm.urdf")] * 2
+    options = ["--output-dir", str(tmp_path), "--report", str(tmp_path / "page.html")]
+    assert main(["convert", "urdf-to-sdf", *robots, *options]) == 2
+    assert not (tmp_path / "page.html").exists()
+
+
 @pytest.mark.peers
 @pytest.mark.skipif(not (VIEWER / "node_modules").is_dir(), reason="the viewer's packages are not installed")
 @pytest.mark.parametrize(

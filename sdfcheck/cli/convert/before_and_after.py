@@ -1,0 +1,55 @@
+"""``--report``: the page that shows a robot before and after its conversion, with losses at their parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.terminal import say
+
+if TYPE_CHECKING:
+    from sdfcheck.cli.convert.inputs import Input
+    from sdfcheck.cli.convert.outcome import Outcome
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.sniff import Kind
+
+
+def write_page(page: Path, given: Input, outcome: Outcome, kind: Kind) -> None:
+    """Write the page to a file: both robots, or the source alone where there is no result.
+
+    Raises:
+        WrongUsage: the file is the input, or cannot be written.
+    """
+    if given.document is None:
+        say(f"note: {page} is not written: {given.file} cannot be expanded")
+        return
+    deliver(_page(given.document, outcome, kind), page, [given.file])
+
+
+def _page(source: Document, outcome: Outcome, kind: Kind) -> str:
+    from sdfcheck.source.document import read
+    from sdfcheck.view.meshes import Meshes
+    from sdfcheck.view.notes import differences, findings
+    from sdfcheck.view.page import page
+    from sdfcheck.view.scene import scene
+
+    documents = [source]
+    if outcome.conversion is not None:
+        # The text names files as the source does, so it is read as if it were beside it.
+        beside = source.path.with_suffix(f".{kind.value}")
+        result = read(outcome.conversion.text.encode("utf-8", "surrogateescape"), beside, kind)
+        result.library = source.library
+        documents.append(result)
+    meshes = Meshes()
+    scenes = [scene(document, meshes) for document in documents]
+    for shown, name in zip(scenes, ("before", "after"), strict=False):
+        shown["file"] = f"{shown['file']} ({name})"
+    return page(
+        f"{source.path.name}: {outcome.verdict}",
+        scenes,
+        meshes.entries,
+        findings=findings(outcome.diagnostics, source),
+        heading="Losses and errors",
+        differences=differences(*documents) if len(documents) > 1 else (),
+    )
