@@ -9,7 +9,6 @@ from sdfcheck import (
     Diagnostic,
     Good,
     Joint,
-    Link,
     Root,
     Rule,
     Severity,
@@ -82,17 +81,18 @@ class SeveralParents(Rule):
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for link, (first, *others) in root.parent_joints.items():
-            names = [joint.name for joint in (first, *others)]
+            names = named((joint.name for joint in (first, *others)), most=4)
+            message = f"link `{link.name}` is child of {len(others) + 1} joints: {names}"
             for joint in others:
                 if joint.is_urdf and joint.name == first.name:
                     continue  # the business of duplicate-name
-                yield self._one_more(link, joint, first, names)
+                yield self._one_more(joint, first, message)
 
-    def _one_more(self, link: Link, joint: Joint, first: Joint, names: list[str]) -> Diagnostic:
+    def _one_more(self, joint: Joint, first: Joint, message: str) -> Diagnostic:
         is_held = not joint.is_urdf and "world" in (joint.parent_name, first.parent_name)
         return self.diagnostic(
             joint.child_value or joint,
-            f"link `{link.name}` is child of {len(names)} joints: {named(names, most=4)}",
+            message,
             labels={first.child_value or first: "first a child here"},
             severity=Severity.ERROR if joint.is_urdf else None,
             # What a joint holds to the world makes no loop with another one.

@@ -16,7 +16,7 @@ def listed(words: Iterable[str], joiner: str = "and", *, most: int = 0) -> str:
 
 def named(words: Iterable[str], joiner: str = "and", *, most: int = 0) -> str:
     """Names in a list: ```a`, `b` and `c```."""
-    return listed([f"`{word}`" for word in words], joiner, most=most)
+    return listed((f"`{word}`" for word in words), joiner, most=most)
 
 
 def used(count: int) -> str:

@@ -124,7 +124,7 @@ class Model(Scope):
 
         return self.holder is self.root and is_made_static(self.document)
 
-    @property
+    @lazy
     def static_value(self) -> Value | None:
         """Where it says whether it is static."""
         given = self.include.find("static") if self.include is not None else None

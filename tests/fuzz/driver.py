@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from sdfcheck.source.record import NamedTuple
 from tests.fuzz.commands import COMMANDS, Failure
 from tests.fuzz.documents import Text, texts
-from tests.fuzz.minimize import minimize
+from tests.fuzz.minimize import ATTEMPTS, minimize
 from tests.fuzz.worker import SERVER, Worker
 
 BATCH = 100
@@ -90,10 +90,11 @@ class Fuzzer:
             found = self.worker.run(command, Text(text.suffix, data))
             return found is not None and found.mark == failure.mark
 
-        slow = "time" in failure.mark or "hang" in failure.mark
-        data = minimize(text.data, fails, 30 if slow else 600)
         name = hashlib.sha256(mark.encode()).hexdigest()[:12]
         self.folder.mkdir(parents=True, exist_ok=True)
+        self.folder.joinpath(f"{name}{text.suffix}").write_bytes(text.data)
+        is_slow = any(word in failure.mark for word in ("time", "hang", "answer"))
+        data = minimize(text.data, fails, 10 if is_slow else ATTEMPTS)
         self.folder.joinpath(f"{name}{text.suffix}").write_bytes(data)
         story = f"{command}\n{mark}\nseed {number}\n\n{failure.story}\n"
         self.folder.joinpath(f"{name}.txt").write_text(story, "utf-8", "backslashreplace")

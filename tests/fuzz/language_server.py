@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +26,11 @@ _OF_A_TEXT = ("diagnostic", "documentSymbol", "foldingRange", "documentLink", "s
 _CAPABILITIES: dict[str, object] = {"textDocument": {"diagnostic": {}, "publishDiagnostics": {}}}
 
 
+SECONDS = 10
+"""Processor time of one answer; what the clock shows may be much more on a busy machine."""
+AT_MOST = 300
+
+
 class Ended(Exception):
     """The server has gone."""
 
@@ -37,6 +45,8 @@ class LanguageServer:
         )
         self._number = 0
         self._complaints: list[str] = []
+        self._asked: tuple[float, float] | None = None
+        threading.Thread(target=self._watch, daemon=True).start()
         self.request(
             "initialize", {"processId": None, "rootUri": folder.as_uri(), "capabilities": _CAPABILITIES}
         )
@@ -45,6 +55,24 @@ class LanguageServer:
     def close(self) -> None:
         self.process.kill()
         self.process.communicate()
+
+    def _watch(self) -> None:
+        """End the process if it does not answer."""
+        while self.process.poll() is None:
+            asked = self._asked
+            if asked is not None:
+                computed, passed = self._times()
+                if computed - asked[0] > SECONDS or passed - asked[1] > AT_MOST:
+                    self.process.kill()
+            time.sleep(1)
+
+    def _times(self) -> tuple[float, float]:
+        """The processor time of the process, where the system says it, and the clock, in s."""
+        try:
+            fields = Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
+        except OSError:
+            return 0.0, time.monotonic()
+        return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK"), time.monotonic()
 
     def send(self, message: dict[str, Any]) -> None:
         data = json.dumps({"jsonrpc": "2.0", **message}).encode()
@@ -72,6 +100,7 @@ class LanguageServer:
     def request(self, method: str, params: object) -> Any:
         """The result of a request; what the server says meanwhile is looked at."""
         self._number += 1
+        self._asked = self._times()
         self.send({"id": self._number, "method": method, "params": params})
         while True:
             message = self.receive()
@@ -83,6 +112,7 @@ class LanguageServer:
                 error = message.get("error")
                 if error is not None and error["code"] == -32603:
                     self._complaints.append(f"{method}: {json.dumps(error)}")
+                self._asked = None
                 return message.get("result")
 
     def complaint(self) -> Failure | None:
@@ -109,7 +139,7 @@ def converse(server: LanguageServer, file: Path, data: bytes) -> Failure | None:
         server.notify("textDocument/didClose", {"textDocument": document})
         return server.complaint()
     except Ended:
-        return Failure("the server ends", "")
+        return Failure("the server ends, or does not answer", "")
 
 
 def _ask(server: LanguageServer, uri: str, text: str) -> None:
