@@ -94,6 +94,12 @@ DIMENSIONS: dict[str, Dimension] = {
     "joints without links": _sdf_of(
         '<joint name="j#" type="fixed"><parent>p#</parent><child>c#</child></joint>'
     ),
+    "joints of one name": _sdf_of(
+        '<link name="k#"/><joint name="j" type="fixed"><parent>l</parent><child>k#</child></joint>'
+    ),
+    "joints of one child": _sdf_of(
+        '<link name="k#"/><joint name="j#" type="fixed"><parent>k#</parent><child>l</child></joint>'
+    ),
     "collisions": Dimension(
         "a.sdf",
         lambda n: _sdf(f'<link name="k">{_each(_COLLISION, n)}</link>'),
@@ -130,6 +136,12 @@ DIMENSIONS: dict[str, Dimension] = {
     # URDF.
     "links of URDF": _urdf_of(
         '<link name="l#"/><joint name="j#" type="fixed"><parent link="a"/><child link="l#"/></joint>'
+    ),
+    "joints of URDF of one name": _urdf_of(
+        '<link name="l#"/><joint name="j" type="fixed"><parent link="a"/><child link="l#"/></joint>'
+    ),
+    "joints of URDF of one child": _urdf_of(
+        '<link name="l#"/><joint name="j#" type="fixed"><parent link="l#"/><child link="a"/></joint>'
     ),
     "links of URDF in a chain": Dimension(
         "a.urdf",

@@ -168,7 +168,7 @@ def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
         span.source
         for diagnostic in diagnostics
         for span in (diagnostic.span, *(origin.span for origin in diagnostic.origins))
-        if span.source.path != path and "sdfcheck:" in span.source.text
+        if span.source.path != path and span.source.mentions("sdfcheck:")
     }
     if not sources:
         return []

@@ -1,10 +1,14 @@
-"""Twice as much of anything takes twice as much work: lines of code are counted, not seconds."""
+"""Twice as much of anything takes twice as much work: lines of code are counted, and searches of the whole text."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
-from benchmarks.growth import DIMENSIONS, work
+from benchmarks.growth import DIMENSIONS, seconds, work
+from sdfcheck.lint.call import lint
+from sdfcheck.source.text import Source
 
 SIZE = 30
 LARGER = {"joints without links": 400}
@@ -21,6 +25,55 @@ def test_work_grows_with_the_size(name: str) -> None:
     work(dimension, SIZE)
     once, twice, four_times = (work(dimension, size * factor) for factor in (1, 2, 4))
     assert four_times - twice <= 2 * STEEP * (twice - once) + SLACK
+
+
+class Searched(str):
+    """A text that notes when something is looked for in all of it."""
+
+    __slots__ = ("searches",)
+
+    def __init__(self, text: str) -> None:
+        self.searches: list[object] = []
+
+    def __contains__(self, words: object) -> bool:
+        self.searches.append(words)
+        return str(words) in str(self)
+
+
+@pytest.mark.parametrize("name", DIMENSIONS)
+def test_the_whole_text_is_searched_as_often_in_long_texts(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    texts: list[Searched] = []
+    begin = Source.__init__
+
+    def note(source: Source, path: Path, text: str) -> None:
+        texts.append(Searched(text))
+        begin(source, path, texts[-1])
+
+    monkeypatch.setattr(Source, "__init__", note)
+    dimension = DIMENSIONS[name]
+
+    def searches(n: int) -> int:
+        texts.clear()
+        lint(dimension.text(n), name=dimension.file, isolated=True, target=dimension.target)
+        return sum(len(text.searches) for text in texts)
+
+    searches(10)
+    assert searches(120) <= searches(40) + 5
+
+
+@pytest.mark.parametrize("name", ["links", "joints", "gazebo blocks", "collision filter groups"])
+def test_what_libraries_do_grows_with_the_size(name: str) -> None:
+    dimension = DIMENSIONS[name]
+    seconds(dimension, 10)
+    # Linear work takes 4 times as long, quadratic work 16 times. On a busy machine a run may be
+    # slow by chance: then both are measured again.
+    for _ in range(5):
+        once, four_times = seconds(dimension, 2000), seconds(dimension, 8000)
+        if four_times < 8 * once:
+            return
+    pytest.fail(f"{once:.2f} s for 2000, {four_times:.2f} s for 8000")
 
 
 def test_there_are_many_dimensions() -> None:

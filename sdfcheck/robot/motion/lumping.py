@@ -45,8 +45,8 @@ class Lumping:
     def masses(self) -> dict[Link, float]:
         """The masses (kg) of links and of the links that are merged into them; infinite where one is not known."""
         masses = {link: _mass(link) for link in self.model.tree.links.values()}
-        below = [link for top in self.tops for link in top.below()]
-        for link in reversed(below):
+        below = self.model.tree.below(*dict.fromkeys(self.tops))
+        for link in reversed(list(below)):
             for joint in link.parent_joints:
                 parent = joint.parent_link
                 if joint.is_lumped and parent is not None:

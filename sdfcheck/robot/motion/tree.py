@@ -49,10 +49,10 @@ class Tree:
         """The links to which no joint leads, in the order of the file."""
         return [link for link in self.links.values() if link not in self.parents]
 
-    def below(self, link: Link) -> Iterator[Link]:
-        """The link and all links below it, each once, even where joints lead round in a circle."""
-        seen = {link}
-        waiting = [link]
+    def below(self, *links: Link) -> Iterator[Link]:
+        """The links and all links below them, each once, even where joints lead round in a circle."""
+        seen = set(links)
+        waiting = list(reversed(links))
         while waiting:
             at = waiting.pop()
             yield at
