@@ -85,7 +85,10 @@ def serve(connection: Connection) -> None:
         except EOFError:
             break
         with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
-            file = Path(folder, f"file{text.suffix}")
+            # A repository: otherwise all that lies beside the folder could be the project.
+            file = Path(folder, "robot", f"file{text.suffix}")
+            file.parent.mkdir()
+            Path(folder, ".git").mkdir()
             file.write_bytes(text.data)
             if command == SERVER:
                 server = server or LanguageServer(file.parent)
