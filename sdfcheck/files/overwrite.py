@@ -64,6 +64,8 @@ def _replace(target: str, data: bytes, old: os.stat_result | None) -> None:
 
 
 def _keep_owner(name: str, old: os.stat_result) -> None:
+    if sys.platform == "win32":
+        return
     new = os.stat(name)
     if (new.st_uid, new.st_gid) == (old.st_uid, old.st_gid):
         return

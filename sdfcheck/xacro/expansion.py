@@ -17,7 +17,8 @@ from sdfcheck.source.text import Source
 from sdfcheck.xacro.explanation import explain
 from sdfcheck.xacro.origins import Call, ExpandedDocument, Provenance, Sources, shown
 from sdfcheck.xacro.problems import ExpansionFailure, Failure, Problem
-from sdfcheck.xacro.process.worker import Limits, Worker
+from sdfcheck.xacro.process.watch import Limits
+from sdfcheck.xacro.process.worker import Worker
 
 PASSED_ON = (
     "AMENT_PREFIX_PATH",

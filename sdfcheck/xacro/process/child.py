@@ -80,7 +80,7 @@ def _packages(request: Request, known: dict[str, Packages]) -> Packages:
 def _serve(request: Request, known: dict[str, Packages]) -> bytes:
     packages = _packages(request, known)
     memory = mmap.mmap(-1, CRUMBS)
-    if not hasattr(os, "fork"):
+    if sys.platform == "win32" or not hasattr(os, "fork"):
         return json.dumps(expand(request, packages, memory)).encode()
     reading, writing = os.pipe()
     child = os.fork()

@@ -110,7 +110,12 @@ def isolate_network() -> None:
 
 
 def limit(limits: Mapping[str, int]) -> None:
-    """Bound processor time (s), memory and written files (none); reaching the time raises TooMuch."""
+    """Bound processor time (s), memory and written files (none); reaching the time raises TooMuch.
+
+    Where the system has no such limits, :mod:`sdfcheck.xacro.process.watch` keeps them from outside.
+    """
+    if sys.platform == "win32":
+        return
     try:
         import resource
         import signal
@@ -143,14 +148,18 @@ class Readable:
     __slots__ = ("links", "roots")
 
     def __init__(self, root: str, trusted: Sequence[str], installed: Sequence[str] = ()) -> None:
-        self.roots = tuple(os.path.realpath(folder) for folder in (root, *installed, *trusted))
-        self.links = tuple(os.path.abspath(folder) for folder in trusted)
+        self.roots = tuple(_plain(os.path.realpath(folder)) for folder in (root, *installed, *trusted))
+        self.links = tuple(_plain(os.path.abspath(folder)) for folder in trusted)
 
     def __call__(self, path: str) -> bool:
-        plain = os.path.abspath(path)
         real = os.path.realpath(path)
-        inside = _below(real, self.roots) or _below(plain, self.links)
+        inside = _below(_plain(real), self.roots) or _below(_plain(os.path.abspath(path)), self.links)
         return inside and (os.path.isfile(real) or not os.path.exists(real))
+
+
+def _plain(path: str) -> str:
+    """A path as systems compare it that do not distinguish letters by case; of Windows without ``\\\\?\\``."""
+    return os.path.normcase(path.removeprefix("\\\\?\\") if os.sep == "\\" else path)
 
 
 def _below(path: str, folders: Sequence[str]) -> bool:

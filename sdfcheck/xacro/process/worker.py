@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
-from sdfcheck.source.record import NamedTuple
+from sdfcheck.xacro.process.watch import Limits, Watch, is_needed
 
 if TYPE_CHECKING:
     import subprocess
@@ -17,15 +17,6 @@ if TYPE_CHECKING:
 _START = "import sys; sys.path[:0] = sys.argv[1:]; from sdfcheck.xacro.process.child import main; main()"
 _GRACE = 5.0
 """So many seconds after its own deadline the process is given up."""
-
-
-class Limits(NamedTuple):
-    """What one expansion may take: processor and wall time in s, memory and result in bytes."""
-
-    cpu: int = 10
-    wall: int = 20
-    memory: int = 1 << 30
-    output: int = 64_000_000
 
 
 class Worker:
@@ -38,29 +29,42 @@ class Worker:
         self._stop: Callable[[], object] | None = None
 
     def ask(self, request: dict[str, Any], limits: Limits) -> dict[str, Any] | None:
-        """The answer to a request, None if the process failed."""
-        import json
+        """The answer to a request, None if the process failed.
+
+        Raises:
+            WrongUsage: nothing can limit the process.
+        """
         from threading import Timer
 
         process = self.start()
-        assert process.stdin
-        assert process.stdout
+        watch = Watch(process.pid, limits, lambda: _kill(process)) if is_needed() else None
         timer = Timer(limits.wall + _GRACE, _kill, [process])
         timer.start()
         answer: dict[str, Any] | None = None
         try:
-            raw = json.dumps({**request, "limits": limits._asdict()}).encode()
-            process.stdin.write(len(raw).to_bytes(8, "big") + raw)
-            process.stdin.flush()
-            data = _receive(process.stdout, 8 * limits.output)
-            answer = None if data is None else json.loads(data)
+            with watch or nullcontext():
+                answer = self._answer(process, request, limits)
         except (OSError, ValueError):
             answer = None
         finally:
             timer.cancel()
             if not isinstance(answer, dict) or not hasattr(os, "fork"):
                 self.close()
+        if watch is not None and watch.reason:
+            failure = {"kind": "limit", "message": watch.reason}
+            return {"failure": failure, "files": [], "steps": []}
         return answer if isinstance(answer, dict) else None
+
+    def _answer(self, process: subprocess.Popen[bytes], request: dict[str, Any], limits: Limits) -> Any:
+        import json
+
+        assert process.stdin
+        assert process.stdout
+        raw = json.dumps({**request, "limits": limits._asdict()}).encode()
+        process.stdin.write(len(raw).to_bytes(8, "big") + raw)
+        process.stdin.flush()
+        data = _receive(process.stdout, 8 * limits.output)
+        return None if data is None else json.loads(data)
 
     def close(self) -> None:
         if self._stop is not None:
@@ -100,7 +104,7 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
     """End the process and the fork that may be at work for it."""
     if process.poll() is not None:
         return
-    if hasattr(os, "killpg"):
+    if sys.platform != "win32":
         import signal
 
         os.killpg(process.pid, signal.SIGKILL)

@@ -18,7 +18,7 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
     XacroIncludeCycle,
 )
-from sdfcheck.xacro.process.worker import Limits
+from sdfcheck.xacro.process.watch import Limits
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 REACH = "(lambda: [c for c in ().__class__.__base__.__subclasses__()][0])()"
