@@ -100,6 +100,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "joints of one child": _sdf_of(
         '<link name="k#"/><joint name="j#" type="fixed"><parent>k#</parent><child>l</child></joint>'
     ),
+    "frames attached to nothing": _sdf_of('<frame name="f#" attached_to="nothing#"/>'),
     "collisions": Dimension(
         "a.sdf",
         lambda n: _sdf(f'<link name="k">{_each(_COLLISION, n)}</link>'),
@@ -155,6 +156,10 @@ DIMENSIONS: dict[str, Dimension] = {
         ),
     ),
     "materials": _urdf_of('<material name="m#"><color rgba="0 0 0 1"/></material>'),
+    "materials that are nowhere": _urdf_of(
+        '<link name="l#"><visual><geometry><sphere radius="1"/></geometry><material name="m#"/></visual></link>'
+        '<material name="n#"><color rgba="1 1 1 1"/></material>'
+    ),
     "gazebo blocks": _urdf_of('<gazebo reference="a"><selfCollide>1</selfCollide></gazebo>'),
     "gazebo blocks that lead nowhere": _urdf_of('<gazebo reference="b#"/>'),
     "mimicking joints": _urdf_of(

@@ -1,4 +1,4 @@
-"""Twice as much of anything takes twice as much work: lines of code are counted, and searches of the whole text."""
+"""Twice as much of anything takes twice as much work: lines of code are counted, and what C does for one of them."""
 
 from __future__ import annotations
 
@@ -6,12 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.growth import DIMENSIONS, seconds, work
+from benchmarks.growth import DIMENSIONS, work
 from sdfcheck.lint.call import lint
+from sdfcheck.source.element import Element
 from sdfcheck.source.text import Source
 
 SIZE = 30
-LARGER = {"joints without links": 400}
+LARGER = dict.fromkeys(
+    ("joints without links", "frames attached to nothing", "materials that are nowhere"), 400
+)
 """Up to some effort, unknown names are compared with all names that are there."""
 STEEP = 1.15
 """Linear work adds 2 times as much from 2n to 4n as from n to 2n, quadratic work 4 times."""
@@ -63,17 +66,28 @@ def test_the_whole_text_is_searched_as_often_in_long_texts(
     assert searches(120) <= searches(40) + 5
 
 
-@pytest.mark.parametrize("name", ["links", "joints", "gazebo blocks", "collision filter groups"])
-def test_what_libraries_do_grows_with_the_size(name: str) -> None:
+@pytest.mark.parametrize("name", DIMENSIONS)
+def test_children_are_looked_through_as_often(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    looked = 0
+    find = Element.find
+
+    def note(element: Element, name: str) -> Element | None:
+        nonlocal looked
+        found = find(element, name)
+        looked += len(element) if found is None else element.index(found)
+        return found
+
+    monkeypatch.setattr(Element, "find", note)
     dimension = DIMENSIONS[name]
-    seconds(dimension, 10)
-    # Linear work takes 4 times as long, quadratic work 16 times. On a busy machine a run may be
-    # slow by chance: then both are measured again.
-    for _ in range(5):
-        once, four_times = seconds(dimension, 2000), seconds(dimension, 8000)
-        if four_times < 8 * once:
-            return
-    pytest.fail(f"{once:.2f} s for 2000, {four_times:.2f} s for 8000")
+
+    def children(n: int) -> int:
+        nonlocal looked
+        looked = 0
+        lint(dimension.text(n), name=dimension.file, isolated=True, target=dimension.target)
+        return looked
+
+    children(10)
+    assert children(120) <= 3.5 * children(40) + 20
 
 
 def test_there_are_many_dimensions() -> None:

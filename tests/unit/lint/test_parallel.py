@@ -161,12 +161,12 @@ def test_an_interrupt_leaves_no_process(folder: Path, tmp_path: Path) -> None:
     needs_copies()
     child = subprocess.Popen([sys.executable, "-c", SLOW], stderr=subprocess.PIPE, text=True)
     pids = tmp_path / "pids"
-    for _ in range(1200):
+    for _ in range(12_000):
         if pids.exists() and len(pids.read_text().split()) == 2:
             break
         time.sleep(0.05)
     child.send_signal(signal.SIGINT)
-    assert child.communicate(timeout=60)[1].strip() == ""
+    assert child.communicate(timeout=600)[1].strip() == ""
     assert child.returncode == 130
     for pid in pids.read_text().split():
         assert not Path(f"/proc/{pid}").exists()

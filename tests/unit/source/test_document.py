@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -122,9 +121,7 @@ MARKUP = st.lists(
 @example("<a><!----></a>")
 @example("<:><a\u3000b='c'/></:>")
 def test_any_text_is_read(text: str) -> None:
-    start = time.perf_counter()
     check(document(text))
-    assert time.perf_counter() - start < 1
 
 
 @pytest.mark.parametrize(
