@@ -84,9 +84,9 @@ _OF_JOINTS = {
 }
 """Names that mean this only in a joint, or in an axis of one → the kinds of part."""
 
-_SCOPES = frozenset(("link", "model", "world"))
+_SCOPES = frozenset(("gazebo", "link", "model", "world"))
 _SCOPED = frozenset(("frame", "inertial", "joint", "link", "model"))
-"""Names that mean this in such a part only, and not in the link of an actor or the model of a population."""
+"""Names that mean this in such a part only, and not in a setting: the link of an actor, the model of a population."""
 
 CLASSES = {
     name: home
@@ -136,7 +136,7 @@ def _class_in(holder: str, kind: str, name: str) -> type[Part]:
     if kind in _CONTROL and name in _OF_CONTROL:
         return class_named(_OF_CONTROL[name].partition(":")[2])
     home = _HOMES.get(name)
-    if home is not None and (kind or holder not in _SCOPES or name not in _SCOPED):
+    if home is not None and (kind != "setting" or holder not in _SCOPES or name not in _SCOPED):
         wanted = _OF_JOINTS.get(name)
         at = holder if wanted is None else kind
         wanted = wanted or _ELSEWHERE.get(name)

@@ -52,6 +52,8 @@ def explain(report: Report, provenance: Provenance, document: Document, packages
         return take(case, packages)
     detail = str(report.get("name") or report.get("message") or "")
     failure = _FAILURES[kind]
+    if failure is Failure.SYNTAX and not report.get("place"):
+        failure = Failure.TEXT  # of the file itself: no include was under way
     if failure is Failure.VARIABLE and detail in os.environ:
         failure = Failure.WITHHELD
     return ExpansionFailure(case.span(), failure, detail, str(report.get("expression", "")), case.origins)

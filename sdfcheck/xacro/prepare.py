@@ -87,7 +87,7 @@ def prepare(
 
 def _placed(document: Document, problem: Problem) -> Problem:
     """A problem of the text of the file itself at its line and column, which the words name."""
-    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.SYNTAX:
+    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.TEXT:
         return problem
     match = _AT.search(problem.detail)
     if match is None or problem.span.source is not document.source or problem.origins:

@@ -26,7 +26,9 @@ def definition(element: Element) -> UrdfElement | None:
     """
     path: list[str] = []
     at: Element | None = element
-    while at is not None and at.name != "robot" and not at.name.startswith("xacro:"):
+    while (
+        at is not None and not at.name.startswith("xacro:") and (at.name != "robot" or at.parent is not None)
+    ):
         path.append(at.name)
         at = at.parent
     steps = "/".join(reversed(path))

@@ -9,6 +9,7 @@ class Setting(Part):
     """An element of the format that is read by its name: ``camera``, ``ode``, ``noise`` …"""
 
     __slots__ = ()
+    kind = "setting"
 
     @property
     def settings(self) -> tuple[Part, ...]:
