@@ -13,6 +13,7 @@ PYTHON ?= python3
 VENV ?= .venv
 MINUTES ?= 10
 SEED ?= 1
+PLATFORM ?= win32
 BENCH_VENV ?= build/bench-venv
 
 BIN := $(VENV)/bin
@@ -21,7 +22,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo picture test check layers format format-check lint types generate generated golden docs package vscode viewer viewer-check bench fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check bench fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -47,6 +48,10 @@ lint: $(TOOLS)
 
 types: $(TOOLS) build/mypy/sdfcheck_rules
 	$(BIN)/mypy
+
+# What Python and the system have elsewhere: PLATFORM is linux, darwin or win32.
+types-of-platform: $(TOOLS) build/mypy/sdfcheck_rules
+	$(BIN)/mypy --platform $(PLATFORM) --no-warn-unreachable sdfcheck build/mypy/sdfcheck_rules
 
 generate: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index

@@ -117,7 +117,31 @@ def test_fifty_megabytes_in_one_value() -> None:
             "</a>",
             "<a></b>",
         ),
-        *("    found = document(f"<sdf version='1.9'><!--{comment}--><model {' '.join(attributes)}/></sdf>")
+        *("<<<<<<< \n", "<!-- <!-- --> ", "<a>/a>", "pose>", "<a b='<", "<1>", "<a><b></a></b>", "]]>"),
+    ],
+)
+def test_time_grows_with_size_only(piece: str) -> None:
+    def duration(count: int) -> float:
+        start = time.process_time()
+        document("<sdf>" + piece * count)
+        return time.process_time() - start
+
+    duration(100)
+    # Quadratic work takes 64 times as long. A busy machine may slow one run down: then both are measured again.
+    assert any(duration(8_000) < 40 * duration(1_000) + 0.5 for _ in range(4))
+
+
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        [f'a{n}="1"' for n in range(20_000)],
+        [f'xmlns:p{n}="urn:{n}"' for n in range(20_000)],
+        [f'p{n}:a="1"' for n in range(20_000)],
+    ],
+)
+@pytest.mark.parametrize("comment", ["", " a -- b "])
+def test_attributes_past_the_limit_are_told_once_and_left_out(attributes: list[str], comment: str) -> None:
+    found = document(f"<sdf version='1.9'><!--{comment}--><model {' '.join(attributes)}/></sdf>")
     (problem,) = (each for each in problems(found) if isinstance(each, SyntaxDefect))
     assert problem.kind is SyntaxKind.TOO_MANY
     assert problem.span.text == attributes[1000].partition("=")[0]
