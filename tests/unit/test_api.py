@@ -281,3 +281,13 @@ def test_the_examples_of_the_manual_have_sound_types(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "mypy", *options, str(script)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_a_sensor_knows_the_link_that_it_is_on() -> None:
+    sensor = '<sensor name="s" type="imu"/>'
+    joint = f'<joint name="j" type="fixed"><parent>l</parent><child>k</child>{sensor}</joint>'
+    text = f'<sdf version="1.9"><model name="m"><link name="l">{sensor}</link><link name="k"/>{joint}</model></sdf>'
+    on_link, on_joint = sdfcheck.parse(text).each(sdfcheck.Sensor)
+    assert on_link.link is on_link.owner
+    assert on_joint.link is None
+    assert on_joint.owner is not None

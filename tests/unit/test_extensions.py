@@ -99,3 +99,10 @@ def test_cameras_of_a_multicamera_are_all_read() -> None:
     camera = '<camera name="{}"><horizontal_fov>1</horizontal_fov></camera>'
     sensor = f'<sensor name="s" type="multicamera">{camera.format("l")}{camera.format("r")}</sensor>'
     assert codes(sensor, "a") == []
+
+
+def test_plugins_may_share_a_name_wherever_they_are() -> None:
+    plugin = '<plugin name="p" filename="{}"/>'
+    both = plugin.format("a") + plugin.format("b")
+    assert "NAM001" not in codes(f'<model name="n"><link name="l"/>{both}</model>')
+    assert "NAM001" in codes('<model name="n"><link name="l"/><link name="l"/></model>')

@@ -200,3 +200,24 @@ def test_a_joint_turned_round_is_one_change(tmp_path: Path) -> None:
     a, b = (model.format(joint.format(*ends)) for ends in (("a", "b", 1), ("b", "a", -1)))
     (change,) = changes(tmp_path, a, b)
     assert (change.part, change.name, change.what) == ("joint", "j", "parent and child")
+
+
+def test_a_frame_on_another_link_is_one_change(tmp_path: Path) -> None:
+    text = ARM.replace("</model>", "<frame name='f' attached_to='base'/></model>")
+    (change,) = changes(
+        tmp_path,
+        text,
+        text.replace("<frame name='f' attached_to='base'/>", "<frame name='f' attached_to='tip'/>"),
+    )
+    assert (change.part, change.name, change.what, change.before, change.after) == (
+        "frame",
+        "f",
+        "attached to",
+        "base",
+        "tip",
+    )
+
+
+def test_the_only_shape_of_a_link_is_followed_without_a_name(tmp_path: Path) -> None:
+    found = changes(tmp_path, ARM, ARM.replace("name='v'", "name='w'").replace("1 1 1", "1 1 2"))
+    assert [change.what for change in found] == ["name of a visual", "visual `w` size"]

@@ -129,3 +129,13 @@ def test_renaming_and_back_gives_the_same_bytes() -> None:
     back = sdfcheck.edit(robot.text)
     back.rename(back.model("m").link("x"), "arm")
     assert back.text == SDF
+
+
+def test_a_file_is_written_only_if_it_changes(tmp_path: Path) -> None:
+    file = tmp_path / "m.sdf"
+    file.write_text(SDF)
+    before = file.stat().st_ino
+    sdfcheck.edit(file).save()
+    assert file.stat().st_ino == before
+    sdfcheck.edit(file).save(tmp_path / "copy.sdf")
+    assert (tmp_path / "copy.sdf").read_text() == SDF

@@ -144,3 +144,8 @@ def test_gripper_links_may_be_included(tmp_path: Path) -> None:
     )
     found = reported(document(tmp_path, MODEL.format(text)))
     assert [d.span.text for d in found] == ["arm::grip"], "a frame is not a link"
+
+
+def test_a_name_with_an_empty_part_is_reported_once(tmp_path: Path) -> None:
+    text = '<link name="l"/><gripper name="g"><gripper_link>arm::</gripper_link></gripper>'
+    assert reported(document(tmp_path, MODEL.format(text))) == []

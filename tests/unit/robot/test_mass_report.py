@@ -83,6 +83,15 @@ def test_the_inertia_of_a_mesh(tmp_path: Path) -> None:
     assert np.diag(model.total.moments) == pytest.approx([13, 10, 5])
 
 
+def test_a_folder_is_no_mesh(tmp_path: Path) -> None:
+    pytest.importorskip("trimesh")
+    (tmp_path / "cube.stl").mkdir()
+    collision = '<collision name="c"><geometry><mesh><uri>cube.stl</uri></mesh></geometry></collision>'
+    link = f'<link name="a"><inertial auto="true"/>{collision}</link>'
+    (model,) = measured(tmp_path, f'<model name="m">{link}</model>').models
+    assert "mesh `cube.stl` is a folder, not a file" in model.links[0].note
+
+
 def test_what_cannot_be_computed_is_told(tmp_path: Path) -> None:
     links = f'<link name="a"><inertial auto="true"/></link><link name="b">{POINT.format(2)}</link>'
     report = measured(tmp_path, f'<model name="m">{links}</model>')

@@ -12,7 +12,7 @@ from sdfcheck.robot.includes.parameter_problems import InvalidParameter
 from sdfcheck.robot.includes.parameter_problems import ParameterFault as Fault
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.root import root_of
-from tests.unit.robot.files import WORLD, document
+from tests.unit.robot.files import MODEL, WORLD, document
 
 BOX = "<geometry><box><size>{}</size></box></geometry>"
 SHAPE = "<geometry><sphere><radius>1</radius></sphere></geometry>"
@@ -171,3 +171,22 @@ def test_another_include_of_the_same_file_is_untouched(tmp_path: Path) -> None:
     scope = root_of(document(tmp_path, text)).scopes[0]
     assert scope.resolve("a::tip") is None
     assert scope.resolve("b::tip") is not None
+
+
+def test_children_are_removed_one_by_one(tmp_path: Path) -> None:
+    entry = '<model element_id="n" action="remove"><link name="a"/></model>'
+    nested = MODEL.format('<link name="l"/><model name="n"><link name="a"/><link name="b"/></model>')
+    found = document(tmp_path, with_parameters(entry, "nested.sdf"), nested=nested)
+    (frame,) = root_of(found).scopes[0].nodes.values()
+    assert isinstance(frame, Model)
+    assert set(frame.names()) == {"l", "n", "n::b"}
+
+
+@pytest.mark.parametrize(
+    ("action", "faults_of_it"), [("modify", []), ("remove", [Fault.ABSENT_CHILD])], ids=["modify", "remove"]
+)
+def test_only_what_is_modified_may_get_another_name(
+    tmp_path: Path, action: str, faults_of_it: list[Fault]
+) -> None:
+    entry = f'<link element_id="base"><visual name="other" action="{action}"/></link>'
+    assert faults(tmp_path, entry) == faults_of_it

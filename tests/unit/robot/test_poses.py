@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import sdfcheck
 from sdfcheck.files.library import Library
 from sdfcheck.robot.motion.poses import PoseError, Poses, written_pose
 from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
@@ -167,3 +168,33 @@ def test_merged_parts_keep_their_places_among_each_other(pose: str, expected: Ar
     parsed = Library().document(file)
     assert parsed is not None
     assert pose_of("hand", parsed) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    "angles", [(3, 0, 0), (0, 0, 3), (0, 0, -3), (0.1, 0.2, 3), (-3, 0.3, 1), (1, -1, -2)]
+)
+def test_quaternions_turn_as_their_matrices_do(angles: tuple[float, float, float]) -> None:
+    robot = sdfcheck.parse(
+        '<sdf version="1.9"><model name="m"><link name="l">'
+        f"<pose>0 0 0 {' '.join(map(str, angles))}</pose></link></model></sdf>"
+    )
+    x, y, z, w = robot.models[0].link("l").pose().quaternion
+    turned = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    assert np.allclose(turned, from_rpy(*angles))
+
+
+def test_a_quaternion_of_urdf() -> None:
+    robot = sdfcheck.parse(
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>'
+        '<child link="b"/><origin xyz="0 0 0" quat_xyzw="0 0 1 0"/></joint><joint name="k" type="fixed">'
+        '<parent link="a"/><child link="b"/><origin rpy="0 0 1"/></joint></robot>'
+    )
+    turned, plain = (joint.part(joint.find("origin")) for joint in robot.models[0].joints)
+    assert turned.is_quaternion
+    assert not plain.is_quaternion

@@ -1,6 +1,11 @@
 from __future__ import annotations
 
+import math
+
+import pytest
+
 import sdfcheck
+from sdfcheck.robot.parts.solids import Solid
 
 
 def test_what_is_before_the_shape_in_sdf_is_not_the_shape() -> None:
@@ -23,3 +28,26 @@ def test_urdfdom_takes_the_first_element_for_the_shape() -> None:
     )
     (visual,) = sdfcheck.parse(text).models[0].link("l").visuals
     assert visual.geometry.shape == "x:y"
+
+
+def solid_of(shape: str) -> Solid | None:
+    text = (
+        '<sdf version="1.9"><model name="m"><link name="l"><visual name="v"><geometry>'
+        f"{shape}</geometry></visual></link></model></sdf>"
+    )
+    (visual,) = sdfcheck.parse(text).models[0].link("l").visuals
+    return visual.geometry.solid
+
+
+def test_what_has_no_volume_is_no_solid() -> None:
+    assert solid_of("<box><size>0 1 1</size></box>") is None
+    assert solid_of("<sphere><radius>-1</radius></sphere>") is None
+    assert solid_of("<box><size>2 1 1</size></box>") is not None
+
+
+def test_the_moments_of_a_cone() -> None:
+    cone = solid_of("<cone><radius>2</radius><length>4</length></cone>")
+    assert cone is not None
+    assert cone.volume == pytest.approx(16 / 3 * math.pi)
+    assert tuple(cone.moments) == pytest.approx((2.4 / 2, 2.4 / 2, 1.2, 0, 0, 0)[: len(tuple(cone.moments))])
+    assert cone.center == -1

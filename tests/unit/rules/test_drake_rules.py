@@ -197,3 +197,10 @@ def test_formats_of_meshes(suffix: str, own: str, count: int) -> None:
     text = in_sdf(f'<link name="c"><collision name="c">{mesh}{own}</collision></link>')
     text = text.replace("<sdf ", '<sdf xmlns:drake="http://drake.mit.edu" ')
     assert len(reported(text, "DRK009")) == count
+
+
+def test_a_tag_that_is_too_new_is_reported_once() -> None:
+    tag = "<drake:surface_velocity_axis>0 0 1</drake:surface_velocity_axis>"
+    text = in_sdf(f'<link name="c">{tag}</link><link name="d">{tag}</link>')
+    text = text.replace("<sdf", '<sdf xmlns:drake="drake.mit.edu"')
+    assert len(reported(text, "DRK018")) == 1
