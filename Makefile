@@ -7,6 +7,7 @@
 # make picture  draw the terminal of the README again
 # make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
+# make mutants  change the code a little, many times: which changes does no test notice?
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
 PYTHON ?= python3
@@ -73,6 +74,10 @@ golden: $(TOOLS)
 fuzz: $(TOOLS)
 	$(BIN)/python -m tests.fuzz --minutes $(MINUTES) --seed $(SEED)
 	$(BIN)/python -m tests.fuzz --kills 30 --seed $(SEED)
+
+# Changes the code a little, many times, and lists the changes that no test notices.
+mutants: $(TOOLS)
+	$(BIN)/python -m tests.mutation --seed $(SEED)
 
 # Measures an ordinary installation: an editable one starts slower.
 bench: pyproject.toml setup.py

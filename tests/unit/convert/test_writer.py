@@ -81,3 +81,8 @@ def test_mass_properties_of_links_that_were_joined_are_written_without_noise() -
     assert "e-" not in done.text.partition("<inertial>")[2].partition("</inertial>")[0]
     assert done.verification is not None
     assert done.verification.is_equal
+
+
+def test_angles_in_a_text_are_escaped() -> None:
+    node = Node("a", "1 < 2 > 1 & 3 ]]> 4")
+    assert "1 &lt; 2 &gt; 1 &amp; 3 ]]&gt; 4" in render(node)

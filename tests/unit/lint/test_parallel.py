@@ -179,7 +179,7 @@ from sdfcheck.lint import parallel, session
 def slow(*given):
     with open("pids", "a") as file:
         file.write(f"{os.getpid()}\\n")
-    time.sleep(30)
+    time.sleep(3000)
 parallel.LEAST, parallel.processors, session.lint_file = 2, lambda: 2, slow
 sys.exit(main(["lint", "--isolated"]))
 """

@@ -12,6 +12,7 @@ import sdfcheck
 from sdfcheck.files.library import Library
 from sdfcheck.robot.motion.poses import PoseError, Poses, written_pose
 from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
+from sdfcheck.robot.parts.placement import Placement
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, read
 
@@ -195,6 +196,6 @@ def test_a_quaternion_of_urdf() -> None:
         '<child link="b"/><origin xyz="0 0 0" quat_xyzw="0 0 1 0"/></joint><joint name="k" type="fixed">'
         '<parent link="a"/><child link="b"/><origin rpy="0 0 1"/></joint></robot>'
     )
-    turned, plain = (joint.part(joint.find("origin")) for joint in robot.models[0].joints)
+    turned, plain = robot.each(Placement)
     assert turned.is_quaternion
     assert not plain.is_quaternion

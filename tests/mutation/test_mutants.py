@@ -1,0 +1,112 @@
+"""Mutants are what they say, and tests kill them or do not."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.mutation.__main__ import ROOMS, equivalent, listed, sample, within
+from tests.mutation.covering import Covering
+from tests.mutation.mutants import Mutant, count, make
+
+ROOT = Path(__file__).parents[2]
+MODULE = Path("module.py")
+CODE = '''"""A module."""
+from typing import cast
+LIMIT = 3
+
+
+def f(a: int, names: list[str]) -> int | None:
+    """Text 1."""
+    if a < 3 and not names:
+        return None
+    for name in names:
+        if name == "x":
+            continue
+        names.remove(name)
+    return a + len(names)
+
+
+def __repr__() -> str:
+    return "x"
+'''
+
+
+def mutants() -> list[Mutant]:
+    return [make(MODULE, CODE, number) for number in range(count(CODE))]
+
+
+def test_what_is_changed() -> None:
+    assert {(mutant.before, mutant.after) for mutant in mutants()} == {
+        ("if a < 3 and (not names):", "if not (a < 3 and (not names)):"),
+        ("if a < 3 and (not names):", "if a < 3 or not names:"),
+        ("if a < 3 and (not names):", "if a <= 3 and (not names):"),
+        ("if a < 3 and (not names):", "if a < 4 and (not names):"),
+        ("if a < 3 and (not names):", "if a < 3 and names:"),
+        ("if name == 'x':", "if name != 'x':"),
+        ("if name == 'x':", "if name == 'xx':"),
+        ("continue", "break"),
+        ("names.remove(name)", "pass"),
+        ("return a + len(names)", "return None"),
+        ("return a + len(names)", "return a - len(names)"),
+    }
+
+
+def test_a_mutant_is_one_change_at_a_place() -> None:
+    for mutant in mutants():
+        assert CODE.splitlines()[mutant.line - 1].strip()
+        compile(mutant.text, "module.py", "exec")
+        assert mutant.key == f"module.py: {mutant.before} → {mutant.after}"
+
+
+def test_a_sample_is_that_of_its_seed() -> None:
+    first = [mutant.key for mutant in sample("lint", 1)]
+    assert first == [mutant.key for mutant in sample("lint", 1)]
+    assert first != [mutant.key for mutant in sample("lint", 2)]
+    assert len(first) == ROOMS["lint"]
+
+
+def test_the_quickest_tests_come_first() -> None:
+    covering = Covering({"a.py": {3: ("slow", "quick", "medium")}}, {"slow": 80, "quick": 1, "medium": 30})
+    assert covering.of(Path("a.py"), 3) == ["quick", "medium", "slow"]
+    assert covering.of(Path("a.py"), 5) == ["quick", "medium", "slow"]
+    assert covering.of(Path("a.py"), 2) == []
+    assert within(covering.of(Path("a.py"), 3), covering) == ["quick", "medium"]
+
+
+def test_survivors_are_read_from_a_report(tmp_path: Path) -> None:
+    report = tmp_path / "report.txt"
+    report.write_text("a/b.py:3: 5 tests\n  - x = 1\n  + x = 2\n1 of 2 mutants are killed: 50.0 %\n")
+    assert listed(report) == {"a/b.py: x = 1 → x = 2"}
+
+
+def test_what_makes_no_difference_has_a_reason() -> None:
+    keys = equivalent()
+    assert all(key.count(" → ") == 1 and reason.strip() for key, reason in keys.items())
+    assert all((ROOT / key.partition(":")[0]).exists() for key in keys)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="mutants are tried in copies of the process")
+def test_a_mutant_is_killed_by_a_test_that_notices(tmp_path: Path) -> None:
+    (tmp_path / "module.py").write_text("def double(a):\n    return a * 2\n")
+    (tmp_path / "test_module.py").write_text(
+        "from module import double\n\n"
+        "def test_weak():\n    assert double(0) == 0\n\n"
+        "def test_strong():\n    assert double(3) == 6\n"
+    )
+    text = make(Path("module.py"), (tmp_path / "module.py").read_text(), 1).text
+    script = (
+        "import sys; from pathlib import Path; from tests.mutation.trial import survives\n"
+        f"sys.path.insert(0, {str(tmp_path)!r})\n"
+        "for name in ('test_weak', 'test_strong'):\n"
+        f"    test = {str(tmp_path / 'test_module.py')!r} + '::' + name\n"
+        f"    print(survives(Path({str(tmp_path / 'module.py')!r}), {text!r}, [test]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["True", "False"]
