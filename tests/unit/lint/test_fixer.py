@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
-from sdfcheck.lint.fix.fixer import FixedFile, fix_file, together
+from sdfcheck.lint.fix.fixer import FixedFile, Refused, edited, fix_file, together
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.source.decode import decode
 from sdfcheck.source.sniff import Kind
@@ -147,3 +147,11 @@ def test_edits_never_overlap(wanted: list[tuple[int, int, str]]) -> None:
     assert places == sorted(places)
     assert all(one[1] <= two[0] and one[0] < two[0] for one, two in pairwise(places))
     assert bool(applied) is bool(wanted)
+
+
+def test_edits_that_leave_nothing_are_refused() -> None:
+    text = '<sdf version="1.9"/>'
+    source = Source(Path("a.sdf"), text)
+    file = Selected(Path("a.sdf"), text.encode(), Kind.SDF)
+    with pytest.raises(Refused):
+        edited(file, [Edit(source.span(0, len(text)), "")])
