@@ -17,6 +17,8 @@ from sdfcheck.view.sealed import split
 
 _BYTES = 10_000_000
 """Of the scenes in a report, meshes included; what does not fit is left out."""
+_FINDINGS = 200
+"""So many findings are listed beside a robot."""
 TITLE = "\ue000"
 """What stands for the file's name in the page of a robot; names cannot hold it, as it cannot be shown."""
 
@@ -36,12 +38,18 @@ def robots(run: Run, documents: Iterable[tuple[Path, Document]]) -> Iterator[Rob
         drawn = scene(document, meshes)
         if not any(model["links"] for model in drawn["models"]):
             continue
-        own = run._replace(diagnostics=tuple(each for each in run.diagnostics if _is_in(each, path)))
+        own = run._replace(diagnostics=_gravest(run, path))
         text = page(TITLE, [drawn], meshes.entries, findings=findings(own, document), most_shapes=MOST_SHAPES)
         size = len(split(text)[1])
         if size <= left:
             left -= size
             yield Robot(path, text)
+
+
+def _gravest(run: Run, path: Path) -> tuple[Diagnostic, ...]:
+    """The findings about a file that are listed beside its robot; the report has all of them."""
+    found = [each for each in run.diagnostics if _is_in(each, path)]
+    return tuple(sorted(found, key=lambda each: -each.severity.rank)[:_FINDINGS])
 
 
 def _is_in(found: Diagnostic, path: Path) -> bool:

@@ -139,6 +139,16 @@ def test_robots_are_embedded_with_their_findings(tmp_path: Path) -> None:
     assert after.endswith("</html>\n")
 
 
+def test_a_robot_has_the_gravest_findings_beside_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sdfcheck.report.robots._FINDINGS", 2)
+    (tmp_path / "a.sdf").write_text(
+        '<sdf version="1.9"><!-- -- --><model name="m"><link name="a"/><link name="a"/><link name="a"/></model></sdf>'
+    )
+    text = lint(tmp_path)
+    (robot,) = robots_of(text)
+    assert [found["severity"] for found in robot["findings"]] == ["error", "error"]
+
+
 def test_many_files_and_those_not_expanded_show_no_robots(tmp_path: Path) -> None:
     for number in range(MOST_ROBOTS):
         (tmp_path / f"{number}.urdf").write_text('<robot name="a"><link name="b"/></robot>')
