@@ -15,8 +15,18 @@ from sdfcheck.convert.urdf_to_sdf.options import Options as BackOptions
 from sdfcheck.source.document import Document, read
 
 _TOLD_BY = (
-    ("link: .*/material/.*", {LossKind.CHANGED_COLOR, LossKind.CHANGED_MATERIAL}),
+    (
+        "link: .*/material(/.*)?",
+        {LossKind.CHANGED_COLOR, LossKind.CHANGED_MATERIAL, LossKind.DROPPED_ELEMENT},
+    ),
+    ("link: collision .*/drake:proximity_properties", {LossKind.KEPT_AS_EXTENSION}),
+    ("link: collision", {LossKind.DROPPED_ELEMENT}),
+    ("model: drake:collision_filter_group .*", {LossKind.MERGED_MODEL}),
     ("link: .*/surface.*", {LossKind.DROPPED_ELEMENT, LossKind.KEPT_AS_EXTENSION}),
+    (
+        "link: visual .*/(cast_shadows|transparency|laser_retro|visibility_flags|layer)",
+        {LossKind.DROPPED_ELEMENT},
+    ),
     ("link: .*/density", {LossKind.CHANGED_INERTIA}),
     ("joint: axis/limit/.*", {LossKind.DROPPED_ELEMENT}),
     ("model: (plugin|transmission) .*", {LossKind.KEPT_AS_EXTENSION}),

@@ -66,6 +66,13 @@ class ClashingName(Rule):
             '<link name="arm"><sensor name="arm" type="imu"/></link>', why="parent and child may share a name"
         ),
         Good('<plugin name="base" filename="p"/>', why="the names of plugins are free"),
+        Good(
+            '<robot name="r"><link name="world"/><link name="a"/><joint name="base" type="floating">'
+            '<parent link="world"/><child link="a"/></joint>'
+            '<gazebo><frame name="base" attached_to="__model__"/></gazebo></robot>',
+            scaffold="",
+            why="libsdformat drops a floating joint, so its name is free",
+        ),
     )
 
     @staticmethod

@@ -33,6 +33,8 @@ _KINDS = {
     "plugin": LossKind.DROPPED_PLUGIN,
     "sensor": LossKind.DROPPED_SENSOR,
 }
+_NAMED = frozenset({"joint", "link"})
+"""Parts that share the names of a model."""
 
 
 class Ledger:
@@ -214,12 +216,36 @@ class Ledger:
         elif any(True for _ in element.itersiblings(element.tag, preceding=True)):
             text = f"{shown(element)} is left out: there is another one before it"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
+        elif self._is_second_choice(element):
+            text = f"{shown(element)} is left out: there is another shape before it"
+            self.lose(LossKind.UNSUPPORTED_GEOMETRY, element, text)
+        elif self._has_a_taken_name(element):
+            text = f"{shown(element)} is left out: another part of the model has its name"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif not belongs(element):
             text = f"{shown(element)} is left out: it means nothing there"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
         else:
             self._lost.add(element)
             self.forget(element, shown(element))
+
+    def _is_second_choice(self, element: Element) -> bool:
+        """Is it one more shape of a geometry?"""
+        at = element.parent
+        return (
+            at is not None and at.name == "geometry" and any(child in self._taken for child in at.children())
+        )
+
+    def _has_a_taken_name(self, element: Element) -> bool:
+        """Is another link or joint of its name in the result? Then nothing can refer to this one."""
+        if element.name not in _NAMED:
+            return False
+        name = element.get("name")
+        return any(
+            other.name in _NAMED and other.get("name") == name
+            for other in self._taken
+            if isinstance(other, Element)
+        )
 
     def forget(self, element: Element, item: str) -> None:
         """An item should have been entered, and was not."""

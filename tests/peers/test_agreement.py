@@ -25,7 +25,7 @@ ARGUED = {
 }
 """Small cases on which we differ from libsdformat, and why."""
 
-OF_OTHER_READERS = {
+OF_OTHER_CONSUMERS = {
     "clashing-name": "URDF: libsdformat refuses it as one name space",
     "disconnected-link": "urdfdom refuses it",
     "expansion-error": "a xacro file under another name",
@@ -44,6 +44,7 @@ OF_OTHER_READERS = {
     "unknown-drake-tag": "Drake refuses it",
     "unknown-joint-end": "urdfdom refuses it; only Drake knows a world without a link of that name",
     "unreferenced-extension": "libsdformat drops the block",
+    "unknown-plugin-reference": "the plugin refuses it in the simulator",
     "unresolved-include": "the file is not part of the collection",
 }
 """Errors that are none for one consumer, but for another: no false alarms."""
@@ -69,7 +70,7 @@ def test_small_cases(expected: Expected) -> None:
 def test_real_files(consumer: str, kind: str) -> None:
     compared = verdicts.compare(consumer, kind)
     alarms = [
-        c for c in compared if c.is_false_alarm and {e.name for e in c.errors} - OF_OTHER_READERS.keys()
+        c for c in compared if c.is_false_alarm and {e.name for e in c.errors} - OF_OTHER_CONSUMERS.keys()
     ]
     missed = [c for c in compared if c.is_miss and c.verdict.first not in FORGIVEN]
     assert compared

@@ -32,6 +32,9 @@ LEAST_MERGED = 80
 UPRIGHT = 5e-3
 """What is so near to upright (rad), urdfdom turns fully upright."""
 
+FOR_DRAKE = {"joint_parsing_test.urdf": "joints without limits: urdfdom refuses the file, and Drake takes it"}
+"""Files that are converted for another consumer than urdfdom, and why."""
+
 pytestmark = [
     pytest.mark.peers,
     pytest.mark.skipif(not CORPUS.is_dir(), reason="the files to convert are not here"),
@@ -80,7 +83,8 @@ def test_what_urdfdom_reads_converts_and_nothing_else(converted: list[Converted]
     for one in converted:
         child = subprocess.run(["check_urdf", one.source], capture_output=True, check=False)
         read_by_it += child.returncode == 0
-        if len(one.results) != (len(VERSIONS) + 1 if child.returncode == 0 else 0):
+        is_wanted = child.returncode == 0 or one.source.name in FOR_DRAKE
+        if len(one.results) != (len(VERSIONS) + 1 if is_wanted else 0):
             wrong.append(
                 f"{one.source}: urdfdom ends with {child.returncode}, {sorted(one.results)} are written"
             )
@@ -200,6 +204,8 @@ def test_merging_is_libsdformats_reduction(converted: list[Converted]) -> None:
 
 def excuse(one: Converted) -> str:
     """Why libsdformat's result is another one, empty if it must be equal."""
+    if reason := FOR_DRAKE.get(one.source.name):
+        return reason
     if "CNV014" in one.codes["merged"]:
         return "it drops links without mass, and all that they carry"
     if "CNV011" in one.codes["merged"]:

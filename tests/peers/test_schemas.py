@@ -24,7 +24,8 @@ OF_SHAPE = ("SCH", "NS", "XML", "NAM", "GAZ")
 ARGUED = {
     "mimic_fast_slow_pendulums_world.sdf": "text in a CDATA section, which consumers ignore",
     "shapes.sdf": "the same",
-    "attribute_missing_plugin_filename.sdf": "told of by the family of files",
+    "attribute_missing_plugin_filename.sdf": "reported by the family of files",
+    "incdeg.sdf": "reported by the family of frames",
 }
 
 

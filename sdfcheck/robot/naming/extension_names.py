@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 _MERGED = frozenset({"plugin", "visual", "collision"})
 """In a block these share names freely: a shape there is what is added to those of the link."""
 
+_DROPPED = frozenset({"floating", "planar"})
+"""The types of URDF's joints that libsdformat drops."""
+
 
 def extension_names(root: Root) -> dict[Element, list[Name]]:
     """Element → the names that the blocks add to it; an element in a block, or what the block is about."""
@@ -36,15 +39,21 @@ def extended_namesakes(root: Root, given: Iterable[Name]) -> list[Namesakes]:
     """The names in blocks that siblings have already; ``given`` are those of the robot's links and joints."""
     found: list[Namesakes] = []
     for parent, names in extension_names(root).items():
-        own = (name for name in given if name.makes_frame) if parent is root.element else ()
         taken: dict[str, Name] = {}
-        for name in own:
-            taken.setdefault(name.name, name)
+        if parent is root.element:
+            for name in given:
+                if name.makes_frame and not _is_dropped(name):
+                    taken.setdefault(name.name, name)
         for name in names:
             first = taken.setdefault(name.name, name)
             if first is not name:
                 found.append(Namesakes(first, name))
     return found
+
+
+def _is_dropped(name: Name) -> bool:
+    """Is it of a joint that libsdformat has no place for? Then the name is free."""
+    return name.kind == "joint" and name.value.element.get("type") in _DROPPED
 
 
 def _subject(root: Root, block: Element) -> Element:

@@ -163,6 +163,27 @@ def test_stray_text_and_second_elements_are_losses() -> None:
     assert any("there is another one before it" in message for message in messages)
 
 
+@pytest.mark.parametrize(
+    ("inside", "lost"),
+    [
+        (
+            '<link name="x"/><joint name="x" type="fixed"><parent>world</parent><child>x</child></joint>',
+            "has its name",
+        ),
+        (
+            (
+                '<link name="a"><visual name="v"><geometry><box><size>1 1 1</size></box>'
+                "<sphere><radius>1</radius></sphere></geometry></visual></link>"
+            ),
+            "`sphere` in `geometry` is left out: there is another shape before it",
+        ),
+    ],
+)
+def test_what_another_one_hides_is_a_loss(inside: str, lost: str) -> None:
+    done = convert(document_of(f'<sdf version="1.9"><model name="m">{inside}</model></sdf>', ".sdf"))
+    assert any(loss.message.endswith(lost) for loss in done.losses), done.losses
+
+
 def test_comments_of_merged_joints_are_kept() -> None:
     text = URDF.replace('<joint name="f" type="fixed">', '<joint name="f" type="fixed"><!-- glued -->')
     done = urdf_to_sdf(document_of(text, ".urdf"), Options(fixed_joints=FixedJoints.MERGE))
