@@ -206,6 +206,8 @@ def excuse(one: Converted) -> str:
     """Why libsdformat's result is another one, empty if it must be equal."""
     if reason := FOR_DRAKE.get(one.source.name):
         return reason
+    if "SCH014" in one.codes["merged"]:
+        return "it makes a shape of size 0 one of 1 m, which is left out here"
     if "CNV014" in one.codes["merged"]:
         return "it drops links without mass, and all that they carry"
     if "CNV011" in one.codes["merged"]:
