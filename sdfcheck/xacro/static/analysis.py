@@ -80,7 +80,8 @@ def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Prob
             near = guess(document, call.name, known, surely=False)
         else:
             elsewhere = project_names(document)
-            near = guess(document, call.name, known | elsewhere, surely=True)
+            # What an include that is not here defines may be like a name of another library.
+            near = guess(document, call.name, known if visible.is_open else known | elsewhere, surely=True)
             if near is None or call.name in elsewhere:
                 continue
         yield UndefinedMacro(_called(call), call.name, near, ends=_ends(call))

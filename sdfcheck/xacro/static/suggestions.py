@@ -9,6 +9,8 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.effort import Effort
 from sdfcheck.source.scanner.evidence import alike
 
+_DIGIT = re.compile(r"\d")
+
 
 def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str | None:
     """The candidate that a misspelled name was meant to be, None if none is so much like it."""
@@ -42,11 +44,16 @@ def misspelling_of(name: str, candidates: Iterable[str]) -> str | None:
     for candidate in sorted(candidates):
         others = _words(candidate)
         pairs = zip(words, others, strict=False)
-        if len(words) == len(others) and all(a == b or (len(a) > 2 and alike(a, b)) for a, b in pairs):
+        if len(words) == len(others) and all(a == b or (len(a) > 2 and _alike(a, b)) for a, b in pairs):
             return candidate
-        if len(words) != len(others) and len(name) > 3 and alike(name, candidate):
+        if len(words) != len(others) and len(name) > 3 and _alike(name, candidate):
             return candidate
     return None
+
+
+def _alike(one: str, other: str) -> bool:
+    """Is one word a misspelling of the other? Those with digits are models or numbers, as in `d435` and `d415`."""
+    return not _DIGIT.search(one + other) and alike(one, other)
 
 
 def _words(name: str) -> list[str]:

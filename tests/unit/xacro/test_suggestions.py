@@ -23,11 +23,13 @@ XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
         ("control_imu", "control_arm", False),
         ("arm_1", "arm_2", False),
         ("arm_x", "arm_y", False),
+        ("sensor_d435i", "sensor_d435", False),
+        ("sensor_d415", "sensor_d435", False),
         ("scanner", "scanner_mount", False),
         ("base_z_offset", "shell_z_offset", False),
     ],
 )
-def test_a_slip_is_one_in_each_word(name: str, other: str, same: bool) -> None:
+def test_a_misspelling_is_one_in_each_word(name: str, other: str, same: bool) -> None:
     assert (misspelling_of(name, [other]) == other) is same
 
 
