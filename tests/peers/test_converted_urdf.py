@@ -28,7 +28,7 @@ from tests.peers.findings import SHARED
 VERSIONS = ("1.6", "1.9", "1.12")
 CORPUS = SHARED / "corpus"
 LEAST = 110
-LEAST_MERGED = 80
+LEAST_MERGED = 74
 UPRIGHT = 5e-3
 """What is so near to upright (rad), urdfdom turns fully upright."""
 
