@@ -57,3 +57,9 @@ def test_a_package_that_only_an_included_file_needs(tmp_path: Path) -> None:
     content = '<xacro:include filename="part.xacro"/><link name="a"><visual><geometry>'
     content += '<sphere radius="${0 - 1}"/></geometry></visual></link>'
     assert ("SCH014", "${0 - 1}") in found(tmp_path, content)
+
+
+def test_broken_text_of_an_included_file_is_reported_at_the_include(tmp_path: Path) -> None:
+    (tmp_path / "part.xacro").write_text("")
+    content = '<link name="a"/><xacro:include filename="part.xacro"/>'
+    assert ("XAC001", "part.xacro") in found(tmp_path, content)
