@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
 _SHOWN = 30
+_NAMED = frozenset({"joint", "link"})
+"""Parts that share the names of a model."""
 
 
 def belongs(element: Element) -> bool:
@@ -50,3 +52,21 @@ def shown(element: Element) -> str:
         value = f" ({text})"
     where = f" in {element.parent.title}" if element.parent is not None else ""
     return f"{element.title}{value}{where}"
+
+
+def other_shapes(element: Element) -> list[Element]:
+    """The shapes beside a shape in its geometry, which can have one; none for anything else."""
+    at = element.parent
+    return (
+        [child for child in at.children() if child is not element]
+        if at is not None and at.name == "geometry"
+        else []
+    )
+
+
+def has_namesake(element: Element, among: Iterable[Element]) -> bool:
+    """Is a link or joint of the name of this one among some elements? Then nothing can refer to this one."""
+    if element.name not in _NAMED:
+        return False
+    name = element.get("name")
+    return any(other.name in _NAMED and other.get("name") == name for other in among)

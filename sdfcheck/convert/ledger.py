@@ -13,7 +13,7 @@ from collections.abc import Mapping
 
 from lxml import etree
 
-from sdfcheck.convert.items import belongs, shortened, shown, texts
+from sdfcheck.convert.items import belongs, has_namesake, other_shapes, shortened, shown, texts
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
@@ -33,8 +33,6 @@ _KINDS = {
     "plugin": LossKind.DROPPED_PLUGIN,
     "sensor": LossKind.DROPPED_SENSOR,
 }
-_NAMED = frozenset({"joint", "link"})
-"""Parts that share the names of a model."""
 
 
 class Ledger:
@@ -164,6 +162,11 @@ class Ledger:
 
     # The balance
 
+    @property
+    def entered(self) -> frozenset[Element]:
+        """The elements that writers have entered so far."""
+        return frozenset(element for element in self._taken if isinstance(element, Element))
+
     def is_entered(self, element: Element) -> bool:
         """Is there an outcome for an element?"""
         return element in self._taken or self._is_within(element, self._whole | self._lost)
@@ -216,10 +219,10 @@ class Ledger:
         elif any(True for _ in element.itersiblings(element.tag, preceding=True)):
             text = f"{shown(element)} is left out: there is another one before it"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
-        elif self._is_second_choice(element):
+        elif any(shape in self._taken for shape in other_shapes(element)):
             text = f"{shown(element)} is left out: there is another shape before it"
             self.lose(LossKind.UNSUPPORTED_GEOMETRY, element, text)
-        elif self._has_a_taken_name(element):
+        elif has_namesake(element, self.entered):
             text = f"{shown(element)} is left out: another part of the model has its name"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif not belongs(element):
@@ -236,17 +239,6 @@ class Ledger:
             at is not None and at.name == "geometry" and any(child in self._taken for child in at.children())
         )
 
-    def _has_a_taken_name(self, element: Element) -> bool:
-        """Is another link or joint of its name in the result? Then nothing can refer to this one."""
-        if element.name not in _NAMED:
-            return False
-        name = element.get("name")
-        return any(
-            other.name in _NAMED and other.get("name") == name
-            for other in self._taken
-            if isinstance(other, Element)
-        )
-
     def forget(self, element: Element, item: str) -> None:
         """An item should have been entered, and was not."""
         self._report(loss_at(element, LossKind.UNACCOUNTED, f"{item} is not accounted for"))
@@ -259,7 +251,8 @@ class Ledger:
             if element in self._whole:
                 continue
             if element.is_custom and not element.name.startswith(own):
-                self._report(_left_out(element, f"`{element.name}` is left out with {lost.title}"))
+                text = f"`{element.name}` is left out with {lost.title}"
+                self._report(loss_at(element, LossKind.DROPPED_ELEMENT, text))
                 continue
             for name in element.attributes:
                 is_new = name not in self._taken.get(element, ())
@@ -298,7 +291,3 @@ class Ledger:
                 what = "a comment" if isinstance(node, etree._Comment) else "an instruction"
                 message = f"{what} in {element.title} is left out: `{shortened(node.text or '')}`"
                 self._report(loss_at(element, LossKind.DROPPED_COMMENT, message, Severity.INFO))
-
-
-def _left_out(element: Element, message: str) -> Loss:
-    return loss_at(element, LossKind.DROPPED_ELEMENT, message)

@@ -15,6 +15,7 @@ from sdfcheck.convert.verification import Verification
 from sdfcheck.convert.verify import Correspondence, verify
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,10 +27,12 @@ class Comparison:
     correspondence: Correspondence
     contents: tuple[Contents, Contents] | None = None
     """What else is in the texts: sensors, plugins, materials."""
+    translated: frozenset[Element] = frozenset()
+    """What the result says in another place or in other words."""
 
     def verify(self, losses: Sequence[Loss] = ()) -> Verification:
         """Compare them; what is reported as a loss need not be equal."""
-        settings = Settings(*self.contents, losses) if self.contents is not None else None
+        settings = Settings(*self.contents, losses, self.translated) if self.contents is not None else None
         return verify(self.source, self.result, self.correspondence, settings=settings)
 
 

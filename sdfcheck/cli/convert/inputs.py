@@ -138,7 +138,29 @@ class Reader:
         result = read(text.encode("utf-8", "surrogateescape"), given.file.with_suffix(f".{kind.value}"), kind)
         result.library = source.library
         after = lint_document(result, self._book.dispatch(self._around.settings_for(given.file), given.file))
-        return new_errors(source, given.found, result, after)
+        found = new_errors(source, given.found, result, after)
+        if found and (brought := _included(source)):
+            # What an included file brings may be as faulty there.
+            dispatch = self._book.dispatch(self._around.settings_for(given.file), given.file)
+            before = [*given.found, *(one for other in brought for one in lint_document(other, dispatch))]
+            found = new_errors(source, before, result, after)
+        return found
+
+
+def _included(document: Document) -> list[Document]:
+    """The files that a document includes, and those that these include."""
+    from sdfcheck.robot.includes.included import included, includes_of
+
+    found: list[Document] = []
+    waiting = [document]
+    while waiting:
+        at = waiting.pop()
+        for include in includes_of(at):
+            other = included(at, include).document
+            if other is not None and other is not document and other not in found:
+                found.append(other)
+                waiting.append(other)
+    return found
 
 
 def spelled(data: bytes) -> str:

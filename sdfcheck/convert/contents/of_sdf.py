@@ -6,6 +6,7 @@ from sdfcheck.convert.contents.contents import Contents
 from sdfcheck.convert.contents.entry import Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
 from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.frame import MergedFrame
@@ -18,6 +19,8 @@ from sdfcheck.source.sniff import Kind
 
 _OF_MODELS = frozenset({"link", "joint", "frame", "model", "include", "pose", "static", "drake:joint"})
 _OF_WORLDS = frozenset({"model", "include", "joint", "frame"})
+_FIELDS = frozenset({"gravity", "magnetic_field"})
+"""They were in the physics before 1.6."""
 _OF_LINKS = frozenset({"pose", "inertial", "visual", "collision"})
 _OF_SHAPES = frozenset({"pose", "geometry", "density", "auto_inertia_params"})
 _OF_JOINTS = frozenset(
@@ -50,7 +53,13 @@ def of_model(model: Model) -> Contents:
 def of_world(world: World) -> Entry:
     """What a world has in addition to models."""
     definition = schema(survey(world.document).version).root.children.get("world")
-    return _entry(world.element, definition, _OF_WORLDS)
+    made = _entry(world.element, definition, _OF_WORLDS)
+    for physics in [child for child in made.children if child.name == "physics"]:
+        for field in [child for child in physics.children if child.name in _FIELDS]:
+            physics.children.remove(field)
+            if made.find(field.name) is None:
+                made.add(field)
+    return made
 
 
 def _model(found: Contents, model: Model, name: str, definition: Definition | None) -> None:
@@ -68,6 +77,8 @@ def _link(found: Contents, link: Link, name: str) -> None:
     made = found.add("link", name, _entry(element, definition, _OF_LINKS))
     for child in made.children:
         _place(child, link)
+        if child.name == "sensor":
+            _in_newest_words(child)
     for part in (part for role in ("visual", "collision") for part in element.children(role)):
         inner = definition.children.get(part.name) if definition is not None else None
         shape = found.shapes[part] = _entry(part, inner, _OF_SHAPES)
@@ -87,6 +98,15 @@ def _place(entry: Entry, link: Link) -> None:
         return
     entry.children.remove(pose)
     entry.pose = placed
+
+
+def _in_newest_words(sensor: Entry) -> None:
+    """Give the type and the settings of a sensor the names of the newest version."""
+    kind = sensor.attributes.get("type", "")
+    sensor.attributes["type"] = NEWEST_TYPES.get(kind, kind)
+    for child in sensor.children:
+        if child.name in NEWEST_TYPES and sensor.find(NEWEST_TYPES[child.name]) is None:
+            child.name = NEWEST_TYPES[child.name]
 
 
 def _joint(element: Element) -> Entry:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePosixPath
 
@@ -18,6 +19,8 @@ _NO_EXCUSE = frozenset({LossKind.KEPT_AS_EXTENSION})
 _NOT_COMPARED = ("/pose", "material/ambient", "material/script", "material/pbr")
 """Where the formats differ: what a merged link carries moves, and URDF has one color and one texture."""
 
+_QUOTED = re.compile("`([^`]*)`")
+
 
 class Counterparts(NamedTuple):
     """A shape of a link of the source, and the shapes of the result that are as large and in the same place."""
@@ -33,12 +36,14 @@ class Settings(NamedTuple):
     source: Contents
     result: Contents
     losses: Sequence[Loss]
+    translated: frozenset[Element] = frozenset()
+    """Elements of the source that the result says in another place or in other words."""
 
     def unequal(
         self, links: Mapping[str, str], joints: Mapping[str, str], shapes: Iterable[Counterparts]
     ) -> Iterator[tuple[str, Divergence]]:
         """The parts of the source, and what differs; ``links`` and ``joints`` are those compared, and their names."""
-        excused = _Excuses(self.losses)
+        excused = _Excuses(self.losses, self.translated)
 
         def apart(a: Entry, b: Entry, path: str = "") -> list[Divergence]:
             found = divergences(a, b, same, path, deep=True)
@@ -67,21 +72,35 @@ class Settings(NamedTuple):
 class _Excuses:
     """The places of what was reported."""
 
-    def __init__(self, losses: Sequence[Loss]) -> None:
+    def __init__(self, losses: Sequence[Loss], translated: frozenset[Element]) -> None:
+        self.translated = translated
         self.seen_from_links = seen_from_links()
         self.spans = {
             (loss.span.source.path, loss.span.start) for loss in losses if loss.kind not in _NO_EXCUSE
         }
+        self.files = {path for path, _ in self.spans}
+        self.brought = {
+            name for loss in losses if loss.span.text == "include" for name in _QUOTED.findall(loss.message)
+        }
+        """The names in what is reported at includes."""
 
     def excuse(self, one: Divergence, part: Entry) -> bool:
         if any(path in one.path for path in _NOT_COMPARED) or _last(one.path) in self.seen_from_links:
             return True
+        if one.element in self.translated and one.element is not part.element:
+            return True
         at = one.element
         while at is not None and at is not part.element:
-            if self.knows(at):
+            if self.knows(at) or self.knows_brought(at):
                 return True
             at = at.parent
         return one.element is part.element and part.element is not None and self.knows(part.element)
+
+    def knows_brought(self, element: Element) -> bool:
+        """Is it in an included file, and left out? That is reported at the include, with its name."""
+        if element.document.source.path in self.files:
+            return False
+        return element.name in self.brought or element.get("name") in self.brought
 
     def knows(self, element: Element) -> bool:
         """Is something reported about an element, its attributes or its text?"""

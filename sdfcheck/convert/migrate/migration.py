@@ -90,7 +90,7 @@ class Migration:
 
     def enter(self, node: Node) -> None:
         """A node is going to be said elsewhere."""
-        if node.source is not None and node.source.document is self.draft.source:
+        if node.source is not None:
             self.ledger.take_all(node.source)
 
 

@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.loss import LossKind, loss_at
 from sdfcheck.convert.migrate.down.flattening import flat_links
 from sdfcheck.convert.migrate.migration import Migration
@@ -21,14 +23,17 @@ from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.scope import Scope
+from sdfcheck.robot.world import World
 from sdfcheck.source.document import Document
+from sdfcheck.source.element import Element
 
 
 def comparisons(migration: Migration) -> list[Comparison]:
     """What there is to compare; a model whose source cannot be read is reported."""
     source, result = migration.draft.source, migration.draft.read()
     others = dict(models(result))
-    compared = list(_worlds(migration, source, result))
+    elsewhere = _translated(migration)
+    compared = list(_worlds(migration, source, result, elsewhere))
     for name, scope in models(source):
         try:
             robot = comparable(migration, mechanism_of(scope))
@@ -38,7 +43,11 @@ def comparisons(migration: Migration) -> list[Comparison]:
                 text = f"model `{scope.name}` cannot be compared with its result: {error}"
                 migration.losses.append(loss_at(place, LossKind.NOT_VERIFIED, text))
             continue
-        compared.append(Comparison(robot, _robot(others.get(name)), correspondence(migration, robot)))
+        other = others.get(name)
+        contents = None if other is None else (of_model(scope), of_model(other))
+        compared.append(
+            Comparison(robot, _robot(other), correspondence(migration, robot), contents, elsewhere)
+        )
     return compared
 
 
@@ -61,7 +70,23 @@ def models(document: Document) -> Iterator[tuple[str, Model]]:
                 yield f"{top.name}::{node.name}", node
 
 
-def _worlds(migration: Migration, source: Document, result: Document) -> Iterator[Comparison]:
+def _translated(migration: Migration) -> frozenset[Element]:
+    """The elements that steps have renamed, moved or said in other words, and what is in them."""
+    found = set(migration.ledger.entered)
+    for node in migration.root.walk():
+        element, parent = node.source, node.parent
+        if element is None or parent is None:
+            continue
+        if parent.source is not None and parent.source.document is not element.document:
+            continue  # the top of what is included
+        if node.name != element.name or parent.source is not element.parent:
+            found.update(each for each in element.iter("{*}*") if isinstance(each, Element))
+    return frozenset(found)
+
+
+def _worlds(
+    migration: Migration, source: Document, result: Document, elsewhere: frozenset[Element]
+) -> Iterator[Comparison]:
     """The worlds, with their models for links: where do they are?"""
     results = {scope.name: scope for scope in root_of(result).scopes if scope.kind == "world"}
     for scope in root_of(source).scopes:
@@ -69,7 +94,16 @@ def _worlds(migration: Migration, source: Document, result: Document) -> Iterato
         if scope.kind == "world" and other is not None:
             standing = _standing(scope, migration)
             if len(standing.links) > 1:
-                yield Comparison(standing, _standing(other, None), Correspondence())
+                contents = (_of_world(scope), _of_world(other))
+                yield Comparison(standing, _standing(other, None), Correspondence(), contents, elsewhere)
+
+
+def _of_world(world: Scope) -> Contents:
+    """What a world has beside its models."""
+    found = Contents(world.name)
+    if isinstance(world, World):
+        found.add("model", "", of_world(world))
+    return found
 
 
 def _standing(world: Scope, migration: Migration | None) -> Mechanism:

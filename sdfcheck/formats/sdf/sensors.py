@@ -50,6 +50,9 @@ SETTINGS = {
 }
 """Sensor type → the elements that may hold its settings; the second is the older name of the first."""
 
+NEWEST_TYPES = {"gps": "navsat", "gpu_ray": "gpu_lidar", "ray": "lidar"}
+"""Older word for a type of sensor, or for its settings → that of the newest version."""
+
 ALL_SETTINGS = frozenset(name for names in SETTINGS.values() for name in names)
 """The elements that configure sensors of any type."""
 

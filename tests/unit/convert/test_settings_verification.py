@@ -7,9 +7,11 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.contents.of_sdf import of_model
+from sdfcheck.convert.migrate.migrate import sdf_to_sdf
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
@@ -83,3 +85,30 @@ def test_what_is_reported_as_lost_need_not_be_there() -> None:
     assert "nonsense" not in done.text
     assert done.verification is not None
     assert done.verification.is_equal, done.verification.differences
+
+
+VERSIONED = (
+    '<sdf version="1.9"><model name="m"><link name="a"><sensor name="gps" type="navsat"><update_rate>5</update_rate>'
+    "<navsat/></sensor><visual name='v'><geometry><box><size>1 1 1</size></box></geometry>"
+    "<material><diffuse>1 0 0 1</diffuse></material></visual></link>"
+    '<plugin name="p" filename="p.so"><gain>1</gain></plugin></model></sdf>'
+)
+
+
+@pytest.mark.parametrize(
+    ("written", "other", "expected"),
+    [
+        ("<update_rate>5<", "<update_rate>6<", ("sensor `gps`/update_rate", "a", "was 5 and is 6")),
+        ("<gain>1<", "<gain>2<", ("plugin `p`/gain", "m", "was 1 and is 2")),
+        ("<diffuse>1 0 0 1<", "<diffuse>0 0 0 1<", ("visual/material/diffuse", "a", "was 1 0 0 1 and is 0 0 0 1")),
+        ('type="gps"', 'type="imu"', ("sensor `gps` @type", "a", "was navsat and is imu")),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("version", ["1.5", "1.6"])
+def test_another_version_has_the_same_settings(
+    version: str, written: str, other: str, expected: tuple[str, str, str]
+) -> None:
+    done = sdf_to_sdf(read(VERSIONED.encode(), Path("m.sdf"), Kind.SDF), Version.parse(version) or NEWEST)
+    assert not differences(done, done.text)
+    assert written in done.text
+    assert differences(done, done.text.replace(written, other)) == [expected]
