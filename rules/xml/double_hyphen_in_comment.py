@@ -1,6 +1,8 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, refuses
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 class DoubleHyphenInComment(Rule):
@@ -8,6 +10,7 @@ class DoubleHyphenInComment(Rule):
 
     The simulators read the file anyway; every strict XML parser refuses it, and
     with it the tools that are built on one (editors, xmllint, Python's own parser).
+    xacro is one of them, so in a `.xacro` file it is an error: nobody gets the robot.
     """
 
     code = "XML002"
@@ -24,10 +27,26 @@ class DoubleHyphenInComment(Rule):
             '<sdf version="1.12"><!-- «----» wheels ---- --></sdf>',
             fixed='<sdf version="1.12"><!-- - - - - wheels - - - - --></sdf>',
         ),
+        Bad(
+            f'<robot name="r" {XACRO}><!-- «--» wheels --><link name="a"/></robot>',
+            file="robot.urdf.xacro",
+            fixed=f'<robot name="r" {XACRO}><!-- - - wheels --><link name="a"/></robot>',
+        ),
     )
     good = (Good('<sdf version="1.12"><!-- a - b - c --></sdf>', why="single hyphens are fine"),)
 
     def check(self, problem: problems.CommentHyphens) -> Iterator[Diagnostic]:
         edits = tuple(Edit(run, " ".join("-" * len(run.text))) for run in problem.runs)
         fix = make_fix("put spaces between the hyphens", edits)
-        yield self.diagnostic(problem.span, "`--` inside a comment is not allowed in XML", fix=fix)
+        message = "`--` inside a comment is not allowed in XML"
+        if problem.span.source.path.suffix != ".xacro":
+            yield self.diagnostic(problem.span, message, fix=fix)
+            return
+        affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
+        yield self.diagnostic(
+            problem.span,
+            f"{message}: xacro refuses the file",
+            fix=fix,
+            severity=Severity.ERROR,
+            affects=affects,
+        )

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
 from sdfcheck.source.document import Document
-from sdfcheck.source.problems import SyntaxDefect
+from sdfcheck.source.problems import CommentHyphens, SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion
@@ -72,7 +72,7 @@ def prepare(
     elif not any(map(_stops, found)):
         failures = [problem for expansion in expansions for problem in expansion.problems]
         wanted = [p for p in failures if not (_needs_includer(p) and is_included(document))]
-        found += [p for p in map(partial(_placed, document), wanted) if not _is_known(p, found)]
+        found += [p for p in map(partial(_placed, document), wanted) if not _is_known(p, [*found, *document.problems])]
     documents = tuple(_documents(expansions, document))
     parts = [
         expander.expand_partly(document, arguments)
@@ -97,12 +97,15 @@ def _placed(document: Document, problem: Problem) -> Problem:
     return ExpansionFailure(span, Failure.TEXT, problem.detail[: match.start()])
 
 
-def _is_known(problem: Problem, found: Sequence[Problem]) -> bool:
-    """Is broken text the text of an expression that is reported for itself?"""
+def _is_known(problem: Problem, found: Sequence[object]) -> bool:
+    """Is broken text that of an expression or a comment that is reported for itself?"""
     if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.TEXT:
         return False
     line = problem.span.begin.line
-    return any(isinstance(each, ExpansionFailure) and each.span.begin.line == line for each in found)
+    return any(
+        isinstance(each, (ExpansionFailure, CommentHyphens)) and each.span.begin.line == line
+        for each in found
+    )
 
 
 def _is_certain(problem: Problem) -> bool:
