@@ -72,7 +72,11 @@ def prepare(
     elif not any(map(_stops, found)):
         failures = [problem for expansion in expansions for problem in expansion.problems]
         wanted = [p for p in failures if not (_needs_includer(p) and is_included(document))]
-        found += [p for p in map(partial(_placed, document), wanted) if not _is_known(p, [*found, *document.problems])]
+        found += [
+            p
+            for p in map(partial(_placed, document), wanted)
+            if not _is_known(p, [*found, *document.problems])
+        ]
     documents = tuple(_documents(expansions, document))
     parts = [
         expander.expand_partly(document, arguments)

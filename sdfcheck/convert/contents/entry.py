@@ -9,6 +9,7 @@ from copy import copy
 import numpy as np
 
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, Definition
+from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
@@ -98,7 +99,19 @@ def entry_of(element: Element, definition: Definition | None, without: frozenset
                 else None
             )
             made.add(entry_of(child, inner))
+    if element.name == "sensor":
+        _say_in_newest_words(made)
     return made
+
+
+def _say_in_newest_words(sensor: Entry) -> None:
+    """Give the type and the settings of a sensor the names of the newest version."""
+    kind = sensor.attributes.get("type", "")
+    sensor.attributes["type"] = NEWEST_TYPES.get(kind, kind)
+    for child in sensor.children:
+        newest = NEWEST_TYPES.get(child.name)
+        if newest is not None and sensor.find(newest) is None:
+            child.name = newest
 
 
 class Divergence(NamedTuple):

@@ -6,7 +6,6 @@ from sdfcheck.convert.contents.contents import Contents
 from sdfcheck.convert.contents.entry import Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
 from sdfcheck.formats.sdf.schema import Definition, schema
-from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.frame import MergedFrame
@@ -77,8 +76,6 @@ def _link(found: Contents, link: Link, name: str) -> None:
     made = found.add("link", name, _entry(element, definition, _OF_LINKS))
     for child in made.children:
         _place(child, link)
-        if child.name == "sensor":
-            _in_newest_words(child)
     for part in (part for role in ("visual", "collision") for part in element.children(role)):
         inner = definition.children.get(part.name) if definition is not None else None
         shape = found.shapes[part] = _entry(part, inner, _OF_SHAPES)
@@ -98,15 +95,6 @@ def _place(entry: Entry, link: Link) -> None:
         return
     entry.children.remove(pose)
     entry.pose = placed
-
-
-def _in_newest_words(sensor: Entry) -> None:
-    """Give the type and the settings of a sensor the names of the newest version."""
-    kind = sensor.attributes.get("type", "")
-    sensor.attributes["type"] = NEWEST_TYPES.get(kind, kind)
-    for child in sensor.children:
-        if child.name in NEWEST_TYPES and sensor.find(NEWEST_TYPES[child.name]) is None:
-            child.name = NEWEST_TYPES[child.name]
 
 
 def _joint(element: Element) -> Entry:

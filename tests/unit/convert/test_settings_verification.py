@@ -9,6 +9,7 @@ import pytest
 from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.migrate.migrate import sdf_to_sdf
 from sdfcheck.convert.result import Comparison, Conversion
+from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.formats.sdf.version import NEWEST, Version
@@ -112,3 +113,16 @@ def test_another_version_has_the_same_settings(
     assert not differences(done, done.text)
     assert written in done.text
     assert differences(done, done.text.replace(written, other)) == [expected]
+
+
+@pytest.mark.parametrize("kind", ["ray", "lidar"])
+def test_older_names_of_sensors_mean_the_same(kind: str) -> None:
+    sensor = f'<sensor name="s" type="{kind}"><{kind}><range><min>0.1</min></range></{kind}></sensor>'
+    text = f'<robot name="r"><link name="a">{MASS}</link><gazebo reference="a">{sensor}</gazebo></robot>'
+    for version in (Version(1, 5), NEWEST):
+        done = urdf_to_sdf(read(text.encode(), Path("r.urdf"), Kind.URDF), Options(version))
+        assert done.verification is not None
+        assert done.verification.is_equal, done.verification.differences
+        back = convert(read(done.text.encode(), Path("r.sdf"), Kind.SDF))
+        assert back.verification is not None
+        assert back.verification.is_equal, back.verification.differences
