@@ -12,7 +12,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.view.meshes import Meshes
 from sdfcheck.view.notes import findings
 from sdfcheck.view.page import page
-from sdfcheck.view.scene import MOST_SHAPES, scene
+from sdfcheck.view.scene import scene
 from sdfcheck.view.sealed import split
 
 _BYTES = 10_000_000
@@ -38,8 +38,8 @@ def robots(run: Run, documents: Iterable[tuple[Path, Document]]) -> Iterator[Rob
         drawn = scene(document, meshes)
         if not any(model["links"] for model in drawn["models"]):
             continue
-        own = run._replace(diagnostics=_gravest(run, path))
-        text = page(TITLE, [drawn], meshes.entries, findings=findings(own, document), most_shapes=MOST_SHAPES)
+        found = findings(_gravest(run, path), document, run.pages)
+        text = page(TITLE, [drawn], meshes.entries, findings=found)
         size = len(split(text)[1])
         if size <= left:
             left -= size
