@@ -5,6 +5,7 @@ from __future__ import annotations
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import INK_OF
+from sdfcheck.report.fit import fitted
 from sdfcheck.report.summary import EVERYTHING, View, closing_line
 
 
@@ -13,7 +14,7 @@ def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
 
     Of the view, the width and the links count.
     """
-    closing = closing_line(run) + "\n"
+    closing = fitted(closing_line(run), view.width) + "\n"
     if not run.diagnostics:
         return closing
     from sdfcheck.report.table import Cell, Column, table

@@ -123,6 +123,7 @@ def test_overviews_and_closing_lines_fit(name: str, run: Run) -> None:
     assert any("by rule" in row for row in rows)
     rows = run("lint", "--isolated", "--statistics", "a.sdf")
     assert rows[0].split() == ["count", "severity", "rule", "name", "fix"]
+    assert rows[-1].endswith(").")
 
 
 def test_missing_packages_fit(run: Run) -> None:
