@@ -6,6 +6,7 @@
 # make vscode   compile and package the extension for Visual Studio Code (needs node)
 # make picture  draw the terminal of the README again
 # make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
+# make gallery  draw the pictures of docs/gallery.md again (needs Chromium)
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make mutants  change the code a little, many times: which changes does no test notice?
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
@@ -23,7 +24,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check bench fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check gallery bench fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -112,6 +113,11 @@ picture: $(TOOLS)
 
 viewer: viewer-check
 	cd viewer && npm run --silent build
+
+# Needs Chromium.
+gallery: $(TOOLS)
+	$(BIN)/python $(PIP_INSTALL) --editable '.[browser]'
+	$(BIN)/python -m tests.peers.gallery
 
 viewer-check:
 	cd viewer && npm ci --no-audit --no-fund --silent && npm run --silent check

@@ -19,6 +19,7 @@ ROOT = Path(__file__).parents[2]
 PICTURES = ROOT / "docs" / "gallery"
 ROBOTS = ROOT / "fixtures" / "robots"
 ARM, ROVER = ROBOTS / "desk_arm" / "desk_arm.urdf", ROBOTS / "diff_drive" / "model.sdf"
+LINKS = ROBOTS / "two_link_arm" / "model.sdf"
 WIDTH, HEIGHT = 1000, 560
 
 
@@ -39,7 +40,7 @@ def wrong_inertia(folder: Path) -> list[str]:
 def swapped_axis(folder: Path) -> list[str]:
     """A wheel that turns about the vertical."""
     text = ROVER.read_text(encoding="utf-8")
-    at = text.index("<xyz>0 0 1</xyz>", text.index('name="left_wheel_joint"'))
+    at = text.index("<xyz>0 0 1</xyz>", text.index('name="right_wheel_joint"'))
     file = folder / "model.sdf"
     file.write_text(text[:at] + text[at:].replace("0 0 1", "0 1 0", 1), encoding="utf-8")
     return ["view", str(file)]
@@ -54,19 +55,18 @@ def mesh_in_millimeters(folder: Path) -> list[str]:
 
 def lost_collision(folder: Path) -> list[str]:
     """A collision that URDF cannot say."""
-    box = (
-        ROVER.read_text(encoding="utf-8")
-        .split('<collision name="body_collision">')[1]
-        .split("</collision>")[0]
-    )
-    cone = "<geometry><cone><radius>0.2</radius><length>0.3</length></cone></geometry>"
-    file = changed(ROVER, folder, (box, cone))
-    return ["convert", "sdf-to-urdf", str(file), "-o", str(folder / "model.urdf")]
+    text = LINKS.read_text(encoding="utf-8").replace('version="1.6"', 'version="1.12"')
+    at = text.index("<cylinder>", text.index('<link name="fore">'))
+    end = text.index("</cylinder>", at) + len("</cylinder>")
+    file = folder / "arm.sdf"
+    cone = "<cone><radius>0.06</radius><length>0.24</length></cone>"
+    file.write_text(text[:at] + cone + text[end:], encoding="utf-8")
+    return ["convert", "sdf-to-urdf", str(file), "-o", str(folder / "arm.urdf")]
 
 
 GALLERY = (
     Picture("wrong-inertia", wrong_inertia, ("#show-inertias:not(:checked)", "[data-part=forearm]")),
-    Picture("swapped-axis", swapped_axis, ("[data-part=left_wheel]",)),
+    Picture("swapped-axis", swapped_axis, ("[data-part=right_wheel]",)),
     Picture("mesh-in-millimeters", mesh_in_millimeters, ("[data-part=upper_arm]",)),
     Picture("lost-collision", lost_collision),
 )

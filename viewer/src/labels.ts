@@ -25,7 +25,7 @@ export function label(text: string, color: string): Sprite {
   map.colorSpace = SRGBColorSpace;
   const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, sizeAttenuation: false }));
   sprite.scale.set((HEIGHT * canvas.width) / canvas.height, HEIGHT, 1);
-  sprite.center.set(0.5, -0.4);
+  sprite.center.set(0.5, -0.8);
   sprite.renderOrder = 10;
   return sprite;
 }

@@ -119,7 +119,7 @@ class Viewer implements Actions {
     this.stage.mark(found ? bounds : null, place.part ?? place.model ?? "");
     this.panel.highlight(place);
     const chosen = Object.entries(place).filter((entry): entry is [string, string] => entry[1] !== null);
-    history.replaceState(null, "", `#${new URLSearchParams(chosen)}`);
+    if (location.protocol !== "about:") history.replaceState(null, "", `#${new URLSearchParams(chosen)}`);
   }
 
   // How it comes about.

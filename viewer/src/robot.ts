@@ -2,6 +2,7 @@
 
 import { Box3, Group, Matrix4, Mesh, type MeshLambertMaterial, type Object3D, Vector3 } from "three";
 import type { Crowd } from "./crowd";
+import { label, meters } from "./labels";
 import type { Joint, Link, Model, Shape } from "./data";
 import { linkPoses, moves } from "./kinematics";
 import { arrowOf, emptyLinkOf, fieldOf, frameOf, inertiaOf, lightOf, placed, rangeOf } from "./markers";
@@ -19,6 +20,8 @@ export const LAYERS = [
   "empty links",
 ] as const;
 export type Layer = (typeof LAYERS)[number];
+
+const OUTSIZED = 100; // times the size of all other links
 
 /** A shape that is drawn, with the materials that its file gives it. */
 interface Drawn {
@@ -56,6 +59,7 @@ export class Robot {
     }
     this.move();
     this.unit = this.ordinarySize();
+    this.markOutsized();
   }
 
   /** Puts every link where the positions of the joints say. */
@@ -96,6 +100,26 @@ export class Robot {
     const all = this.crowd?.bounds(link) ?? new Box3();
     for (const { object } of this.drawn) if (object.parent === link && object.visible) all.expandByObject(object);
     return all;
+  }
+
+  /** Says which link is far larger than the others, and where those are: they are not to be seen beside it. */
+  private markOutsized(): void {
+    const sizes = [...this.links].flatMap(([name, link]): [string, Group, number][] => {
+      const box = this.bounds(link);
+      return box.isEmpty() ? [] : [[name, link, box.getSize(new Vector3()).length()]];
+    });
+    sizes.sort((a, b) => b[2] - a[2]);
+    const [largest, second] = sizes;
+    if (!second || largest[2] < OUTSIZED * second[2]) return;
+    const [name, link, size] = largest;
+    const large = label(`${name}: ${meters(size / second[2])} times as large as any other link`, "#a50000");
+    this.bounds(link).getCenter(large.position).applyMatrix4(link.matrixWorld.clone().invert());
+    const rest = label(`here are the other links of ${this.model.name}`, "#1b1e23");
+    rest.center.set(0.5, 1.8);
+    link.add(large);
+    second[1].add(rest);
+    this.keep("visuals", large);
+    this.keep("visuals", rest);
   }
 
   private addShape(group: Group, link: Link, shape: Shape): void {

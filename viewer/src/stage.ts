@@ -168,7 +168,7 @@ export class Stage {
     if (bounds) {
       const box = bounds.isEmpty() ? new Box3(new Vector3(), new Vector3()) : bounds;
       const size = box.getSize(new Vector3()).toArray().map(meters).join(" × ");
-      const words = label(bounds.isEmpty() ? name : `${name}: ${size} m`, "#a15c00");
+      const words = label(bounds.isEmpty() ? name : `${name}: ${size} m`, "#6b3a00");
       words.position.copy(box.getCenter(new Vector3())).setZ(box.max.z);
       this.marker = new Group().add(new Box3Helper(box, new Color(MARKED)), words);
       this.world.add(this.marker);
