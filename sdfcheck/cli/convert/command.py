@@ -88,8 +88,6 @@ def convert_files(
     paths = [file.path for file in files if file.data is None]
     refuse_to_overwrite(paths, places, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
     _check_arguments(request, files)
-    if request.report is not None and len(files) > 1:
-        raise WrongUsage("--report shows one conversion, and there are several inputs")
     done = Reporting(request, wanted)
     with Reader(request.around, lint=request.lint, expand=not request.no_expand) as reader:
         for file, target in zip(files, places, strict=True):
@@ -123,6 +121,8 @@ def _give_up(file: Source, files: Sequence[Source], error: WrongUsage, done: Rep
 
 def _check_arguments(request: Request, files: Sequence[Source]) -> None:
     texts = {file.path: file.data for file in files if file.data is not None}
+    if request.report is not None and len(files) > 1:
+        raise WrongUsage("--report shows one conversion, and there are several inputs")
     settings = request.around.settings_for(files[0].path)
     check_arguments(request.around.arguments, [file.path for file in files], settings, texts)
 
