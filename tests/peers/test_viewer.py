@@ -137,6 +137,21 @@ def test_poses_that_are_not_numbers(pose: str, tab: chromium.Tab, tmp_path: Path
     assert "m" in panel(tab)
 
 
+def test_an_inertia_that_stands_for_infinity(tab: chromium.Tab, tmp_path: Path) -> None:
+    moments = "".join(f"<{name}>1e40</{name}>" for name in ("ixx", "iyy", "izz"))
+    show(
+        tab,
+        tmp_path,
+        sdf(tmp_path, f"<link name='l'><inertial><inertia>{moments}</inertia></inertial></link>"),
+    )
+    if not tab.page.is_checked("#show-inertias"):
+        tab.page.click("#show-inertias")
+    tab.page.click("text=Fit")
+    grid = tab.run("document.getElementById('legend').textContent")
+    assert float(grid.removeprefix("grid: ").removesuffix(" m")) < 1e6
+    assert tab.errors == []
+
+
 def test_many_shapes_take_few_drawing_calls(tab: chromium.Tab, tmp_path: Path) -> None:
     shapes = ("<box><size>1 1 1</size></box>", "<sphere><radius>.5</radius></sphere>")
     links = (

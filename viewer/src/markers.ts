@@ -52,10 +52,12 @@ function seeThrough(color: number, opacity: number): MeshBasicMaterial {
   return new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false });
 }
 
+const LARGEST = 1e5; // m; larger boxes, of inertias that stand for infinity, are drawn so large
+
 /** The box of even density with the same moments, and the center of mass. */
 export function inertiaOf(inertia: Inertia, unit: number): Object3D {
   const color = inertia.isPossible ? COLORS.inertia : COLORS.impossible;
-  const [x, y, z] = inertia.box.map((side) => Math.max(side, unit * 1e-3));
+  const [x, y, z] = inertia.box.map((side) => Math.min(Math.max(side, unit * 1e-3), LARGEST));
   const box = new BoxGeometry(x, y, z);
   const edges = onTop(new LineSegments(new EdgesGeometry(box), new LineBasicMaterial({ color })));
   const center = onTop(new Mesh(new SphereGeometry(unit * 0.08, 12, 8), new MeshBasicMaterial({ color })));

@@ -34,6 +34,7 @@ export const VIEWS: Record<string, Vector3> = {
   Top: new Vector3(-0.001, 0, 1),
 };
 const SMALLEST = 0.05; // m; what is smaller is not made larger
+const FARTHEST = 1e7; // m; what is farther or larger is not looked at
 const MARKED = 0xf08c00;
 
 /** What is visible of an object and takes up room: no words, no lights, and no planes, which are infinite. */
@@ -47,7 +48,8 @@ function visibleBounds(object: Object3D, all = new Box3()): Box3 {
     if (!object.geometry.boundingBox) object.geometry.computeBoundingBox();
     own.copy(object.geometry.boundingBox as Box3);
   }
-  if (!own.isEmpty()) all.union(own.applyMatrix4(object.matrixWorld));
+  own.applyMatrix4(object.matrixWorld);
+  if (own.getSize(new Vector3()).length() < FARTHEST && own.getCenter(new Vector3()).length() < FARTHEST) all.union(own);
   for (const child of object.children) visibleBounds(child, all);
   return all;
 }
