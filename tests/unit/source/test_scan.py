@@ -9,7 +9,6 @@ from lxml import etree
 
 from sdfcheck.lint.example import unmark
 from sdfcheck.source.problems import (
-    CommentHyphens,
     ContentAfterRoot,
     LateDeclaration,
     SyntaxDefect,
@@ -277,29 +276,6 @@ def test_a_late_declaration_knows_what_stands_before_it() -> None:
     assert isinstance(problem, LateDeclaration)
     assert problem.span.text == "<!-- c -->\n"
     assert problem.declaration.text == '<?xml version="1.0"?>'
-
-
-@pytest.mark.parametrize(
-    ("comment", "runs"),
-    [
-        ("<!-- a--b -->", ["--"]),
-        ("<!------>", ["--"]),
-        ("<!-- a --->", ["---"]),
-        ("<!-- -- ---- -->", ["--", "----"]),
-        ("<!-- a <!-- b -->", ["--"]),
-    ],
-)
-def test_hyphens_in_comments(comment: str, runs: list[str]) -> None:
-    result = scanned(f"<a>{comment}</a>")
-    (problem,) = result.problems
-    assert isinstance(problem, CommentHyphens)
-    assert [run.text for run in problem.runs] == runs
-    assert names(result) == ["a"]
-
-
-@pytest.mark.parametrize("comment", ["<!---->", "<!-- - -->", "<!-- a - b -->", "<!-- < > & ]]> -->"])
-def test_sound_comments(comment: str) -> None:
-    assert scanned(f"<a>{comment}</a>").problems == []
 
 
 def test_whatever_a_text_holds_names_keep_their_colons_out_of_namespaces() -> None:
