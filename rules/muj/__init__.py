@@ -1,3 +1,3 @@
-"""MuJoCo: what its consumer of URDF does not take."""
+"""MuJoCo: what it does not take in URDF."""
 
 SOURCES = ("https://mujoco.readthedocs.io/en/stable/modeling.html",)
