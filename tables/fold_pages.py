@@ -40,7 +40,7 @@ def _fold(paragraph: Sequence[str]) -> Sequence[str]:
         return paragraph
     mark = _ITEM.match(paragraph[0])
     indent = mark[0] if mark else ""
-    words = " ".join(line.strip() for line in paragraph).removeprefix(indent.strip())
+    words = " ".join(line.strip() for line in paragraph).removeprefix(indent.strip()).lstrip()
     return wrap(
         words,
         LONGEST,
