@@ -120,6 +120,7 @@ def test_a_thousand_links(tab: chromium.Tab, tmp_path: Path) -> None:
     assert tab.errors == []
     assert tab.page.locator(".slider").count() == 999
     tab.page.click("summary:has-text('Links of m (1000)')")
+    tab.page.locator("li").nth(999).wait_for(state="attached")
     assert tab.page.locator("li").count() == 1000
 
 
