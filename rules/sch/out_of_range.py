@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_COLLISION,
+    IN_ROBOT,
     IN_WORLD,
     REFUSES,
     Bad,
@@ -26,8 +27,9 @@ class OutOfRange(Rule):
     """A number lies outside the range that the format states or that its quantity has.
 
     The bounds of the tables are enforced: outside them libsdformat refuses the document,
-    which is an error. Others are stated and checked by nobody, or a default is taken
-    instead, as for a shape whose size is not positive.
+    which is an error. Others are stated and checked by nobody, or libsdformat
+    takes a default instead, as for a shape whose size is not positive. In URDF, Drake aborts
+    at such a shape (it takes a sphere of radius 0 for a point), and MuJoCo refuses it as a collision.
     """
 
     code = "SCH014"
@@ -53,7 +55,13 @@ class OutOfRange(Rule):
         Bad(
             "<geometry><box><size>1 «0» 1</size></box></geometry>",
             scaffold=IN_COLLISION,
-            says="`size` should be above 0, not 0, so 1 1 1 is taken",
+            says="`size` should be above 0, not 0, so libsdformat takes 1 1 1",
+        ),
+        Bad(
+            '<link name="pad"><collision><geometry><sphere radius="«-1»"/></geometry></collision></link>'
+            '<joint name="j" type="fixed"><parent link="base"/><child link="pad"/></joint>',
+            scaffold=IN_ROBOT,
+            says="`radius` should be above 0, not -1, so libsdformat takes 1",
         ),
         Bad(
             '<physics type="ode"><max_step_size>0.001</max_step_size>'
@@ -75,7 +83,7 @@ class OutOfRange(Rule):
         must = "must" if problem.refused else "should"
         message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
         if problem.instead is not None:
-            message += f", so {problem.instead} is taken"
+            message += f", so libsdformat takes {problem.instead}"
         severity, affects = None, undersized(problem.value)
         if problem.refused:
             severity = Severity.ERROR

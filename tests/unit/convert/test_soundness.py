@@ -51,7 +51,7 @@ def test_warnings_that_mean_another_robot_are_shown(
     )
     target = str(tmp_path / "m.urdf")
     assert main(["convert", "sdf-to-urdf", str(source), "-o", target, "--isolated"]) == 0
-    assert "`radius` should be above 0, not 0, so 1 is taken" in capsys.readouterr().out
+    assert "`radius` should be above 0, not 0, so libsdformat takes 1" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
