@@ -56,7 +56,7 @@ _EXAMPLES = {
     ),
     "targets": (
         ("sdfcheck targets arm.urdf", "who accepts it, and why others do not"),
-        ("sdfcheck targets --output-format json models/*.sdf", "for a program"),
+        ("sdfcheck targets --output-format json model.sdf", "for a program"),
     ),
     "describe": (
         ("sdfcheck describe joint/axis", "an element of SDFormat"),
