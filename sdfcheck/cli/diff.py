@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
+from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.result import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import wants_color
@@ -84,6 +84,7 @@ def _compare(request: Request, around: Around) -> FileDifference:
         require_file(file)
     check_arguments(around.arguments, (request.a, request.b), around.settings_for(request.a))
     documents = [load(file, around, check=False) for file in (request.a, request.b)]
+    warn_if_broken(*documents)
     try:
         return compare_files(*documents, tolerance=request.tolerance)
     except DescriptionError as error:

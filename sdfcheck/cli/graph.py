@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.result import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of, wants_color
@@ -44,7 +44,9 @@ def graph_command(
     """
     require_file(file)
     try:
-        drawn = graph(load(file, around(given)), GraphKind(kind))
+        document = load(file, around(given))
+        warn_if_broken(document)
+        drawn = graph(document, GraphKind(kind))
     except ValueError as error:
         from sdfcheck.robot.errors import DescriptionError
 

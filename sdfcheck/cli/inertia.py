@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.result import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color
@@ -64,7 +64,9 @@ def inertia(
     mass, in axes parallel to those of the model.
     """
     require_file(file)
-    report = measure(load(file, around(given)))
+    document = load(file, around(given))
+    warn_if_broken(document)
+    report = measure(document)
     if name is not None:
         report = _only(report, name)
     if form == "json":

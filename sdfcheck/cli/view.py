@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
+from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import PATH, require_file, written
 from sdfcheck.cli.parts.result import deliver
 from sdfcheck.cli.parts.terminal import say
@@ -40,6 +40,7 @@ def view(file: Path, other: Path | None, output_file: Path | None, opened: bool,
         require_file(one)
     check_arguments(surroundings.arguments, files, surroundings.settings_for(file))
     documents = [load(one, surroundings, check=False) for one in files]
+    warn_if_broken(*documents)
     text = _page(files, documents, surroundings)
     if output_file is None and not opened:
         deliver(text, None)

@@ -45,7 +45,7 @@ class Bad(NamedTuple):
     says: str = ""
     also: tuple[str, ...] = ()
     file: str = ""
-    """File name, where the snippet's kind cannot be told from its root element."""
+    """File name, where the root element does not show the snippet's kind."""
     scaffold: str | None = None
     files: Mapping[str, str] | None = None
     """Other files on disk: path beside the snippet's file → text. None: nothing is looked up."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description
 from sdfcheck.formats.describe.spot import Spot, describe_custom, spot
@@ -51,7 +52,7 @@ def hover(document: Document, offset: int, found: Sequence[Diagnostic] = ()) -> 
     return Hover("\n\n---\n\n".join(filter(None, sections)), span) if any(sections) else None
 
 
-def _size(path) -> str:  # type: ignore[no-untyped-def]
+def _size(path: Path) -> str:
     try:
         size = path.stat().st_size
     except OSError:

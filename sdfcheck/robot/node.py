@@ -73,7 +73,7 @@ class Node(Part):
 
     @lazy
     def carrier(self) -> Node | None:
-        """What it moves with: a link, the world, or a static model; None if that cannot be told."""
+        """What it moves with: a link, the world, or a static model; None if that is unknown."""
         seen: set[Node] = set()
         at: Node | None = self
         while at is not None and at not in seen:

@@ -1,4 +1,4 @@
-"""The verdicts told for consumers against those that the consumers gave."""
+"""The verdicts that `targets` gives for consumers, against those that the consumers gave."""
 
 from __future__ import annotations
 

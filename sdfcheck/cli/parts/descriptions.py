@@ -129,6 +129,17 @@ def load(file: Path, around: Around, *, check: bool = True) -> Document:
     return document
 
 
+def warn_if_broken(*documents: Document) -> None:
+    """Say on stderr where the text of a description is broken: what a command shows of it may not be all."""
+    from sdfcheck.convert.broken_text import break_of
+
+    for document in documents:
+        if (span := break_of(document)) is not None:
+            line, column = span.begin
+            place = f"{document.path}:{line}:{column}"
+            say(f"warning: {place}: the text is broken here, parts may be missing; `sdfcheck lint` says how")
+
+
 def _expanded(document: Document, settings: Settings, around: Around) -> Document:
     with expander_for(settings) as expander:
         chosen = chosen_arguments(document.path, settings, around)

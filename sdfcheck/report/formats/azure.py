@@ -5,6 +5,7 @@ from __future__ import annotations
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import painter
+from sdfcheck.report.formats.annotation import annotation
 from sdfcheck.report.formats.concise import concise_line
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.visible import harmless, visible
@@ -29,12 +30,7 @@ def _line(diagnostic: Diagnostic, paths: Paths) -> str:
         "code": diagnostic.code,
     }
     written = "".join(f"{key}={_property(value)};" for key, value in properties.items())
-    parts = [diagnostic.message]
-    if diagnostic.fix is not None:
-        parts.append(f"help: {diagnostic.fix.title} ({diagnostic.fix.applicability.value} fix)")
-    if diagnostic.help:
-        parts.append(f"help: {diagnostic.help}")
-    message = _message("\n".join(visible(part) for part in parts))
+    message = _message(annotation(diagnostic))
     return f"##vso[task.logissue {written}]{message}"
 
 

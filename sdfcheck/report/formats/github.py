@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
+from sdfcheck.report.formats.annotation import annotation
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.visible import visible
 
@@ -35,12 +36,7 @@ def _command(diagnostic: Diagnostic, paths: Paths) -> str:
         properties |= {"col": str(begin.column), "endColumn": str(finish.column)}
     properties["title"] = f"{diagnostic.code} {diagnostic.name}"
     written = ",".join(f"{key}={_property(value)}" for key, value in properties.items())
-    parts = [diagnostic.message]
-    if diagnostic.fix is not None:
-        parts.append(f"help: {diagnostic.fix.title} ({diagnostic.fix.applicability.value} fix)")
-    if diagnostic.help:
-        parts.append(f"help: {diagnostic.help}")
-    message = _message("\n".join(visible(part) for part in parts))
+    message = _message(annotation(diagnostic))
     return f"::{_COMMANDS[diagnostic.severity]} {written}::{message}"
 
 

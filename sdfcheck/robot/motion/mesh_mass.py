@@ -38,7 +38,7 @@ def mesh_body(mesh: Element, density: float) -> MassProperties:
         raise MeshError(f"mesh `{uri}` is {why}")
     try:
         surface: Any = trimesh.load(path, force="mesh")
-    except Exception as error:  # trimesh and its consumers raise whatever comes up
+    except Exception as error:  # trimesh and its importers raise any kind
         raise MeshError(
             f"mesh `{uri}` cannot be read: {' '.join(str(error).split()) or type(error).__name__}"
         ) from None

@@ -161,7 +161,7 @@ class Inertial(Part):
 
 
 def position(part: Part) -> tuple[float, float, float] | None:
-    """The position that a part's ``pose`` or ``origin`` writes; None if it cannot be told from it alone."""
+    """The position that a part's ``pose`` or ``origin`` writes; None if that alone does not say it."""
     if part.is_urdf:
         origin = part.find("origin")
         return _three(origin.attributes.get("xyz", "0 0 0") if origin is not None else "0 0 0")

@@ -112,12 +112,12 @@ class Joint(Node):
 
     @property
     def parent_link(self) -> Link | None:
-        """The link that its parent moves with; None for the world, and where that cannot be told."""
+        """The link that its parent moves with; None for the world, and where that is unknown."""
         return _link(self.parent)
 
     @property
     def child_link(self) -> Link | None:
-        """The link that its child moves with; None where that cannot be told."""
+        """The link that its child moves with; None where that is unknown."""
         return _link(self.child)
 
     def _end(self, role: str) -> Value | None:

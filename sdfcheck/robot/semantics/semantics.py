@@ -208,7 +208,7 @@ class Semantics:
         return found[0] if len(self.robots) == 1 and found else None
 
     def miscounted(self, state: StateValue) -> str | None:
-        """Why a value is not the numbers that its joint needs; None where it is, or that cannot be told."""
+        """Why a value is not the numbers that its joint needs; None where it is, or that is unknown."""
         words = state.value.text.split()
         if not words or not all(map(_is_number, words)):
             return "a number"

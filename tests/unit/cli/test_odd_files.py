@@ -118,3 +118,23 @@ def test_a_deeply_nested_baseline_is_none(folder: Path, capsys: pytest.CaptureFi
     (folder / "known.json").write_text('{"a":' * 100_000)
     assert main(["lint", "a.sdf", "--baseline", "known.json"]) == 2
     assert capsys.readouterr().err == "error: known.json is not a baseline\n"
+
+
+@pytest.mark.parametrize(
+    "words", [("inertia",), ("graph", "joints"), ("view", "-o", "page.html"), ("diff", "sound.sdf")]
+)
+def test_a_broken_text_is_named_by_commands_that_read_what_there_is(
+    words: tuple[str, ...],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "sound.sdf").write_text(SDF)
+    (tmp_path / "broken.sdf").write_text(
+        '<sdf version="1.6"><model name="m"><link name="l"></lnk></model></sdf>'
+    )
+    main([*words, "broken.sdf"])
+    assert "warning: broken.sdf:1:53: the text is broken here" in capsys.readouterr().err
+    main([*words, "sound.sdf"])
+    assert "broken" not in capsys.readouterr().err
