@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator
 
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
@@ -64,9 +64,13 @@ def other_shapes(element: Element) -> list[Element]:
     )
 
 
-def has_namesake(element: Element, among: Iterable[Element]) -> bool:
-    """Is a link or joint of the name of this one among some elements? Then nothing can refer to this one."""
-    if element.name not in _NAMED:
-        return False
-    name = element.get("name")
-    return any(other.name in _NAMED and other.get("name") == name for other in among)
+def part_names(elements: Iterable[object]) -> frozenset[str | None]:
+    """The names of the links and joints among some nodes."""
+    return frozenset(
+        element.get("name") for element in elements if isinstance(element, Element) and element.name in _NAMED
+    )
+
+
+def is_namesake(element: Element, names: Container[str | None]) -> bool:
+    """Is it a link or joint whose name is another one's? Then nothing can refer to this one."""
+    return element.name in _NAMED and element.get("name") in names

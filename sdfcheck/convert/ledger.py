@@ -13,7 +13,7 @@ from collections.abc import Mapping
 
 from lxml import etree
 
-from sdfcheck.convert.items import belongs, has_namesake, other_shapes, shortened, shown, texts
+from sdfcheck.convert.items import belongs, is_namesake, other_shapes, part_names, shortened, shown, texts
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
@@ -181,13 +181,14 @@ class Ledger:
 
     def close(self, root: Element) -> None:
         """Report what is below a root (itself included) and has no outcome."""
+        names = part_names(self._taken)
         waiting = [root]
         while waiting:
             element = waiting.pop()
             if element in self._whole:
                 continue
             if element not in self._taken and element not in self._lost:
-                self._leave(element)
+                self._leave(element, names)
             if element in self._lost:
                 self._report_custom(element)
                 continue
@@ -208,7 +209,7 @@ class Ledger:
             if found[name] < 0:
                 self.forget(element, f"`{name}` of {element.title} is not in the result")
 
-    def _leave(self, element: Element) -> None:
+    def _leave(self, element: Element, names: frozenset[str | None]) -> None:
         """Nobody entered an element: the target has no word for it, or a writer forgot it."""
         if element.is_custom:
             text = f"{shown(element)} is left out: it has no place in {self._target}"
@@ -222,7 +223,7 @@ class Ledger:
         elif any(shape in self._taken for shape in other_shapes(element)):
             text = f"{shown(element)} is left out: there is another shape before it"
             self.lose(LossKind.UNSUPPORTED_GEOMETRY, element, text)
-        elif has_namesake(element, self.entered):
+        elif is_namesake(element, names):
             text = f"{shown(element)} is left out: another part of the model has its name"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif not belongs(element):
