@@ -33,7 +33,7 @@ class DiscoveredFile(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What the given paths lead to: sorted, each file once.
+    """The files that the given paths lead to: sorted, each once.
 
     ``skipped`` are files and folders left out, with the reason; ``empty`` are the
     given folders in which nothing was found, ``unreadable`` folders that could not be
@@ -97,13 +97,13 @@ def _once(entries: list[tuple[Path, str]]) -> tuple[tuple[Path, str], ...]:
 
 
 class _Left(NamedTuple):
-    """What a walk leaves out, with the reasons."""
+    """The files that a walk leaves out, with the reasons."""
 
     skipped: list[tuple[Path, str]]
     unreadable: list[tuple[Path, str]]
 
     def is_fit(self, path: Path) -> bool:
-        """Whether a robot file that was met can be read; if not, it is noted."""
+        """Whether a robot file that was found can be read; if not, it is noted."""
         odd = oddity(path)
         if odd:
             self.skipped.append((path, odd))

@@ -1,4 +1,4 @@
-"""What is on disk, asked for once and remembered."""
+"""Answers of the file system, remembered."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Disk:
         return os.path.normpath(at) if self.has(at) else None
 
     def _listing(self, folder: str) -> Mapping[str, str]:
-        """What a folder holds: names in lower case → names; none for what is no folder."""
+        """The entries of a folder: names in lower case → names; empty if it is not a folder."""
         listed = self._listings.get(folder)
         if listed is None:
             try:

@@ -1,4 +1,4 @@
-"""What git knows about a folder."""
+"""The answers of git about a folder."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Listed(NamedTuple):
 
 
 class Listing(NamedTuple):
-    """What git lists, sorted, and the folders that it could not read, with the reasons; relative to the folder."""
+    """The files that git lists, sorted, and the folders that it could not read → reasons; all relative."""
 
     names: tuple[Listed, ...]
     unread: tuple[tuple[str, str], ...] = ()
@@ -39,8 +39,7 @@ class Listing(NamedTuple):
 def listed(folder: Path) -> Listing | None:
     """Tracked and untracked files below ``folder`` that are not ignored, relative to it.
 
-    None if git cannot tell: it is missing, this is no repository, or the folder is
-    itself ignored.
+    None if git has no answer: it is missing, this is not a repository, or the folder is itself ignored.
     """
     root = work_tree(folder)
     if root is None or _has_odd_ignores(folder, root):
@@ -59,7 +58,7 @@ def listed(folder: Path) -> Listing | None:
 
 
 def _has_odd_ignores(folder: Path, root: Path) -> bool:
-    """Whether a ``.gitignore`` from ``folder`` up to ``root`` is no file: git would wait for a pipe's end."""
+    """Whether a ``.gitignore`` from ``folder`` up to ``root`` is a pipe or the like: git would wait."""
     absolute = Path(os.path.abspath(folder))
     above = [place for place in (absolute, *absolute.parents) if place == root or root in place.parents]
     files = [*(place / ".gitignore" for place in above), root / ".git" / "info" / "exclude"]
@@ -80,7 +79,7 @@ class _Done(NamedTuple):
 
 
 def _git(folder: Path, *arguments: str) -> _Done | None:
-    """What a git command says; None if it fails."""
+    """The output of a git command; None if it fails."""
     import subprocess
 
     environment = {name: value for name, value in os.environ.items() if name not in _HOOK_VARIABLES}

@@ -63,7 +63,7 @@ class Ignores:
 
 
 def _compile(lines: list[str]) -> GitIgnoreSpec:
-    """The patterns; like git, ignore lines that are none."""
+    """The patterns; like git, ignore lines that are not patterns."""
     from pathspec import GitIgnoreSpec
 
     try:

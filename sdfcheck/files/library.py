@@ -92,7 +92,7 @@ class Library:
         return self._documents[key]
 
     def known(self, data: bytes, path: Path) -> Document | None:
-        """The document of a file that was read before and held these bytes; it goes by this path now."""
+        """The document of a file that was read before and held these bytes; it has this path now."""
         if not self._documents:
             return None
         key = self.disk.real(path)

@@ -13,9 +13,9 @@ from sdfcheck.files.descriptor import descriptor
 def overwrite(path: Path, data: bytes) -> None:
     """Put ``data`` in the place of a file's content, or leave the file as it is.
 
-    Mode, owner and group stay; a symbolic link stays one, and the file that it leads to is
-    written. Of several hard links only this one gets the new content. What is not a regular
-    file (a pipe, a device, ``/dev/stdout``) is written to, and stays what it is.
+    Mode, owner and group stay; a symbolic link stays one, and the file that it leads to is written. Of
+    several hard links only this one gets the new content. A path that is not a regular file (a pipe, a
+    device, ``/dev/stdout``) is written to, and keeps its kind.
 
     Raises OSError.
     """

@@ -60,7 +60,7 @@ def open_regular(path: Path, limit: int = SIZE_LIMIT) -> BinaryIO:
 
 
 def read_on(stream: BinaryIO, path: Path, limit: int = SIZE_LIMIT) -> bytes:
-    """What is left in a stream; raises Unfit where that is more than ``limit`` bytes, as in a pipe without end."""
+    """The rest of a stream; raises Unfit where that is more than ``limit`` bytes, as a pipe may have."""
     data = stream.read(limit + 1)
     if len(data) > limit:
         raise _too_large(path, limit)
@@ -68,7 +68,7 @@ def read_on(stream: BinaryIO, path: Path, limit: int = SIZE_LIMIT) -> bytes:
 
 
 def oddity(path: Path) -> str:
-    """What keeps a path found in a folder from being read; empty if nothing does."""
+    """The reason not to read a path found in a folder; empty if it can be read."""
     try:
         kind = _kind(os.stat(path))
     except FileNotFoundError:
@@ -85,7 +85,7 @@ def _refuse_odd(path: Path, status: os.stat_result) -> None:
 
 
 def _kind(status: os.stat_result) -> str:
-    """What it is instead of a regular file."""
+    """Its kind, where it is not a regular file."""
     if stat.S_ISREG(status.st_mode):
         return ""
     return next((name for is_kind, name in _KINDS if is_kind(status.st_mode)), "something odd")

@@ -64,7 +64,7 @@ class Location(NamedTuple):
 
 
 def scheme_of(uri: str) -> str:
-    """The scheme in lower case, empty if there is none; the letter of a Windows drive is none."""
+    """The scheme in lower case, empty without one; the letter of a Windows drive is not a scheme."""
     match = _SCHEME.match(uri.strip())
     return match[1].lower() if match else ""
 

@@ -35,7 +35,7 @@ _PLAUSIBLE = re.compile(
 
 
 def _as_latin1(error: UnicodeError) -> tuple[str, int]:
-    """Decode only the bytes that are no UTF-8 as Latin-1, the usual culprit in old files."""
+    """Decode only the bytes that are not UTF-8 as Latin-1, as old files need."""
     if not isinstance(error, UnicodeDecodeError):
         raise error
     return error.object[error.start : error.end].decode("latin-1"), error.end

@@ -134,7 +134,7 @@ class Document:
         return self._views[compute]  # type: ignore[no-any-return]
 
     def release(self) -> None:
-        """Let go of the tree and of what was worked out about it, which refer to one another; the text is left."""
+        """Drop the tree and the views, which refer to one another; the text is kept."""
         for view in self._views.values():
             if (release := getattr(view, "release", None)) is not None:
                 release()
@@ -145,7 +145,7 @@ class Document:
     def _parse(self) -> Element | None:
         text = self.source.text
         fault: etree._LogEntry | None = None
-        # What a strict parser reads well but not as the simulators do is written anew.
+        # A text that a strict parser accepts but reads otherwise than simulators is rewritten.
         if "<!DOCTYPE" not in text and COLON not in text and not _DEFAULT_NAMESPACE.search(text):
             root, fault = self._parse_strictly(text)
             if root is not None:
@@ -172,7 +172,7 @@ class Document:
         return etree.fromstring(_encoded(self._scan.wellformed), self._parser(recover=True))  # type: ignore[return-value]
 
     def _parse_strictly(self, text: str) -> tuple[Element | None, etree._LogEntry | None]:
-        """The root of a text that is well formed, be it that declarations of prefixes lack; or why it is not."""
+        """The root of a text that is well formed, perhaps but for undeclared prefixes; or the error."""
         parser = self._parser(recover=False)
         try:
             root: Element = etree.fromstring(_encoded(text), parser)  # type: ignore[assignment]
@@ -227,7 +227,7 @@ class Document:
         return parser
 
     def _unexplained(self, fault: etree._LogEntry) -> SyntaxDefect:
-        """The parser's own words, for a fault that the scan does not know."""
+        """The message of the parser, for a fault that the scan does not know."""
         from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
 
         at = self.source.offset(fault.line, max(fault.column, 1))
@@ -242,7 +242,7 @@ def read(data: bytes, path: Path, kind: Kind | None = None) -> Document:
 
 
 def problems(document: Document) -> list[Problem]:
-    """What reading found wrong with the text; of what is no robot description, only that."""
+    """The problems of the text; of a text that is not a robot description, only that one."""
     if document.is_recognized:
         return document.problems
     from sdfcheck.source.scanner.recognition import unrecognized
@@ -275,6 +275,6 @@ def _is_overloaded(root: Element, text: str) -> bool:
 
 
 def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:
-    """What made the parser give up, unless an analysis of ours judges it: prefixes, repeated attributes."""
+    """The cause of the parser's error, unless another analysis reports it: prefixes, repeated attributes."""
     fatal = (entry for entry in parser.error_log if entry.level == etree.ErrorLevels.FATAL)
     return next((entry for entry in fatal if entry.type != etree.ErrorTypes.ERR_ATTRIBUTE_REDEFINED), None)

@@ -35,14 +35,14 @@ class Value:
 
     @property
     def number(self) -> float:
-        """The text as a number, nan if it is none."""
+        """The text as a number; nan if it is not a number."""
         try:
             return float(self.text)
         except ValueError:
             return float("nan")
 
     def to(self, type: type[T]) -> T:
-        """The text as str, int, float or bool; raises ValueError, with the place, if it is none."""
+        """The text as str, int, float or bool; raises ValueError, with the place, if it has another type."""
         try:
             if type is bool:
                 return _BOOLEANS[self.text.strip().lower()]
@@ -81,8 +81,8 @@ class Element(etree.ElementBase):
     Nothing here modifies the document.
     """
 
-    # Each document has a subclass of its own that carries it: lxml makes and drops
-    # element proxies at will, so they cannot hold anything themselves.
+    # Each document has a subclass of its own that carries it: lxml makes and drops element proxies at
+    # any time, so they cannot hold anything themselves.
     document: ClassVar[Document]
 
     if TYPE_CHECKING:
@@ -100,7 +100,7 @@ class Element(etree.ElementBase):
 
     @property
     def title(self) -> str:
-        """What to call it in a sentence: ``joint `elbow```, or ```axis``` where it has no name of its own."""
+        """The element in a sentence: ``joint `elbow```, or ```axis``` without a name of its own."""
         own = self.attributes.get("name", "").strip()
         return f"{self.name} `{own}`" if own else f"`{self.name}`"
 
@@ -152,7 +152,7 @@ class Element(etree.ElementBase):
     def children(self, name: str | None = None) -> Iterator[Element]:
         """The child elements, or those of one name; comments are ignored."""
         if name is None or ":" not in name:
-            # What has no colon is in no namespace: lxml compares such names itself.
+            # A name without a colon is in no namespace: lxml compares such names itself.
             return self.iterchildren(name or "*")
         return (child for child in self.children() if child.name == name)
 

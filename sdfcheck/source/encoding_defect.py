@@ -1,4 +1,4 @@
-"""What can be wrong with the encoding of a text: apart from the other problems, since every text is decoded."""
+"""Defects of the encoding of a text: apart from the other problems, since every text is decoded."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class EncodingKind(Enum):
 class EncodingDefect(Record):
     """The bytes are not what the declaration (or XML's default, UTF-8) says.
 
-    ``actual`` is what they seem to be; empty if nobody can tell.
+    ``actual`` is what they seem to be; empty if that cannot be determined.
     """
 
     span: Span

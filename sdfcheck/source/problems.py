@@ -1,4 +1,4 @@
-"""What can be wrong with a text before anybody asks what it means.
+"""Problems of a text that are found before its meaning is looked at.
 
 Each kind of problem is a small value; rules put it into words.
 """

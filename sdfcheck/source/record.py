@@ -107,7 +107,7 @@ class _TupleType(type):
 if not TYPE_CHECKING:
 
     class NamedTuple(tuple, metaclass=_TupleType):
-        """What :class:`typing.NamedTuple` is, for type checkers and for everybody else."""
+        """The same as :class:`typing.NamedTuple`, for type checkers and for all other users."""
 
         __slots__ = ()
 

@@ -1,4 +1,4 @@
-"""What a file is, recognized by its first bytes.
+"""The kind of a file, recognized by its first bytes.
 
 ``.sdf`` is shared with molecules, delay annotations and databases, and ``model.config``
 with anything, so a suffix alone decides nothing.
@@ -17,7 +17,7 @@ HEAD = 65536
 
 
 class Kind(Enum):
-    """What a file turns out to hold."""
+    """The kinds of content of a file."""
 
     SDF = "sdf"
     URDF = "urdf"
@@ -38,7 +38,7 @@ class Kind(Enum):
 
     @property
     def description(self) -> str:
-        """What completes "this looks like …"."""
+        """The end of the sentence "this looks like …"."""
         return _DESCRIPTIONS[self]
 
 
@@ -63,9 +63,9 @@ _DESCRIPTIONS: Mapping[Kind, str] = {
 
 
 class Treatment(Enum):
-    """What becomes of a file.
+    """The treatments of a file.
 
-    LINT: lint it; what is no robot description at all gets a diagnostic. SKIP: say
+    LINT: lint it; a file that is not a robot description at all gets a diagnostic. SKIP: say
     nothing. NOTICE: say that it was not linted, and go on. WARN: the same, and that
     something should be done about it. REFUSE: report a failure of the run.
     """
@@ -95,10 +95,10 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
     Kind.EMPTY: (Treatment.LINT, Treatment.LINT),
     Kind.NOT_XML: (Treatment.SKIP, Treatment.LINT),
 }
-"""Kind → what happens in a walk, and what happens to a file that was named."""
+"""Kind → treatment in a walk, and treatment of a file that was named."""
 
 ROOTS = ("sdf", "robot", "model")
-# Nothing but robot descriptions goes by these suffixes, so other content is a mistake.
+# Only robot descriptions have these suffixes, so other content is a mistake.
 _UNSHARED_SUFFIXES = frozenset({".urdf", ".world", ".xacro"})
 _SUFFIXES = _UNSHARED_SUFFIXES | {".sdf"}
 TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
@@ -129,14 +129,14 @@ _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
 
 
 def treatment(kind: Kind, path: Path, *, named: bool) -> Treatment:
-    """What becomes of a file of this kind that was found in a walk, or named by a person."""
+    """The treatment of a file of this kind that was found in a walk, or named on the command line."""
     if kind in {Kind.NOT_XML, Kind.OTHER_XML} and path.suffix.lower() in _UNSHARED_SUFFIXES:
         return Treatment.LINT
     return _TREATMENTS[kind][named]
 
 
 def sniff(head: bytes, path: Path) -> Kind:
-    """What the file at ``path`` holds, judged by its first bytes (at most :data:`HEAD` are looked at)."""
+    """The kind of the file at ``path``, judged by its first bytes (at most :data:`HEAD` are looked at)."""
     text = _text(head[:HEAD])
     start = _content_start(text)
     if text.startswith("<", start):
@@ -235,7 +235,7 @@ def _is_srdf(text: str) -> bool:
 
 
 def _tag_name(text: str, start: int) -> str:
-    """The name of the tag that starts there; empty if it is none."""
+    """The name of the tag that starts there; empty if there is not one."""
     end = start + 1
     while end < len(text) and text[end] not in _NAME_END:
         end += 1
@@ -244,7 +244,7 @@ def _tag_name(text: str, start: int) -> str:
 
 
 def _is_misspelt(name: str, suffix: str, text: str, start: int) -> bool:
-    """Whether the root was meant to be that of a robot description."""
+    """Whether the root was meant to be the root of a robot description."""
     if suffix == ".xacro" and (name == "root" or " name=" not in text[start : text.find(">", start)]):
         return False  # what other files include may have any root
     return name not in ROOTS and suggested_root(name) is not None

@@ -1,4 +1,4 @@
-"""Start tags that are not as XML wants them: what they were meant to be, and what is wrong."""
+"""Start tags that are not well formed: what they were meant to be, and their faults."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ REPAIR_LIMIT = 50
 
 _UNKNOWN = "?"
 _BLANK_LINE = re.compile(r"[\r\n]([ \t]+)(?=[\r\n])")
-# What is most of a robot description, and so rather the right spelling than a wrong one.
+# Names that are frequent in robot descriptions: likelier the right spelling than a wrong one.
 _COMMON = frozenset(
     (
         *("sdf", "robot", "world", "model", "link", "joint", "frame", "include", "plugin", "sensor", "light"),
@@ -54,7 +54,7 @@ class Evidence:
         self.repairs_left = REPAIR_LIMIT
 
     def note_repair(self) -> None:
-        """One has been applied: whoever did has to go back, and that takes time, too."""
+        """Count a repair that was applied: the pairing then goes back, which takes time, too."""
         self.repairs_left -= 1
         self.budget -= len(self.tokens)
 
@@ -256,9 +256,9 @@ class Evidence:
     def gap(self, element: Token, number: int) -> tuple[tuple[int, int], tuple[int, int]]:
         """Where an end tag is missing before token ``number``, and the other place to look at.
 
-        That is the last line of a text, the line of spaces that the tag has left, or else
-        the token; the start tag is the other one. Where an element is empty, it is its
-        start tag that may want a slash, and the token is the other.
+        That is the last line of a text, the line of spaces that the tag has left, or else the token; the
+        start tag is the other one. Where an element is empty, its start tag may lack a slash, and the
+        token is the other place.
         """
         before, behind = self.tokens[number - 1], self.tokens[number]
         name = name_range(element, self.text)

@@ -1,4 +1,4 @@
-"""``--`` inside comments: XML forbids it, simulators do not mind, and command lines are full of it."""
+"""``--`` inside comments: XML forbids it, simulators accept it, and command lines contain it often."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _RUN = re.compile(r"-{2,}")
 
 
 def hyphens(source: Source, at: int, end: int) -> CommentHyphens | None:
-    """What is wrong with the hyphens in the comment from ``at`` to ``end``; None if they are as they may be."""
+    """The fault of the hyphens in the comment from ``at`` to ``end``; None if they are allowed."""
     text = source.text
     runs = tuple(source.span(match.start(), match.end()) for match in _RUN.finditer(text, at + 4, end - 3))
     if not runs and text[end - 4] == "-" and end - 4 >= at + 4:

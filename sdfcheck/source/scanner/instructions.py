@@ -1,4 +1,4 @@
-"""XML declarations and other instructions: whether they are as XML wants them."""
+"""XML declarations and other instructions: whether they are well formed."""
 
 from __future__ import annotations
 

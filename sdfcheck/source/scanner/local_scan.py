@@ -1,8 +1,8 @@
 """The scan of a long text that is broken in one place.
 
-What is sound far before and after the place is found by one search and hidden from the tolerant
-steps. A strict parser has the last word: where it does not read the result, or where something is
-wrong elsewhere, the whole text is scanned.
+Text that is well formed far before and after the place is found by one search and hidden from the
+tolerant steps. A strict parser has the last word: where it does not read the result, or where something
+is wrong elsewhere, the whole text is scanned.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from sdfcheck.source.text import Source, Span
 WINDOW = 16_384
 """So many characters before and after the place are never hidden."""
 _WORTHWHILE = 256
-"""What is shorter is not hidden."""
+"""Shorter text is not hidden."""
 _REWRITTEN = re.compile(rf"<!DOCTYPE|xmlns|\sxml:|{COLON}")
-"""What the tolerant scan writes anew even where it is sound."""
+"""Text that the tolerant scan rewrites even where it is well formed."""
 
 
 class _Stretch(NamedTuple):
@@ -109,7 +109,7 @@ def _read(text: str, start: int, end: int) -> tuple[Scan, list[int], list[tuple[
 
 
 def _between(tags: list[tuple[int, int]], places: Scan, start: int, end: int) -> list[_Stretch]:
-    """What lies between tags without another half, where that is long."""
+    """The text between unpaired tags, where it is long."""
     found = []
     for at, after in (*tags, (end, end)):
         if at - start > _WORTHWHILE:

@@ -1,8 +1,7 @@
 """Which end tag belongs to which start tag, also where some are missing, misspelled or too many.
 
-A parser that knows only "expected this, found that" blames the wrong place and goes on
-to blame others. Here the text ahead and the indentation count as evidence, and one
-mistake makes one problem.
+A parser that knows only "expected this, found that" reports the wrong place first and others after it.
+Here the text ahead and the indentation count as evidence, and one mistake makes one problem.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ class _Pairing:
         self.evidence = Evidence(text, self.tokens)
         self.steps: list[Step] = []
         # With the number of the token that they were found at, to go back after it.
-        # What a repair has found stays (-1).
+        # The problems that a repair has found stay (-1).
         self.problems: list[tuple[int, Problem]] = []
         self.doubtful: list[tuple[int, tuple[int, int]]] = []
         self.number = 0
@@ -194,7 +193,7 @@ class _Pairing:
         self.note(ContentAfterRoot(span, self.root))
         return True
 
-    # What becomes of elements
+    # Effects on elements
 
     def step(self, act: Act, token: Token) -> None:
         self.steps.append(Step(act, token, self.number, token.name))
@@ -217,7 +216,7 @@ class _Pairing:
         if opened.tag is None:
             place, other = self.evidence.gap(opened, self.number)
             self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, self.source.span(*other), opened.name)
-        # What it has swallowed is in the wrong place now.
+        # The content that it has swallowed is in the wrong place now.
         self.doubt(opened.start, token.start if has_children else opened.end)
 
     def mismatch(self, token: Token) -> None:
@@ -286,7 +285,7 @@ class _Pairing:
         self.doubtful.append((self.number, (start, end)))
 
     def doubt_lack(self, parent: Token) -> None:
-        """What the parent seems to lack may be what is misspelled, or not recognized, in it."""
+        """An element that the parent seems to lack may be in it, misspelled or not recognized."""
         self.doubt(parent.start, parent.end)
 
     def defect(

@@ -1,4 +1,4 @@
-"""A start tag, be it well formed or not."""
+"""A start tag, well formed or not."""
 
 from __future__ import annotations
 

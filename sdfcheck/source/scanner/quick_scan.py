@@ -12,7 +12,7 @@ from sdfcheck.source.text import Source
 
 _START = re.compile(r"<(?![/!?])")
 _ASIDE = re.compile(r"<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>")
-"""Where a ``<`` may be that begins no tag."""
+"""Where a ``<`` may be that does not begin a tag."""
 MARKUP = re.compile(
     r"<(?:!--[\s\S]*?--|!\[CDATA\[[\s\S]*?\]\]|\?[\s\S]*?\?|(/)[^>]*"
     r"|[^\s>/\"'!?][^>/\"']*(?:\"[^\"]*\"[^>/\"']*|'[^']*'[^>/\"']*|/(?!>))*(/)?)>"
@@ -43,7 +43,7 @@ class QuickScan(Scan):
         return getattr(self, name)
 
     def inside(self, index: int, tag: StartTag) -> tuple[int, int]:
-        # What is looked for inside ends with the next tag at the latest.
+        # A search inside a tag ends with the next tag at the latest.
         return tag.end, tag.end if tag.empty else len(self._source.text)
 
     def _pair(self) -> None:

@@ -1,4 +1,4 @@
-"""What a document is that is none of those that are linted."""
+"""Recognition of documents that are not of a kind that is linted."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from sdfcheck.source.text import Source, Span
 
 
 def unrecognized(source: Source, kind: Kind, name: str | None, place: Span | None) -> UnrecognizedDocument:
-    """What a text looks like, at its root element (``name`` at ``place``) or its first line."""
+    """The kind that a text seems to be, by its root element (``name`` at ``place``) or its first line."""
     text = source.text
     if kind in {Kind.BROKEN_XML, Kind.NOT_XML, Kind.OTHER_XML}:
         kind = sniff(text[:HEAD].encode("utf-8", "surrogatepass"), source.path)

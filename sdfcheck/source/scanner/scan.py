@@ -52,7 +52,7 @@ class Scan:
         self.doubtful: list[tuple[int, int]] = []
         """Ranges that were read by a guess: what else is wrong there follows from the guess."""
         self.odd: dict[int, StartTag] = {}
-        """Start tags that are not as XML wants them, by their place in the order."""
+        """Start tags that are not well formed, by their place in the order."""
         self.wellformed = ""
         """The text written anew; empty for one that needs it not."""
 

@@ -15,7 +15,7 @@ BLANK = r"[ \t\r\n]"
 NAME = r"(?:[^\W\d]|:)[\w.\-:]*"
 ATTRIBUTES = rf"""(?:{BLANK}+{NAME}{BLANK}*={BLANK}*(?:"[^"<]*"|'[^'<]*'))*"""
 START = re.compile(rf"""<({NAME})({ATTRIBUTES}){BLANK}*(/?)>""")
-"""A start tag as XML wants it: name, attributes, slash."""
+"""A well-formed start tag: name, attributes, slash."""
 
 BARE_START = re.compile(rf"""(?<![\w.\-:</])({NAME})({ATTRIBUTES}){BLANK}*(/?)>""")
 """The same without its ``<``."""

@@ -1,4 +1,4 @@
-"""What becomes of the pieces of a text."""
+"""The steps for the pieces of a text."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sdfcheck.source.scanner.tokens import Token
 
 
 class Act(Enum):
-    """What becomes of a token."""
+    """The outcome of a token."""
 
     OPEN = "opens an element"
     CLOSE = "closes the innermost element"

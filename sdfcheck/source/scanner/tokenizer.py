@@ -1,7 +1,7 @@
 """A text cut into tags, texts, comments and the rest, whatever it looks like.
 
-Every piece gets a guess of what it was meant to be; where it is not what XML wants,
-there is a problem as well. How tags belong together is not asked here.
+Every piece gets a guess of what it was meant to be; where it is not well formed, there is a problem as
+well. How tags belong together is not asked here.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class _Tokenizer:
     # Each `take…` looks at one piece and returns the offset after it.
 
     def take(self, at: int, *, is_foreign: bool) -> int:
-        """What is no sound tag; ``is_foreign``: it is one but for its names."""
+        """A piece that is not a well-formed tag; ``is_foreign``: only its names are unknown."""
         text = self.text
         follows = text[at + 1 : at + 2]
         if follows == "/" or _BLANK_END.match(text, at):

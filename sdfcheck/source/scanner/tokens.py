@@ -10,7 +10,7 @@ from sdfcheck.source.scanner.misspelt_ends import line_end
 from sdfcheck.source.scanner.start_tag import StartTag
 
 DEFECT_LIMIT = 50
-"""Whoever has fixed so many will run the program again."""
+"""After so many fixes, users run the program again."""
 
 
 class TokenKind(Enum):
@@ -25,7 +25,7 @@ class TokenKind(Enum):
 
 
 class Token(NamedTuple):
-    """A piece of the text. ``tag`` is there for a start tag that is not as XML wants it."""
+    """A piece of the text. ``tag`` is there for a start tag that is not well formed."""
 
     kind: TokenKind
     start: int
@@ -37,9 +37,9 @@ class Token(NamedTuple):
 class Tokens(NamedTuple):
     """The pieces that are not blank, in order.
 
-    ``doubtful`` are ranges whose reading is a guess; ``entities`` are the names that a
-    document type declares; ``odd_ends`` are the starts of end tags that are not as XML
-    wants them. ``cut``: the text breaks off inside a piece, and ``problems`` say so.
+    ``doubtful`` are ranges whose reading is a guess; ``entities`` are the names that a document type
+    declares; ``odd_ends`` are the starts of end tags that are not well formed. ``cut``: the text breaks
+    off inside a piece, and ``problems`` say so.
     """
 
     pieces: list[Token]

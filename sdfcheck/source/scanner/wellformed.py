@@ -1,6 +1,6 @@
 """Writing a faulty text anew so that an XML parser accepts it.
 
-What is sound is copied. Start tags keep their number and order, which is all that the
+Well-formed text is copied. Start tags keep their number and order, which is all that the
 mapping between tree and text needs. Namespace processing is kept out: colons in names
 are written as :mod:`sdfcheck.source.rewritten` says, and declarations are left to the
 textual namespace analysis.
