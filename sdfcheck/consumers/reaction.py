@@ -1,4 +1,4 @@
-"""What consumers of robot descriptions do about a defect.
+"""Reactions of consumers of robot descriptions to a defect.
 
 A rule says it for each consumer: ``affects = {Consumer.GAZEBO: REFUSES, Consumer.URDFDOM:
 warns("drops the link")}``. Where it depends on the dialect, it says it for each:
@@ -47,11 +47,11 @@ READS: Mapping[Consumer, tuple[str, ...]] = {
     Consumer.URDFDOM: ("urdf",),
     Consumer.MUJOCO: ("urdf",),
 }
-"""Reader → the dialects that it reads."""
+"""Consumer → the dialects that it reads."""
 
 
 class Verdict(Enum):
-    """What a consumer makes of a file, the worst last."""
+    """The verdicts of a consumer on a file, the worst last."""
 
     ACCEPT = "accept"
     WARN = "warn"
@@ -63,11 +63,11 @@ class Verdict(Enum):
 
 
 class Reaction(NamedTuple):
-    """What a consumer does about a defect, and its verdict on a file with the defect."""
+    """The reaction of a consumer to a defect, and its verdict on a file with the defect."""
 
     verdict: Verdict
     words: str
-    """What completes "Drake …": `refuses the file`, `ignores it`."""
+    """The end of the sentence "Drake …": `refuses the file`, `ignores it`."""
 
     @property
     def is_harmless(self) -> bool:
@@ -111,11 +111,11 @@ def refuses(words: str = "refuses the file") -> Reaction:
 REFUSES = refuses()
 
 Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
-"""Reader → what it does, or that for each dialect."""
+"""Consumer → its reaction, or the reaction for each dialect."""
 
 
 def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
-    """Reader → dialect → reaction, in full and as text: how an index holds it."""
+    """Consumer → dialect → reaction, in full and as text: how an index holds it."""
     told = {}
     for consumer, said in sorted(affects.items(), key=lambda item: item[0].value):
         reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
@@ -124,7 +124,7 @@ def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
 
 
 def lines(affects: Mapping[str, Mapping[str, str]]) -> Iterable[str]:
-    """What an index holds, for people: a line a consumer, or one for each of its dialects."""
+    """The reactions in an index, for people: a line a consumer, or one for each of its dialects."""
     for consumer, reactions in sorted(affects.items()):
         everywhere = set(reactions) == set(READS[Consumer(consumer)])
         if everywhere and len(set(reactions.values())) == 1:
@@ -139,7 +139,7 @@ def _words(said: str) -> str:
 
 
 def by_effect(effect: Effect) -> Reaction:
-    """What a consumer does about its own elements."""
+    """The reactions of a consumer to its own elements."""
     outcome = effect.outcome.value
     if outcome == "read":
         return warns(f"reads `{effect.value}`")

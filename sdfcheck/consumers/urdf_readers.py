@@ -1,4 +1,4 @@
-"""What the consumers of URDF do about a part that cannot be read as it is.
+"""Reactions of the consumers of URDF to a part that cannot be read as it is.
 
 It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
 but at its material, Drake ignores controllers. Checked by taking attributes and elements

@@ -30,11 +30,11 @@ class PrefixDeclaration:
         self.document = namespaces.document
         self.name = name
         self.prefix = name.partition(":")[2]
-        """What follows ``xmlns:``; empty for a default namespace."""
+        """The name after ``xmlns:``; empty for a default namespace."""
         self.namespace = namespace
         self.is_on_root = number == 0
         self.is_used = False
-        """Does a name use the prefix, be it out of the scope?"""
+        """Does a name use the prefix, in or out of the scope?"""
         self.beside: list[PrefixDeclaration] = []
         """All declarations of its element, itself among them."""
         self.first: PrefixDeclaration | None = None
@@ -82,7 +82,7 @@ class PrefixedName:
         self.span = span
         self.is_in_plugin = is_in_plugin
         self.namespace: str | None = None
-        """What its prefix is bound to; None where that is nothing."""
+        """The URI of its prefix; None where it is not bound."""
         self.first: PrefixedName | None = None
         """The attribute before it in the same tag that has the same namespace and local part, by another prefix."""
 
@@ -206,7 +206,7 @@ class Namespaces:
 
     def _end(self, number: int) -> int:
         """Where the scope of an element's declarations ends."""
-        # What is declared on the root of a well-formed text holds to the end.
+        # A declaration on the root of a well-formed text holds to the end.
         is_whole = number == 0 and self.document.is_wellformed
         return len(self.document.source.text) if is_whole else self.document.scan.close_ends[number]
 

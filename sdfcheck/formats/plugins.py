@@ -1,4 +1,4 @@
-"""What is known of Gazebo's plugins: their classes, their parameters, and what those name."""
+"""The plugins of Gazebo: their classes, their parameters, and the things that parameters name."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Naming(NamedTuple):
 
 
 class PluginFacts(NamedTuple):
-    """What is known of one plugin in one generation of Gazebo."""
+    """One plugin in one generation of Gazebo."""
 
     file: str
     generation: str
@@ -53,7 +53,7 @@ def stem(filename: str) -> str:
 
 @cache
 def known(filename: str) -> tuple[PluginFacts, ...]:
-    """What is known of a file, by generations."""
+    """The entries of a file, by generations."""
     return tuple(map(_facts, _entries().get(stem(filename), ())))
 
 

@@ -10,7 +10,7 @@ from sdfcheck.source.record import NamedTuple
 
 
 class Outcome(Enum):
-    """What becomes of a text."""
+    """The outcomes of reading a text."""
 
     AS_WRITTEN = "as written"
     DEFAULT = "default"
@@ -53,14 +53,14 @@ class Cause(Enum):
 
 
 class Reading(NamedTuple):
-    """How a text is read; ``start`` and ``end`` delimit in it the part that is to blame."""
+    """How a text is read; ``start`` and ``end`` delimit the part of it that is at fault."""
 
     outcome: Outcome
     start: int = 0
     end: int = 0
     cause: Cause | None = None
     read_as: str = ""
-    """What the part is read as, for a misread one."""
+    """The value that a misread part is read as."""
     refused: bool = False
     """libsdformat reports an error, mostly reading no further."""
     expected: str = ""

@@ -13,7 +13,7 @@ MOST = 10
 
 
 def folded(found: list[object]) -> list[object]:
-    """The problems, in which one stands for all repeats of an element, and for all uses of what is gone."""
+    """The problems, with one for all repeats of an element, and one for all uses of a removed name."""
     alike: dict[Hashable, list[Element]] = {}
     first_of_kind: list[object] = []
     for problem in found:
@@ -42,7 +42,7 @@ def counted(found: list[object], strange: Counter[Element]) -> list[object]:
 
 
 def _kind(problem: object) -> Hashable:
-    """What alike problems have in common; None for one that stands for itself."""
+    """The common part of like problems; None for one that is reported alone."""
     if isinstance(problem, RepeatedElement) and not problem.refused:
         return problem.first
     if isinstance(problem, RemovedElement):

@@ -1,12 +1,11 @@
 """Standard elements inside custom ones.
 
-The custom-elements proposal lets custom elements add, never move: links wrapped in
-``<p:group>`` are lost to every simulator, and so are a mass or a shape. But a custom element may use
-any name for content of its own, so a name alone proves nothing. A part of a robot (a link, a
-joint) counts as a standard one when it could be, as it is, beside its custom parent. A setting
-(a mass, a material) counts when, in addition, it is not given there, says something else than its
-default, and the custom element is a mere wrapper: without attributes or text, and with
-nothing in it that does not belong beside it.
+The custom-elements proposal lets custom elements add, never move: links wrapped in ``<p:group>``
+are lost to every simulator, and so are a mass or a shape. But a custom element may use any name for
+content of its own, so a name alone proves nothing. A part of a robot (a link, a joint) counts as a
+standard one when it could be, unchanged, beside its custom parent. A setting (a mass, a material)
+counts when, in addition, it is not given there, is not the default, and the custom element is a
+mere wrapper: without attributes or text, and with only such elements in it.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ class Displaced(NamedTuple):
 
 
 def standard_inside(custom: Element, parent: Element, place: Place) -> Iterator[Displaced]:
-    """The outermost elements in a custom element that belong beside it, into ``parent``."""
+    """The outermost elements in a custom element that could be beside it, into ``parent``."""
     is_wrapper = _is_wrapper(custom, place)
     for child in custom.children():
         name = child.name
@@ -119,14 +118,14 @@ def _is_sound(element: Element, definition: Place) -> bool:
 
 
 def _accepts(definition: Place) -> Callable[[str], object] | None:
-    """What accepts its text; None for an element that holds elements, or attributes only."""
+    """The type of its text; None for an element that holds elements, or attributes only."""
     if isinstance(definition, Definition):
         return definition.accepts if definition.type is not None else None
     return definition.value.accepts if definition.value is not None else None
 
 
 def _is_same(text: str, default: str) -> bool:
-    """Do two texts say the same, be it by other digits?"""
+    """Do two texts mean the same value, perhaps in other digits?"""
     words, others = text.split(), default.split()
     return len(words) == len(others) and all(map(_is_same_word, words, others))
 

@@ -12,7 +12,7 @@ HOW_OFTEN = {
     "-1": "at most one",
     "": "",
 }
-"""What multiplicities mean."""
+"""Multiplicities in words."""
 
 
 class UnknownPlace(LookupError):
@@ -33,7 +33,7 @@ class Entry(NamedTuple):
 
 
 class Description(NamedTuple):
-    """What is allowed at one place. Empty texts: nothing to say."""
+    """The definition of one place. Empty texts: nothing to say."""
 
     name: str
     """The names that lead there: ``joint/axis``, ``pose/@degrees``."""
@@ -52,13 +52,13 @@ class Description(NamedTuple):
     deprecated: bool = False
     successor: str = ""
     open: bool = False
-    """What is inside is not the format's business."""
+    """The content is free."""
     parents: tuple[Entry, ...] = ()
     attributes: tuple[Entry, ...] = ()
     children: tuple[Entry, ...] = ()
     notes: tuple[str, ...] = ()
     summary: str = ""
-    """What it is for, in one or two sentences."""
+    """Its purpose, in one or two sentences."""
 
 
 def missing(name: str, holder: str, known: list[str]) -> UnknownPlace:

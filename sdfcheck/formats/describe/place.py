@@ -1,4 +1,4 @@
-"""What a format allows at one place, for people and programs that ask: ``joint/axis``, ``pose/@degrees``.
+"""The definition of one place in a format, for people and programs: ``joint/axis``, ``pose/@degrees``.
 
 A question is a path of names, as short as is clear; its prefix says which format is meant
 (``urdf:joint/limit``, ``drake:proximity_properties``), none or ``sdf:`` SDFormat.
@@ -10,14 +10,13 @@ from sdfcheck.formats.describe.description import Description, UnknownPlace
 from sdfcheck.formats.sdf.version import NEWEST, Version
 
 CONTROL = "ros2_control"
-"""What only URDF has, and is never asked for with a prefix."""
+"""Elements of URDF alone, which are never looked up with a prefix."""
 
 
 def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...]:
     """All places that a question fits, sorted; ``version`` is that of SDFormat.
 
-    Raises:
-        UnknownPlace: there is none.
+    Raises: UnknownPlace: the format has no such place.
     """
     dialect, steps = _taken_apart(question)
     if dialect == "urdf":

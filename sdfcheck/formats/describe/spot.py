@@ -1,4 +1,4 @@
-"""What a format allows at a place that is known by the names of the elements around it."""
+"""The definition of a place that is known by the names of the elements around it."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Spot(NamedTuple):
         return self.urdf is not None and self.urdf.open and self.urdf.name != "gazebo"
 
     def describe(self, attribute: str = "") -> Description | None:
-        """What the format says of the element, or of an attribute of it; None for one that it does not know."""
+        """The definition of the element, or of an attribute of it; None for one that is unknown."""
         if self.definition is not None:
             from sdfcheck.formats.describe import sdf
 
@@ -92,7 +92,7 @@ def _in_urdf(names: Sequence[str], version: Version) -> Spot | None:
 
 
 def _in_gazebo(names: Sequence[str], version: Version) -> Spot | None:
-    """What a ``<gazebo>`` block holds: settings of its own, or elements of SDFormat."""
+    """The content of a ``<gazebo>`` block: settings of its own, or elements of SDFormat."""
     own = extension().children.get(names[0])
     if own is not None and len(names) == 1:
         return Spot(urdf=own, path=("robot", "gazebo", names[0]))
@@ -105,7 +105,7 @@ def _in_gazebo(names: Sequence[str], version: Version) -> Spot | None:
 
 
 def _in_macro(names: Sequence[str], version: Version) -> Spot | None:
-    """What a macro of xacro holds, or is given: something of a robot, of a link or of a joint."""
+    """The content of a macro or a block of xacro: parts of a robot, of a link or of a joint."""
     if not names:
         return Spot(urdf=urdf(), path=("robot",))
     robot = urdf()
@@ -129,7 +129,7 @@ def _below(holder: UrdfElement, path: tuple[str, ...], names: Sequence[str], ver
 
 
 def describe_custom(name: str, outer: Sequence[str], *, is_urdf: bool) -> Description | None:
-    """What a vendor's table says of a prefixed element or attribute (``@name``, ``element/@name``)."""
+    """The entry of a vendor's table for a prefixed element or attribute (``@name``, ``element/@name``)."""
     from sdfcheck.formats.describe.vendor import describe_vendor
 
     own = tuple(name.split("/"))

@@ -1,4 +1,4 @@
-"""What elements and attributes are for, from data/descriptions.txt; read when somebody asks."""
+"""The purpose of elements and attributes, from data/descriptions.txt; read when it is asked for."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _FILE = Path(__file__).parents[1] / "data" / "descriptions.txt"
 
 
 def summary(dialect: str, names: Sequence[str]) -> str:
-    """What is at the end of a way of names for, in one or two sentences; empty where nothing is known.
+    """The purpose of the place at the end of a path of names, in one or two sentences; empty if unknown.
 
     ``dialect`` is ``sdf``, ``urdf``, ``drake`` or ``ros2_control``; the last name is an
     attribute's if it begins with ``@``.

@@ -26,8 +26,7 @@ class _Use(NamedTuple):
 def describe_urdf(steps: tuple[str, ...]) -> tuple[Description, ...]:
     """All places whose names end with ``steps``; alike ones are reported once.
 
-    Raises:
-        UnknownPlace: there is none.
+    Raises: UnknownPlace: the format has no such place.
     """
     if not steps:
         raise UnknownPlace("there is no element without a name")
@@ -59,7 +58,7 @@ def _everywhere() -> Iterator[_Use]:
     waiting = [_Use(("robot",), urdf()), _Use(("robot", "gazebo"), extension())]
     while waiting:
         use = waiting.pop()
-        # What libsdformat reads of an extension is in a table of its own.
+        # The settings of an extension that libsdformat reads are in a table of its own.
         if use.element is not extension():
             yield use
         inner = (

@@ -1,4 +1,4 @@
-"""What a vendor's table has under a prefixed name; see :mod:`sdfcheck.formats.describe.place`."""
+"""The entry of a vendor's table for a prefixed name; see :mod:`sdfcheck.formats.describe.place`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class _Table(NamedTuple):
 
 
 def describe_vendor(prefix: str, steps: tuple[str, ...]) -> tuple[Description, ...]:
-    """What a prefixed name is in each dialect; plain names before it narrow the places.
+    """A prefixed name in each dialect; plain names before it narrow the places.
 
     Raises:
         UnknownPlace: the prefix has no table, or the table no such name.

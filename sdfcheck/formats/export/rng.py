@@ -1,7 +1,7 @@
 """A version of SDFormat as a RELAX NG schema.
 
 Children come in any order (``interleave``), as often as they may; elements and
-attributes with a prefix are free. What consumers fill in may be missing.
+attributes with a prefix are free. Elements that consumers add themselves may be missing.
 """
 
 from __future__ import annotations

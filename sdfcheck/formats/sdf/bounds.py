@@ -19,7 +19,7 @@ class Range:
         self.refused = True
         """libsdformat does not read a document with a value outside."""
         self.instead: str | None = None
-        """What libsdformat takes instead of a value outside."""
+        """The value that libsdformat takes instead of one outside."""
 
     @classmethod
     def of(cls, row: Row, minor: int) -> Range | None:

@@ -10,7 +10,7 @@ from sdfcheck.source.record import NamedTuple
 
 
 class Enforcement(Enum):
-    """What libsdformat does about a value outside the list."""
+    """The reaction of libsdformat to a value outside the list."""
 
     FATAL = "fatal"
     """The document is not read."""
@@ -48,7 +48,7 @@ class Choices(NamedTuple):
     enforced: Enforcement
     ignores_case: bool
     aliases: dict[str, str]
-    """Spelling → the one that it stands for."""
+    """Spelling → the one that it means."""
     history: tuple[tuple[Version, tuple[str, ...]], ...]
     """The lists over all versions, each from its first version on."""
 

@@ -1,4 +1,4 @@
-"""What the ``<gazebo>`` blocks of a URDF file may hold: SDFormat, and settings of libsdformat's own.
+"""The content that ``<gazebo>`` blocks of a URDF file may have: SDFormat, and settings of libsdformat.
 
 libsdformat copies what a block holds into the link, joint or model that the block is about, and reads
 the result as SDFormat; the settings it translates. Source: libsdformat 17's parser_urdf.cc,
@@ -19,7 +19,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
 _SHAPES = ("visual", "collision")
-"""What these say is added to all shapes of the link."""
+"""The values of these are added to all shapes of the link."""
 _CONTROL = "ros2_control\t\t\t*\t\topen=yes\n @name\t\tstring\t0\t\n @type\t\tstring\t0\t"
 """URDF, for which rules of its own say where it belongs."""
 _SETTING = "{}\t\t\t*\t\topen=yes\n @value\t\tstring\t0\t"
@@ -49,7 +49,7 @@ def extensions(document: Document) -> Iterator[tuple[Element, Definition]]:
 
 @cache
 def _content(kinds: tuple[str, ...]) -> Definition:
-    """What a block about something of these kinds may hold: none of it is required."""
+    """The content that a block about parts of these kinds may have: none of it is required."""
     newest = schema(NEWEST)
     content = Definition(None, newest, block(kinds[0]), block(kinds[0]))
     for kind in kinds[1:]:

@@ -35,10 +35,10 @@ _REFUSED = frozenset(
     )
 )
 
-# libsdformat goes by these wherever they are.
+# libsdformat reads these wherever they are.
 _FOUND_ANYWHERE = frozenset(("include",))
 
-# What is unknown in these is refused, not ignored.
+# Unknown children of these are refused, not ignored.
 _CLOSED = frozenset(("material/pbr",))
 
 # Without these the rest of the model is refused, or is another one.
@@ -67,13 +67,13 @@ class Findings:
         self.customs: list[tuple[Element, Element, Definition]] = []
         """Custom elements in standard ones, with their parent and its definition."""
         self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Custom elements → the standard ones in them that belong beside them."""
+        """Custom elements → the standard ones in them that could be beside them."""
         self.elsewhere: set[tuple[Element, str]] = set()
-        """What elements lack only because it is inside a custom element."""
+        """Children that elements lack only because these are inside a custom element."""
         self.replaced: dict[Element, list[str]] = {}
         """Custom elements → the required ones that are absent where they are given."""
         self.misspelled: set[tuple[Element, str]] = set()
-        """What elements lack only because a child or attribute of theirs is misspelled."""
+        """Parts that elements lack only because a child or attribute of theirs is misspelled."""
         self.found: list[object] = []
         self.stray: set[Element] = set()
         self.strange: Counter[Element] = Counter()
@@ -135,7 +135,7 @@ class Findings:
         self.too_new_at.setdefault((place, ""), (parent, since))
 
     def repeated(self, element: Element, first: Element, parent: Element) -> None:
-        # What may be at the root is judged as a whole, by the analysis of structure.
+        # The content of the root is judged as a whole, by the analysis of structure.
         places = {f"{kind}/{element.name}" for kind in (parent.name, parent.attributes.get("type", ""))}
         if parent.parent is not None and REPEATABLE.isdisjoint(places):
             self.found.append(problems.RepeatedElement(element, first, parent))
@@ -171,7 +171,7 @@ class Findings:
             return False
         frame = axis.find("use_parent_model_frame")
         if frame is None:
-            return self.version < _FIVE  # where that is what goes without saying
+            return self.version < _FIVE  # where that is the usual meaning
         return frame.content.lower() in {"true", "1"}
 
     def stray_text(self, element: Element) -> None:

@@ -1,4 +1,4 @@
-"""What other versions and other places know: for explaining what one version does not allow.
+"""Other versions and other places: for explaining why one version does not allow a name.
 
 Names of attributes are written with an ``@`` throughout: ``since(pose, "@degrees")``.
 """
@@ -30,7 +30,7 @@ class Place(NamedTuple):
 
 
 class Deprecation(NamedTuple):
-    """What is said of a deprecated element or value: what to use instead, and since when."""
+    """The note on a deprecated element or value: its replacement, and since when."""
 
     successor: str | None
     since: str
@@ -79,12 +79,12 @@ def last_version(parent: Definition, name: str) -> Version | None:
 
 
 def successor(parent: Definition, name: str) -> str | None:
-    """What took the place of a child or an ``@attribute`` that is deprecated or gone."""
+    """The replacement of a child or an ``@attribute`` that is deprecated or removed."""
     return _successors().get(f"{parent.place}/{name}", (None, ""))[0]
 
 
 def deprecation(place: str) -> Deprecation:
-    """What is said of a place that its definition calls deprecated."""
+    """The note on a place that its definition calls deprecated."""
     known = _successors().get(place)
     return Deprecation(*known) if known else Deprecation(None, "")
 

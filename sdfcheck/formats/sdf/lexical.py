@@ -1,7 +1,7 @@
 """How values may be written, in the terms that schema languages share: patterns, words, bounds.
 
-They let pass what consumers take as written. Whatever the schema languages cannot say
-(a quaternion's length, infinity only here and there) is left to the linter.
+They let pass what consumers take as written. Conditions that the schema languages cannot express (a
+quaternion's length, infinity only here and there) are left to the linter.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class Form(NamedTuple):
     bounds: Range | None = None
     """A number in this range."""
     empty: bool = True
-    """An empty text, which stands for the default."""
+    """An empty text, which means the default."""
 
     @property
     def is_free(self) -> bool:
@@ -95,7 +95,7 @@ def _words(place: Definition | AttributeDefinition, needed: bool) -> Form:
 
 
 def _later(place: Definition | AttributeDefinition) -> tuple[str, ...]:
-    """What newer versions list: consumers take it in older documents as well."""
+    """Values that newer versions list: consumers take them in older documents as well."""
     if isinstance(place, Definition):
         newer = in_version(place, NEWEST)
         return newer.choices.listed if newer is not None and newer.choices else ()
@@ -139,7 +139,7 @@ def facets(bounds: Range) -> Iterator[tuple[str, str]]:
 
 
 def documentation(place: Definition | AttributeDefinition) -> str:
-    """What a schema cannot check and an editor may show: default, unit, deprecation."""
+    """Notes that a schema cannot check and an editor may show: default, unit, deprecation."""
     from sdfcheck.formats.sdf import history
 
     parts = []

@@ -52,7 +52,7 @@ class Number(NamedTuple):
 
 
 def leading_float(text: str, start: int = 0, width: Width = Width.DOUBLE) -> Number | None:
-    """What strtod takes: infinity, nan and hexadecimal included. None when there is no number."""
+    """The texts that strtod takes: infinity, nan and hexadecimal included. None when there is no number."""
     match = _STRTOD.match(text, start)
     if match is None:
         return None
@@ -64,7 +64,7 @@ def leading_float(text: str, start: int = 0, width: Width = Width.DOUBLE) -> Num
 
 
 def stream_float(text: str, start: int) -> Number | None:
-    """What an input stream takes: no infinity, no nan, no hexadecimal, no exponent without digits."""
+    """The texts that an input stream takes: not infinity, nan, hexadecimal or a bare exponent."""
     match = _STREAM.match(text, start)
     if match is None or match[0][-1] in "eE+-":
         return None
@@ -72,7 +72,7 @@ def stream_float(text: str, start: int) -> Number | None:
 
 
 def leading_integer(text: str) -> tuple[int, int] | None:
-    """What stoi takes: decimal, or hexadecimal without a sign; the value and where it ends."""
+    """The texts that stoi takes: decimal, or hexadecimal without a sign; the value and where it ends."""
     if match := _WHOLE_HEX.match(text):
         return _to_int(match[0], 16), match.end()
     if match := _WHOLE.match(text):

@@ -44,7 +44,7 @@ def no_number(text: str, start: int, end: int, whole: bool = False) -> Reading:
 
 
 def rest_cause(first: str, whole: bool) -> Cause:
-    """What is wrong, by the first character after the number."""
+    """The fault, by the first character after the number."""
     return (_WHOLE_REST if whole else _REST).get(first, Cause.TRAILING)
 
 

@@ -1,4 +1,4 @@
-"""What the formats find wrong with a document: small values that rules put into words."""
+"""Problems of a document that the formats find: small values that rules put into words."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class DeprecatedElement(Record):
     """Marked deprecated; ``value`` where it is a value (a sensor type) that is.
 
     ``announced``: only said to go some day, and read by everybody still.
-    ``settings`` is the element that goes by the old name of the value.
+    ``settings`` is the element that has the old name of the value.
     """
 
     element: Element
@@ -163,7 +163,7 @@ class StrayText(Record):
 
 
 class BadValue(Record):
-    """A value that is not read as written; ``reading`` says why. Subclasses are told apart by rules."""
+    """A value that is not read as written; ``reading`` says why. Rules distinguish the subclasses."""
 
     value: Value
     definition: Definition | AttributeDefinition | UrdfAttribute
@@ -212,7 +212,7 @@ class ValueOutOfRange(Record):
 
 
 class UnknownChoice(Record):
-    """A value that is none of those listed; ``refused`` when libsdformat refuses it."""
+    """A value that is not in the list; ``refused`` when libsdformat refuses it."""
 
     value: Value
     choices: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""What elements and attributes have in common: a row of the table, as one version has it."""
+"""The common part of elements and attributes: a row of the table, as one version has it."""
 
 from __future__ import annotations
 

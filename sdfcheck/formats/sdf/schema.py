@@ -15,7 +15,7 @@ from sdfcheck.formats.sdf.table import Row, at, block, newest_name
 from sdfcheck.formats.sdf.version import Version
 
 NOT_GIVEN = "__default__"
-"""The default that stands for "not given": there is nothing sensible to take."""
+"""The default that means "not given": no value would be sensible."""
 
 _NEEDED = frozenset(
     """
@@ -72,8 +72,8 @@ class AttributeDefinition(RowInVersion):
 class Definition(RowInVersion):
     """An element, as one version allows it below one kind of parent.
 
-    ``multiplicity`` (``0``, ``1``, ``+``, ``*``, or ``-1`` for deprecated) is the one written
-    where the element is used; libsdformat goes by ``own_multiplicity``, that of the definition.
+    ``multiplicity`` (``0``, ``1``, ``+``, ``*``, or ``-1`` for deprecated) is the one written where
+    the element is used; libsdformat uses ``own_multiplicity``, that of the definition.
     """
 
     __slots__ = (

@@ -1,4 +1,4 @@
-"""What the tables cannot say: which parts of a container go together.
+"""Conditions that no row of the tables holds: which parts of a container are used together.
 
 Source: the consumers of libsdformat 17 (Root.cc, Geometry.cc, Sensor.cc, Material.cc,
 World.cc) and what they do when run.
@@ -94,7 +94,7 @@ def _parents(surveyed: Survey, name: str) -> set[Element | None]:
 
 
 def _is_state(element: Element) -> bool:
-    """Is it the state of something? Up to 1.11 states go by the name of what they are of."""
+    """Is it the state of something? Up to 1.11 states have the names of their subjects."""
     return any(ancestor.tag == "state" for ancestor in element.iterancestors())
 
 
@@ -128,7 +128,7 @@ def _planes(surveyed: Survey) -> Iterator[object]:
 
 
 def _has(surveyed: Survey, element: Element, name: str) -> bool:
-    """Has an element a child of a name, be it misspelled?"""
+    """Has an element a child of a name, perhaps misspelled?"""
     return element.has(name) or (element, name) in surveyed.misspelled
 
 

@@ -2,10 +2,10 @@
 
 Of a URDF document it walks over what is SDFormat: the content of the ``<gazebo>`` blocks.
 
-The walk also notes where the standard elements are, so that whoever needs "all
-joints" need not walk again. A sound document is walked by the fast path alone, which
-asks ``Definition.accepts``; whatever that does not accept at once is explained by
-:mod:`sdfcheck.formats.sdf.findings`, which a sound document never loads.
+The walk also notes where the standard elements are, so that a user of "all joints" need not walk
+again. A sound document is walked by the fast path alone, which asks ``Definition.accepts``;
+whatever that does not accept at once is explained by :mod:`sdfcheck.formats.sdf.findings`, which a
+sound document never loads.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ _REMEMBERED = 1000
 
 
 class Survey:
-    """What the walk found.
+    """The results of the walk.
 
-    ``index`` lists the standard elements by name, in document order: those that stand
-    where the table places them, so nothing inside plugins or custom elements.
-    ``named`` lists, per parent, its children that have a ``name``.
+    ``index`` lists the standard elements by name, in document order: those that are where the table
+    places them, so nothing inside plugins or custom elements. ``named`` lists, per parent, its
+    children that have a ``name``.
     """
 
     __slots__ = (
@@ -67,13 +67,13 @@ class Survey:
         self.customs: list[Element] = []
         """Custom elements in standard ones, and in what parameters of includes add."""
         self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Custom elements → the standard ones in them that belong beside them."""
+        """Custom elements → the standard ones in them that could be beside them."""
         self.replaced: dict[Element, list[str]] = {}
         """Custom elements → the required ones that are absent where they are given."""
         if walk.explained is not None:
             self._take_customs(walk.explained)
         self.misspelled = walk.explained.misspelled if walk.explained else set()
-        """What elements lack only because a child or attribute of theirs is misspelled."""
+        """Parts that elements lack only because a child or attribute of theirs is misspelled."""
 
     def _take_customs(self, found: Findings) -> None:
         self.customs += (custom for custom, _, _ in found.customs)
@@ -88,7 +88,7 @@ class Survey:
 
 
 def _additions(block: Element) -> Iterator[tuple[Element, Definition]]:
-    """What parameters of an include add, with its definition."""
+    """Elements that parameters of an include add, with its definition."""
     for entry in block.children():
         definition = defined_alone(entry.name)
         if definition is None:
@@ -113,12 +113,12 @@ def survey(document: Document) -> Survey:
 
 
 def problems(document: Document) -> list[object]:
-    """What the walk found wrong."""
+    """The problems that the walk found."""
     return survey(document).problems
 
 
 def examine(element: Element, definition: Definition) -> list[object]:
-    """What is wrong with an element where the walk does not go, taken for what ``definition`` describes."""
+    """The problems of an element where the walk does not go, compared with ``definition``."""
     return _Walk(element.document, definition.version).part(element, definition)
 
 

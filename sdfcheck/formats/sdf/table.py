@@ -57,7 +57,7 @@ class Row:
 
 
 def at(field: str, minor: int) -> str:
-    """What a field of the form ``first|5:later`` says in version 1.``minor``."""
+    """The value of a field of the form ``first|5:later`` in version 1.``minor``."""
     if "|" not in field:
         return field
     value, *changes = field.split("|")
@@ -70,7 +70,7 @@ def at(field: str, minor: int) -> str:
 
 
 def newest_name(top: Row) -> str:
-    """What the element of a definition is called, lastly."""
+    """The name of a definition's element, without its path."""
     return at(top.extra("name"), NEWEST.minor) or top.name
 
 

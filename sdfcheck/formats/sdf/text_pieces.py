@@ -44,7 +44,7 @@ def cut_text(element: Element) -> Span | None:
 def stray_line(element: Element) -> Span | None:
     """The first line of the text between an element's children; None if it is in CDATA sections only.
 
-    A CDATA section beside elements is a way to write notes: nobody means it as a value.
+    A CDATA section beside elements is a way to write notes, never a value.
     """
     spans = element.document.spans
     if element.document.is_expanded:

@@ -1,4 +1,4 @@
-"""What is wrong with a value that was not accepted at once, if anything."""
+"""The problem of a value that was not accepted at once, if it has one."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     if rotation is not None and degrees is not None and _exclude_each_other(rotation, degrees):
         yield problems.ConflictingRotation(degrees, rotation)
     elif not value.text:
-        # An empty pose is a usual way to leave it at the default, an empty number is none.
+        # An empty pose is a usual way to leave it at the default; an empty number is not.
         if definition.needs_value or definition.type not in {"pose", "string"}:
             yield problems.MalformedValue(value, definition, read_at(definition, ""), element.span)
     elif cut := cut_text(element):

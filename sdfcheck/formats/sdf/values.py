@@ -188,7 +188,7 @@ _SCALARS: dict[str, Callable[[str, Range | None], Reading]] = {
 
 
 def floats(text: str) -> tuple[float, ...] | None:
-    """All numbers of a text separated by spaces; None if any part is none, or there are none."""
+    """All numbers of a text, separated by spaces; None if a part is not a number, or the text is empty."""
     if not text.isascii() or "_" in text:
         return None
     try:

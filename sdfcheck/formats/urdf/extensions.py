@@ -6,7 +6,7 @@ from sdfcheck.source.document import Document
 
 
 def problems(document: Document) -> list[object]:
-    """What is wrong with the SDFormat in the ``<gazebo>`` blocks of a robot."""
+    """The problems of the SDFormat in the ``<gazebo>`` blocks of a robot."""
     if "<gazebo" not in document.source.text:
         return []
     from sdfcheck.formats.sdf import structure, survey

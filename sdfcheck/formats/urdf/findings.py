@@ -41,7 +41,7 @@ class UrdfFindings:
         self.customs: list[Element] = []
         """Prefixed elements in standard ones."""
         self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Prefixed elements → the standard ones in them that belong beside them."""
+        """Prefixed elements → the standard ones in them that could be beside them."""
         self.found: list[object] = []
         self.stray: set[Element] = set()
         self.unknown: dict[tuple[str, str], list[Element]] = {}
@@ -49,7 +49,7 @@ class UrdfFindings:
         """How many unknown attributes an element has."""
         self.unknown_values: dict[tuple[str, str], list[Value]] = {}
         self.parents: dict[Element, Element] = {}
-        """What the unknown elements are in; xacro's conditions around them do not count."""
+        """The elements around the unknown ones; xacro's conditions around them do not count."""
         self.places: dict[Element, UrdfElement] = {}
         """The definitions of elements with something unknown in them."""
 
@@ -188,7 +188,7 @@ class UrdfFindings:
             self.found += problem_of(value, known, reading)
 
     def expressions(self, root: Element) -> None:
-        """What xacro would have replaced, reported once: it is one step that was left out."""
+        """Expressions of xacro that were not replaced, reported once: one step was left out."""
         comments = [match.span() for match in _COMMENT.finditer(self.source.text)]
         places = [
             match.span()

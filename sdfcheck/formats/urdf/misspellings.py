@@ -1,4 +1,4 @@
-"""What misspelled elements and attributes of URDF were meant to be, among what is missing beside them."""
+"""The meaning of misspelled elements and attributes of URDF, among those that are missing beside them."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _places() -> tuple[UrdfElement, ...]:
 
 
 def meant_child(child: Element, place: UrdfElement) -> str | None:
-    """What an unknown element was probably meant to be, among what its parent lacks."""
+    """The name that an unknown element was probably meant to have, among those that its parent lacks."""
     name = child.name
     if name in place.children or child.parent is None:
         return None
@@ -57,7 +57,7 @@ def meant_child(child: Element, place: UrdfElement) -> str | None:
 
 
 def meant_attribute(element: Element, name: str, place: UrdfElement) -> str | None:
-    """What an unknown attribute was probably meant to be, among those that are not there."""
+    """The name that an unknown attribute was probably meant to have, among those that are missing."""
     if name in place.attributes:
         return None
     return suggest(name, [each for each in place.attributes if each not in element.attributes])

@@ -29,7 +29,7 @@ _WRAPPED_VALUE = re.compile(r"=\s*(?:\"[^\"<]*[\t\n\r]|'[^'<]*[\t\n\r])")
 
 
 class UrdfSurvey:
-    """What the walk found.
+    """The results of the walk.
 
     ``index`` lists the elements by name, in document order: those that are where the
     table places them, so nothing inside ``<gazebo>`` or ``<transmission>``. A document
@@ -49,7 +49,7 @@ class UrdfSurvey:
         self.customs: list[Element] = []
         """Prefixed elements in standard ones."""
         self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Prefixed elements → the standard ones in them that belong beside them."""
+        """Prefixed elements → the standard ones in them that could be beside them."""
         self.problems: list[object] = []
         if self.root is not None:
             declared = document.version or ""
@@ -71,7 +71,7 @@ def survey(document: Document) -> UrdfSurvey:
 
 
 def problems(document: Document) -> list[object]:
-    """What the shape of a URDF document makes wrong with it."""
+    """Problems that a URDF document has because of its shape."""
     return survey(document).problems
 
 

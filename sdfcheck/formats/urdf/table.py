@@ -1,7 +1,7 @@
 """What URDF allows where, and what its consumers make of it.
 
-There is no authority to ask: the table (``data/urdf.txt``) holds what urdfdom reads,
-and beside it what libsdformat, Drake, PyBullet and MuJoCo read beyond.
+There is no official schema: the table (``data/urdf.txt``) holds the elements that urdfdom reads,
+and in addition those of libsdformat, Drake, PyBullet and MuJoCo.
 """
 
 from __future__ import annotations
@@ -63,9 +63,9 @@ class UrdfAttribute:
         self.range = _range(row.keys)
         self.choices: tuple[str, ...] = tuple(filter(None, row.keys.get("choices", "").split(",")))
         self.units = tuple(filter(None, row.keys.get("unit", "").split("|")))
-        """What it is measured in; two where it depends on the joint: angular, linear."""
+        """Its unit; two where it depends on the joint: angular, linear."""
         self.consumers = tuple(filter(None, row.keys.get("consumers", "").split(",")))
-        """Who reads it; empty: urdfdom, and with it almost everybody."""
+        """Its consumers; empty: urdfdom, and with it almost all."""
         self.accepts: Callable[[str], object] = _acceptance(self)
         """True for text that is surely read as written and nothing can be said against."""
         self.sound: set[str] = set()
@@ -112,7 +112,7 @@ class UrdfElement:
         self.about = keys.get("at", "")
         """Of a setting in ``<gazebo>``: what the block is about (link, joint or robot); empty: nobody reads it."""
         self.value = UrdfAttribute(self.name, row) if kind and not self.open else None
-        """What its text means; None for an element that holds elements, or nothing."""
+        """The type of its text; None for an element that holds elements, or nothing."""
         self.attributes: dict[str, UrdfAttribute] = {}
         self.children: dict[str, UrdfElement] = {}
         for inner in row.rows:
@@ -206,7 +206,7 @@ def _range(keys: dict[str, str]) -> Range | None:
 
 
 _FLAGS = frozenset(("", "0", "1", "false", "no", "true", "yes"))
-"""What is taken for true or false in ``<gazebo>``; everything else is false as well."""
+"""The words for true and false in ``<gazebo>``; everything else is false as well."""
 _COUNTS = {"double": 1, "vector3": 3, "color": 4, "quaternion": 4}
 
 

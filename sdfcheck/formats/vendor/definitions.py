@@ -18,7 +18,7 @@ DIALECTS = {"sdf": Kind.SDF, "urdf": Kind.URDF}
 
 
 class Outcome(Enum):
-    """What a consumer does about something wrong; any other word is the value that it takes instead."""
+    """The reaction of a consumer to a defect; any other word is the value that it takes instead."""
 
     ERROR = "error"
     ABORT = "abort"
@@ -31,7 +31,7 @@ class Outcome(Enum):
 class Effect(NamedTuple):
     outcome: Outcome
     value: str = ""
-    """What is read instead."""
+    """The value that is read instead."""
 
     @classmethod
     def of(cls, word: str) -> Effect:
@@ -129,11 +129,11 @@ class Slot:
         self.range = _range(interval) if interval and not self.nonzero else None
         self.choices = keys.words("choices")
         self.wrong = keys.effect("wrong") or REFUSED
-        """What is done about a value out of range."""
+        """The reaction to a value out of range."""
         self.bad = keys.effect("bad") or REFUSED
-        """What is done about a word that is none of the choices."""
+        """The reaction to a word that is not one of the choices."""
         self.lacking = keys.effect("lacking")
-        """What is done where the value is not there, if that is no mistake to the consumer."""
+        """The reaction to a missing value, if that is not a mistake to the consumer."""
         self.references = keys.words("ref")
         """The kinds of thing that the value may name."""
         self.scoped = keys.dialect in keys.words("scoped")
@@ -158,7 +158,7 @@ class Place:
         self.needed = multiplicity in {"1", "+"}
         self.single = multiplicity in {"0", "1"}
         self.otherwise = keys.effect("else")
-        """What happens where the parents are right and the conditions on them are not met."""
+        """The reaction where the parents are right and the conditions on them do not hold."""
         self.since = keys.text("since")
         self.slot = slot
 
@@ -185,7 +185,7 @@ class Place:
 
 
 class Elsewhere(NamedTuple):
-    """What the other dialect's users should know: this one has no such tag."""
+    """A note for users of the other dialect: this one has no such tag."""
 
     effect: Effect
     use: str
@@ -194,7 +194,7 @@ class Elsewhere(NamedTuple):
 
 
 class Tag:
-    """What a prefixed name means in one dialect."""
+    """The meaning of a prefixed name in one dialect."""
 
     __slots__ = ("absent", "attributes", "keys", "name", "parts", "places", "since")
 
@@ -245,7 +245,7 @@ class Vendor:
         return f"Vendor({self.prefix})"
 
     def effect_in(self, parent: Element | None) -> Effect:
-        """What the consumer does about a tag that it does not look for in ``parent`` (None: an attribute)."""
+        """The reaction of the consumer to a tag unknown in ``parent`` (None: an attribute)."""
         if self.unknown == IGNORED or (parent is None and "@" in self.ignored_in):
             return IGNORED
         names: list[str] = []

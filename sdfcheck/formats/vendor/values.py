@@ -1,8 +1,8 @@
 """How consumers of vendors' own values take a text.
 
-A *lenient* consumer takes the number at the front of a text, drops the rest, and takes 0
-where there is none (Drake in SDF files, through libsdformat). A *strict* one wants just the numbers
-and refuses the file otherwise, except that letters after a number end it (Drake in URDF files).
+A *lenient* consumer takes the number at the front of a text, drops the rest, and takes 0 where
+there is none (Drake in SDF files, through libsdformat). A *strict* one takes only numbers and
+refuses the file otherwise, except that letters after a number end it (Drake in URDF files).
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class TagFault(Enum):
 
 
 class Misreading(NamedTuple):
-    """Why a text is not read as written; ``start`` and ``end`` delimit the part to blame."""
+    """Why a text is not read as written; ``start`` and ``end`` delimit the part at fault."""
 
     fault: TagFault
     start: int
@@ -54,9 +54,9 @@ def expected_of(slot: Slot) -> str:
 
 
 def misreading(slot: Slot, text: str, lenient: bool, ranged: bool = True) -> Misreading | None:
-    """What is wrong with a text as a value of its type; None if it is read as written.
+    """The problem of a text as a value of its type; None if it is read as written.
 
-    ``ranged`` is False where the consumer does not mind the range of what it takes instead.
+    ``ranged`` is False where the consumer accepts any replacement, in range or not.
     """
     if slot.type in {"flag", ""}:
         return None
@@ -77,7 +77,7 @@ def misreading(slot: Slot, text: str, lenient: bool, ranged: bool = True) -> Mis
 
 
 def as_read(slot: Slot, text: str) -> str:
-    """What a lenient consumer takes a text for, where a strict one would refuse it."""
+    """The value that a lenient consumer reads from a text, where a strict one would refuse it."""
     bad = misreading(slot, text, lenient=True, ranged=False)
     return bad.effect.value if bad is not None and bad.effect.outcome is Outcome.READ else text
 
@@ -101,7 +101,7 @@ def out_of_range(slot: Slot, text: str) -> str | None:
 
 
 def _in_place_of(slot: Slot, lenient: bool, ranged: bool) -> Effect:
-    """What becomes of a text that holds no number: the lenient take zeros, which may be out of range."""
+    """The problem of a text that holds no number: the lenient take zeros, which may be out of range."""
     count = _COUNTS.get(slot.type)
     if count is None or not lenient:
         return slot.bad if slot.type in {"bool", "truth"} else REFUSED
