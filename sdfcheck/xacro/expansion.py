@@ -33,7 +33,7 @@ PASSED_ON = (
 
 
 class Surroundings(NamedTuple):
-    """What an expansion may use from outside its file.
+    """The resources outside its file that an expansion may use.
 
     ``packages`` maps names to folders; below ``package_paths`` packages are looked for;
     ``variables`` names environment variables to pass on. ``root`` is the project, below

@@ -23,7 +23,7 @@ _ARGUMENT = re.compile(r"arg\s+(\S+)\s*$")
 
 
 class Giver(NamedTuple):
-    """What gives a name its value: the text of the value, and its place."""
+    """The text that gives a name its value, and its place."""
 
     name: str
     text: str
@@ -31,7 +31,7 @@ class Giver(NamedTuple):
 
 
 def givers(span: Span, origins: Sequence[Step], document: Document) -> list[Giver]:
-    """What gives their values to the names in the text at a place, and to those in these values."""
+    """The texts that give their values to the names at a place, and to the names in these values."""
     visible = visible_definitions(document)
     found: list[Giver] = []
     waiting = [(span.text, tuple(origins))]
@@ -54,7 +54,7 @@ def _names(text: str) -> Iterator[str]:
 
 
 def _giver(name: str, way: tuple[Step, ...], visible: Definitions) -> tuple[Giver, tuple[Step, ...]] | None:
-    """What gives a name its value, seen from inside of some calls, and from where that looks in turn."""
+    """The text that gives a name its value inside some calls, and the scope that it is evaluated in."""
     if name.startswith("$(arg "):
         return _argument(name, visible)
     for depth, step in enumerate(way):
@@ -77,7 +77,7 @@ def _giver(name: str, way: tuple[Step, ...], visible: Definitions) -> tuple[Give
 
 
 def _inside(name: str, step: Step, macro: Macro, visible: Definitions) -> tuple[Giver | None, bool]:
-    """What gives a name its value in the body of a macro that is called, and whether that is the call itself."""
+    """The text that gives a name its value in a macro's body, and whether that is the call itself."""
     for read in visible.readings:
         for each in read.properties:
             value = each.element.attribute("value")

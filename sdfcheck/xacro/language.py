@@ -31,9 +31,9 @@ OPTIONAL: Mapping[str, tuple[str, ...]] = {
 """Further attributes that they take."""
 
 COMMANDS = frozenset(["anon", "arg", "cwd", "dirname", "env", "eval", "find", "optenv"])
-"""What a substitution may begin with."""
+"""The beginnings of a substitution."""
 
-# What expressions know without being told: Python's functions that xacro exposes, its modules, and math.
+# Names that expressions have from the start: Python's functions that xacro exposes, its modules, and math.
 BUILT_IN = frozenset(
     [
         "True",

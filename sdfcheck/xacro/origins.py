@@ -33,7 +33,7 @@ class OriginSpan(Span):
 
     origins: tuple[Step, ...] = ()
     value: str | None = None
-    """What the text there, where it has expressions, came to in the expansion."""
+    """The result, in the expansion, of the text there, where it has expressions."""
 
     def __eq__(self, other: object) -> bool:
         return tuple.__eq__(self, other) is True and self.origins == getattr(other, "origins", ())
@@ -103,7 +103,7 @@ class Sources:
 
 
 def shown(path: Path) -> Path:
-    """A path as people want to see it: without detours, from the current folder if it lies below that."""
+    """A path for people: without detours, relative to the current folder if it is below that."""
     plain = os.path.normpath(path)
     here = os.getcwd() + os.sep
     return Path(plain.removeprefix(here))

@@ -1,4 +1,4 @@
-"""What xacro takes, with a warning or without, and hardly anybody means.
+"""Oversights that xacro accepts, with a warning or without.
 
 ``name`` is what it is about, ``other`` a further place that has to do with it.
 """
@@ -53,7 +53,7 @@ class UnusedMacro(Oversight):
 
 
 class UnknownPropertyScope(Oversight):
-    """The scope of a property is none of xacro's."""
+    """xacro does not know the scope of a property."""
 
 
 class NeverEqualText(Oversight):
@@ -69,7 +69,7 @@ class UnusualXacroNamespace(Oversight):
 
 
 class ParameterFlaw(Enum):
-    """What is odd about a parameter of a macro."""
+    """The oddity of a macro's parameter."""
 
     COMMA = "comma"
     DOUBLED = "doubled"

@@ -76,7 +76,7 @@ class Parameters:
             if end >= 0:
                 default = self.text[start:end] or None
                 return Parameter(head[1], *head.span(1), default, bool(mark)), self._skip(end)
-        # What follows the spaces is no default, so that none is given.
+        # The text after the spaces is not a default, so the parameter has none.
         return (Parameter(head[1], *head.span(1), None, False), begin) if begin > head.end() else None
 
     def _end(self, at: int) -> int:

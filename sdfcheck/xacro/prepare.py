@@ -1,4 +1,4 @@
-"""What there is to lint about a xacro file: its own problems, and the documents that come of it."""
+"""The parts of a xacro file to lint: its own problems, and the documents made of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can be wrong with xacro files, whether found by reading or by expanding them.
+"""Problems of xacro files, found by reading or by expanding them.
 
 ``origins`` lead from the nearest macro call or include outwards; they are empty where
 no expansion was needed to find the problem. ``is_dormant``: xacro would stop there, but no
@@ -75,15 +75,15 @@ class UndefinedName(Record):
 
 
 class UndefinedMacro(UndefinedName):
-    """What is called is no macro."""
+    """A called name is not a macro."""
 
 
 class UndefinedProperty(UndefinedName):
-    """What an expression uses is no property, parameter or function."""
+    """A name in an expression is not a property, parameter or function."""
 
 
 class UndefinedBlock(UndefinedName):
-    """What is inserted is no block that a macro takes or a property holds."""
+    """The inserted name is not a block that a macro takes or a property holds."""
 
 
 class UndefinedArgument(Record):
@@ -96,7 +96,7 @@ class UndefinedArgument(Record):
 
 
 class UnevaluatedExpression(Record):
-    """Something that looks like an expression and is none: ``meant`` is what it should be.
+    """A text that looks like an expression and is not one: ``meant`` is the right spelling.
 
     ``is_open``: its end is missing, so that xacro drops the rest of the value or takes too
     much of it; what was meant cannot be known.

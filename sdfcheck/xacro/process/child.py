@@ -66,7 +66,7 @@ def send(stream: BinaryIO, data: bytes) -> None:
 
 
 def _packages(request: Request, known: dict[str, Packages]) -> Packages:
-    """Where the packages are; looked up before the fork if it will want to know, so that it is done once."""
+    """The folders of packages; looked up before the fork if they will be needed, so that it is done once."""
     key = json.dumps([request[name] for name in ("root", "packages", "paths", "environment")])
     if key not in known:
         named = {name: Path(folder) for name, folder in request["packages"].items()}
@@ -169,7 +169,7 @@ def expand(request: Request, packages: Packages, memory: Any) -> Answer:
 def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
     """Put the evaluators, the search for packages and the notes in xacro's place for them.
 
-    What is not found of packages is left as it is written if the expansion may be partial.
+    A reference to a package that is not found is kept if the expansion may be partial.
     """
     absolute = xacro.abs_filename_spec
 

@@ -38,7 +38,7 @@ Record = dict[str, Any]
 
 
 class Spot:
-    """Where an expansion failed, as far as the frames tell."""
+    """Where an expansion failed, as far as the frames show."""
 
     def __init__(self) -> None:
         self.data: Written | None = None
@@ -103,7 +103,7 @@ class Spot:
 
 
 def describe(error: BaseException, tracer: Tracer) -> Record:
-    """What went wrong, for :mod:`sdfcheck.xacro.problems`, and where."""
+    """The kind of a failure, for :mod:`sdfcheck.xacro.problems`, and its place."""
     spot = Spot()
     for frame in _frames(error):
         if frame.f_globals.get("__name__", "").partition(".")[0] == "xacro":
@@ -144,7 +144,7 @@ def _name(error: BaseException) -> str:
 
 
 def _of_xacro(root: BaseException, spot: Spot) -> Record:
-    """What xacro itself complains of, recognized by its words."""
+    """Errors of xacro itself, recognized by their words."""
     text = _STACK.sub("", str(root.args[0] if root.args else root)).strip()
     if text.startswith("unknown macro name:"):
         return {"kind": "macro", "name": text.rpartition("xacro:")[2]}
@@ -157,7 +157,7 @@ def _of_xacro(root: BaseException, spot: Spot) -> Record:
 
 
 def _words(root: BaseException, text: str) -> str:
-    """The exception's own words, on one line."""
+    """The message of the exception, on one line."""
     text = " ".join(text.split())
     if isinstance(root, SyntaxError):
         text = root.msg

@@ -1,9 +1,9 @@
-"""What keeps an expansion within bounds. Runs in the process that expands, nowhere else.
+"""Limits of an expansion. Runs in the process that expands, nowhere else.
 
-A xacro file is a program: its expressions are Python, and the evaluator's own check is
-easily led astray. So attribute tricks are refused before an expression runs, the
-interpreter's audit hook lets nothing happen but evaluating and reading the project's
-files, and the kernel limits time, memory and writing.
+A xacro file is a program: its expressions are Python, and the evaluator's own check is easily
+evaded. So attribute tricks are refused before an expression runs, the interpreter's audit hook lets
+nothing happen but evaluating and reading the project's files, and the kernel limits time, memory
+and writing.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _FRAMES = frozenset(
         "func_code",
     ]
 )
-# What evaluating and reading raise; anything else is none of an expansion's business.
+# Exceptions of evaluating and reading; an expansion catches no others.
 _HARMLESS = frozenset(
     [
         "builtins.id",

@@ -31,7 +31,7 @@ class Step:
 
 
 class Written:
-    """What an element carries."""
+    """The marks on an element."""
 
     __slots__ = ("place", "step")
 

@@ -20,7 +20,7 @@ _PAUSE = 0.05
 
 
 class Limits(NamedTuple):
-    """What one expansion may take: processor and wall time in s, memory and result in bytes."""
+    """The limits of one expansion: processor and wall time in s, memory and result in bytes."""
 
     cpu: int = 10
     wall: int = 20
@@ -34,7 +34,7 @@ def is_needed() -> bool:
 
 
 class Watch:
-    """Looks at a process and at those that it has started, until they take too much or it is told to end.
+    """Watches a process and those that it has started, until they take too much or it has to end.
 
     Raises:
         WrongUsage: psutil is not installed, which says what a process takes.
@@ -93,7 +93,7 @@ def _seconds(processes: list[psutil.Process]) -> float:
 
 
 def _each(processes: list[psutil.Process], ask: Callable[[psutil.Process], float]) -> list[float]:
-    """What processes answer; one that has just ended answers nothing."""
+    """The answers of processes; one that has just ended gives none."""
     import psutil
 
     found = []

@@ -1,4 +1,4 @@
-"""What is wrong with a xacro file as far as reading it shows: no expression is evaluated."""
+"""The problems of a xacro file that reading it shows: no expression is evaluated."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Prob
             near = guess(document, call.name, known, surely=False)
         else:
             elsewhere = project_names(document)
-            # What an include that is not here defines may be like a name of another library.
+            # A definition of an include that is not here may be like a name of another library.
             near = guess(document, call.name, known if visible.is_open else known | elsewhere, surely=True)
             if near is None or call.name in elsewhere:
                 continue
@@ -114,7 +114,7 @@ def _undefined_properties(document: Document, visible: Definitions) -> Iterator[
             is_certain = knows_all(document)
             candidates = known | BUILT_IN if is_function else known
             near = guess(document, name, candidates, surely=not is_certain)
-            # Who includes a library may define properties, but hardly functions.
+            # A file that includes a library may define properties, but hardly functions.
             if not is_certain and (name in project_names(document) or (near is None and not is_function)):
                 continue
             yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)

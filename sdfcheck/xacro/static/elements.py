@@ -12,7 +12,7 @@ from sdfcheck.xacro.static.suggestions import nearest
 
 _INCLUDE = "xacro:include"
 _FREE = frozenset({"gazebo", "plugin", "ros2_control", "transmission", "mujoco"})
-"""What is inside of these is somebody else's, and may be called as xacro's elements are."""
+"""The content of these belongs to others, and its names may be those of xacro's elements."""
 
 
 def keyword(element: Element) -> str:
@@ -66,7 +66,7 @@ Found = MissingXacroPrefix | WrongXacroAttribute | IgnoredIncludeContent
 
 
 def element_problems(document: Document) -> Iterator[Found]:
-    """What is wrong with the elements of the language in a document, their prefix and attributes."""
+    """Problems of the elements of the language in a document, their prefix and attributes."""
     assert document.root is not None
     for element in document.root.iterdescendants("*"):
         if not isinstance(element, Element) or _is_in_include(element):
@@ -104,7 +104,7 @@ def _wrong_attributes(element: Element, own: str) -> Iterator[WrongXacroAttribut
 
 
 def _meant(name: str, own: str, given: dict[str, str]) -> str | None:
-    """What an attribute was meant to be: one that is near, else the only one that is required and missing."""
+    """The intended name of an attribute: one that is near, else the only one that is required and missing."""
     free = [each for each in _taken(own) if each not in given]
     if name in _taken(own) or ":" in name:
         return None

@@ -1,4 +1,4 @@
-"""What no expansion can make sense of, whatever the values: recognized by the text alone."""
+"""Expressions that are wrong whatever the values: recognized by the text alone."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""URDF inside of what xacro has yet to expand: bodies of macros that nothing calls, and libraries of them.
+"""URDF inside of what xacro has yet to expand: bodies of macros that nothing calls, and libraries
+of them.
 
-What xacro puts in is unknown, so an element with something of xacro's inside lacks
+The content that xacro inserts is unknown, so an element with something of xacro's inside lacks
 nothing and has nothing twice, and a value with an expression is taken as it is.
 """
 
@@ -23,7 +24,7 @@ TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
 _PLACES = ("", "link", "joint", "link/inertial", "link/visual", "link/visual/geometry", "joint/limit")
 """Where macros are called: what their bodies hold may be at one of these paths below ``robot``."""
 _SHARE = 3
-"""A body that has fewer known names than so many for each foreign one is none of URDF's."""
+"""A body with fewer known names than so many for each foreign one is not URDF."""
 
 
 class Bodies:

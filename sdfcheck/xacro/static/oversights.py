@@ -1,4 +1,4 @@
-"""What xacro takes and hardly anybody means, as far as reading a file shows it."""
+"""Oversights that xacro accepts, as far as reading a file shows them."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ def _overwritten(read: Reading) -> Iterator[Oversight]:
         if found is not None and plain and macro is not None and macro in parameters:
             yield from _replaced(found, parameters[macro], read)
         if not plain or not words.isdisjoint(name for _, name in waiting):
-            # Who is called, included or inserted may read any of them.
+            # A callee, an include or a block may read any of them.
             name = element.name
             if name.startswith(PREFIX) and name[len(PREFIX) :] not in KEYWORDS - {
                 "include",

@@ -1,4 +1,4 @@
-"""What the other xacro files of a project say of one: which include it, and which names they define."""
+"""The other xacro files of a project: which include this one, and which names they define."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class _Mention(NamedTuple):
 
 
 class _Project:
-    """What the xacro files of a project mention and define."""
+    """The names in the xacro files of a project: those that occur, and those that are defined."""
 
     __slots__ = ("mentions", "names", "patterns")
 
@@ -59,7 +59,7 @@ class _Project:
         self.names = frozenset(names)
 
     def of(self, name: str) -> list[_Mention]:
-        """The mentions that may mean a file of a name."""
+        """The paths in include elements that may be those of a file of this name."""
         globs = [each for each in self.patterns if fnmatch(name, each.text.rpartition("/")[2])]
         return [*self.mentions.get(name, ()), *globs]
 

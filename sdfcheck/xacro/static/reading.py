@@ -1,4 +1,4 @@
-"""What one xacro file defines, calls, includes and reads, found without evaluating anything."""
+"""The definitions, calls, includes and reads of one xacro file, found without evaluating anything."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ _OTHER_LANGUAGES = (
         "xacro ends `${…}` at the first `}`: write `dict(…)` for a dictionary",
     ),
 )
-"""What does not go in an expression → what to write."""
+"""A construct that expressions do not allow → its replacement."""
 
 _DASHED = re.compile(r"(?<![\w.])([^\W\d]\w*(?:-[^\W\d]\w*)+)(?!\w)")
 
@@ -165,7 +165,7 @@ def _of_expression(problem: ExpansionFailure, visible: Definitions) -> Reason | 
 
 
 def _of_value(problem: ExpansionFailure, document: Document) -> Reason | None:
-    """What gave the value with which an expression fails."""
+    """The source of the value with which an expression fails."""
     found = givers(problem.span, problem.origins, document)
     if not found:
         return None

@@ -24,7 +24,7 @@ def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str
 
 
 def guess(document: Document, name: str, known: Collection[str], *, surely: bool) -> str | None:
-    """What a name was meant to be: the one it misspells or, unless it has to be ``surely`` so, most like.
+    """The name that was meant: the one it misspells or, unless it has to be ``surely`` so, the most similar.
 
     A document full of unknown names is not guessed at for ever.
     """

@@ -1,4 +1,4 @@
-"""What of a xacro file no expansion shows."""
+"""The parts of a xacro file that no expansion shows."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _not_taken(
 
 
 def _content(branch: Element) -> Iterator[Element]:
-    """What a branch puts into the robot itself."""
+    """The elements that a branch puts into the robot itself."""
     for child in branch.children():
         if not child.name.startswith(PREFIX):
             yield child
