@@ -44,7 +44,7 @@ class Custom(Part):
 
     @property
     def displaced(self) -> tuple[Displaced, ...]:
-        """The standard elements in it that belong beside it, where simulators look for them."""
+        """The standard elements in it that could be beside it, where simulators look for them."""
         if self.is_attribute:
             return ()
         if self.is_urdf:
@@ -55,7 +55,7 @@ class Custom(Part):
 
     @property
     def replaced(self) -> tuple[str, ...]:
-        """The names of required elements that are absent beside it, and in place of which it seems to be given."""
+        """The names of required elements that are absent beside it, and that it seems to replace."""
         return () if self.is_attribute else tuple(survey(self.document).replaced.get(self.element, ()))
 
     @property

@@ -1,4 +1,4 @@
-"""What keeps a description from being understood."""
+"""Errors that keep a description from being understood."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ class Frame(Node):
 
     @property
     def attached_to(self) -> Node | None:
-        """What it is attached to: by default the model or world that it is in; None if the name is unknown."""
+        """The node that it is attached to, by default its holder; None if the name is unknown."""
         return self.attachment
 
     @property
@@ -43,7 +43,7 @@ class Frame(Node):
 
 
 class MergedFrame(Frame):
-    """The frame that stands for a model which an include merged into another."""
+    """The frame that represents a model which an include merged into another."""
 
     __slots__ = ("model",)
 

@@ -126,7 +126,7 @@ def _class_of(holder: str, kind: str, tag: str) -> type[Part] | None:
 
 
 def _place(holder: Part) -> str:
-    """The name of the holder's element; a macro of xacro stands for the link or joint that it writes."""
+    """The name of the holder's element; a macro of xacro counts as the link or joint that it writes."""
     place = holder.element.name
     return holder.kind if place.startswith("xacro:") else place
 

@@ -58,7 +58,7 @@ class Model(Scope):
         if self.is_readable:
             super()._fill(nodes)
 
-    # What it holds
+    # Content
 
     @property
     def plugins(self) -> tuple[Plugin, ...]:
@@ -103,7 +103,7 @@ class Model(Scope):
 
         return cast("Model", class_named("ExtendedModel")(self, self.element))
 
-    # What it is
+    # Properties
 
     @property
     def is_static(self) -> bool:
@@ -178,7 +178,7 @@ class Model(Scope):
 
     @property
     def placement_frame_value(self) -> Value | None:
-        """What the model itself writes as the frame that its pose places, with its place."""
+        """The frame that its pose places, as the model itself writes it, with its place."""
         value = self.attribute("placement_frame")
         return value if value is not None and value.text.strip() else None
 

@@ -30,7 +30,7 @@ class Node(Part):
         super().__init__(holder, element)
         self._name = name
         self.merged: MergedFrame | None = None
-        """What stands for the model that brought it here, if an include was merged."""
+        """The frame of the model that brought it here, if an include was merged."""
 
     @property
     def name(self) -> str:
@@ -64,7 +64,7 @@ class Node(Part):
         """It as it is by itself, where an include merged it into another model."""
         return self
 
-    # What it moves with
+    # Motion
 
     @property
     def attachment(self) -> Node | None:
@@ -73,7 +73,7 @@ class Node(Part):
 
     @lazy
     def carrier(self) -> Node | None:
-        """What it moves with: a link, the world, or a static model; None if that is unknown."""
+        """The node that it moves with: a link, the world, or a static model; None if that is unknown."""
         seen: set[Node] = set()
         at: Node | None = self
         while at is not None and at not in seen:
@@ -109,12 +109,12 @@ class Node(Part):
 
     @property
     def base(self) -> Node | None:
-        """What its pose is relative to; None where a reference names nothing."""
+        """The node that its pose is relative to; None where a reference is not resolved."""
         name = self.base_name
         return self.look_up(name) if name else (self.merged or self.scope)
 
     def look_up(self, reference: str) -> Node | None:
-        """What a reference written in this part names."""
+        """The node that a reference written in this part names."""
         if reference == MODEL_FRAME and self.merged is not None:
             return self.merged
         around: Part | None = self.holder

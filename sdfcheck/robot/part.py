@@ -50,7 +50,7 @@ class Part:
     registry: Registry
     is_urdf: bool
     is_given: bool
-    """Is it written in the text? What is not has its defaults."""
+    """Is it written in the text? Values that are not written have their defaults."""
 
     __slots__ = ("__dict__", "__weakref__", "element", "holder", "is_given", "is_urdf", "registry", "root")
 
@@ -66,7 +66,7 @@ class Part:
         name = self.name
         return f"{type(self).__name__}({name!r})" if name else f"{type(self).__name__}()"
 
-    # What it is
+    # Identity
 
     @property
     def name(self) -> str:
@@ -80,7 +80,7 @@ class Part:
 
     @property
     def title(self) -> str:
-        """What to call it in a sentence: ``joint `elbow```."""
+        """Its name in a sentence: ``joint `elbow```."""
         return self.element.title
 
     @property
@@ -105,7 +105,7 @@ class Part:
         """The model or world that it is directly in."""
         return cast("Scope", self.holder) if self.holder is not None and self.holder.is_scope else None
 
-    # What is written
+    # Written values
 
     def value(self, name: str) -> Value | None:
         """The text of an attribute, else of a child element, with its place; None if there is neither."""
@@ -235,7 +235,7 @@ class Part:
         return found
 
     def release(self) -> None:
-        """Let go of all parts of the reading, which refer to one another; its document is not needed any more."""
+        """Drop all parts of the reading, which refer to one another; its document is not needed any more."""
         for part in (self, *self.registry.values()):
             part.__dict__.clear()
         self.registry.clear()

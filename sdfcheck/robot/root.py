@@ -221,7 +221,7 @@ class Root(Part):
         return loops(self.parent_joints, self.each("Joint"))
 
     def outermost(self, node: Node) -> Node:
-        """The world around a node, or what stands for it where there is none."""
+        """The world around a node, or the substitute of a file without a world."""
         at: Part | None = node
         while at is not None:
             if isinstance(at, Scope) and at.kind == "world":
@@ -231,7 +231,7 @@ class Root(Part):
 
     @lazy
     def outside(self) -> Node:
-        """What stands for the world in a file that has none."""
+        """The substitute for the world in a file without a world."""
         return Outside(self, self.element, WORLD_FRAME)
 
     @lazy
@@ -296,5 +296,5 @@ class Root(Part):
 
 
 def root_of(document: Document) -> Root:
-    """What a document of SDFormat or URDF says, read once."""
+    """The root of a document of SDFormat or URDF, read once."""
     return document.view(Root)

@@ -64,11 +64,11 @@ class Scope(Node):
         self.via: Element | None = outer.via if outer else None
         """The innermost include that brought it."""
         self.alterations: Alterations | None = outer.alterations if outer else None
-        """What the parameters of an include change in it."""
+        """The changes that the parameters of an include make in it."""
         self.chain: tuple[Document, ...] = outer.chain if outer else (self.document,)
         """The files that are being read, from the outside in."""
         self.stand_in: MergedFrame | None = None
-        """The frame that stands for it where an include merged it."""
+        """The frame that represents it where an include merged it."""
 
     # Nodes
 
@@ -97,7 +97,7 @@ class Scope(Node):
 
     @property
     def frames(self) -> tuple[Frame, ...]:
-        """The frames that are written as ``frame``, and those that stand for merged models."""
+        """The frames that are written as ``frame``, and those of merged models."""
         return cast("tuple[Frame, ...]", self._members("frame"))
 
     @property
@@ -106,7 +106,7 @@ class Scope(Node):
         return cast("tuple[Model, ...]", self._members("model"))
 
     def resolve(self, reference: str) -> Node | None:
-        """What a reference names; None if nothing of that name is known here."""
+        """The node that a reference names; None if the name is unknown here."""
         if not self.is_urdf:
             reference = reference.strip()
         if reference == self.own_name:
@@ -135,7 +135,7 @@ class Scope(Node):
         return not self.may_hold(reference)
 
     def guess(self, reference: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
-        """What a reference that names nothing here was meant to be: none of ``but``, and of ``kind``."""
+        """The intended name of a reference that is not resolved here: none of ``but``, and of ``kind``."""
         from sdfcheck.robot.naming.guess import guess
 
         return guess(self, reference, but, kind)
@@ -260,7 +260,7 @@ class Scope(Node):
 
 
 def _named_children(source: Scope) -> Iterable[Child]:
-    """What has a name in a world or model, as the parameters of an include change it."""
+    """The named parts of a world or model, as the parameters of an include change it."""
     from sdfcheck.formats.sdf.survey import survey
 
     surveyed = survey(source.document)

@@ -1,6 +1,6 @@
 """A quick look at a link's mass and inertia, for the many that are sound.
 
-It reads the numbers straight from the tree. What it does not call sound is looked at
+It reads the numbers straight from the tree. An inertial that this look does not accept is looked at
 again, with places, by the rules about inertials.
 """
 

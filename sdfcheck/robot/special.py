@@ -1,4 +1,4 @@
-"""Objects of the robot that are not told by the names of elements alone."""
+"""Parts of the robot that the names of elements alone do not determine."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _customs(root: Root) -> list[Element]:
 
 
 def _contacts(root: Root) -> Iterator[Part]:
-    """What sensors and sounds listen to; surfaces have contacts of their own, and are many."""
+    """The contacts of sensors and sounds; surfaces have contacts of their own, and are many."""
     given = root.elements.get("contact", ())
     return (root.part_of(each) for each in given if each.parent is not None and each.parent.tag in _LISTENERS)
 
@@ -52,4 +52,4 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
     "Resource": attrgetter("resources"),
     "Root": lambda root: (root,),
 }
-"""Class → its parts, where the names of elements alone do not tell them."""
+"""Class → its parts, where the names of elements alone do not determine them."""

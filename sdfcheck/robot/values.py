@@ -1,8 +1,8 @@
 """Values of a description: plain numbers, vectors and texts that know their place.
 
-A :class:`Number` is a float and a :class:`Vector` a tuple of floats, so that they can be
-computed with at once. What is not written has its default, says so (``is_given``), and
-has the place where it would be written.
+A :class:`Number` is a float and a :class:`Vector` a tuple of floats, so that they can be computed
+with at once. A value that is not written has its default, says so (``is_given``), and has the place
+where it would be written.
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ class Flag(_Placed, int):
 
     @classmethod
     def of(cls, value: Value | None, element: Element, default: bool) -> Flag:
-        """What a text says: ``true`` and ``1`` are true, everything else is false."""
+        """The truth of a text: ``true`` and ``1`` are true, everything else is false."""
         if value is None or not value.text.strip():
             flag, value = cls(default), None
         else:
@@ -159,5 +159,5 @@ class Text(_Placed, str):
 
 
 def is_true(text: str) -> bool:
-    """What the formats take for true."""
+    """The texts that the formats take for true."""
     return text.strip().lower() in {"true", "1"}

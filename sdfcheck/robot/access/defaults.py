@@ -48,7 +48,7 @@ def setting(part: Part, name: str) -> Number | Vector | Flag | Text:
 
 
 def _definition(element: Element) -> Definition | None:
-    """What the version of the document says of an element."""
+    """The definition of an element in the document's version."""
     names: list[str] = []
     at: Element = element
     while (parent := at.parent) is not None and parent.name != "gazebo":

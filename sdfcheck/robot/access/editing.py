@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.text import Span
 
 Writable = str | bool | float | Iterable[float]
-"""What can be written as a value: text, truth, a number, or several numbers (a vector, ``[*pose.xyz, *pose.rpy]``)."""
+"""A value to write: text, truth, a number, or several numbers (a vector, ``[*pose.xyz, *pose.rpy]``)."""
 
 
 class EditError(ValueError):
@@ -133,8 +133,8 @@ class Edit:
     def set(self, part: Part | Element, name: str, value: Writable) -> None:
         """Write an attribute or a child element: ``set(link, "inertial/mass", 2.5)``.
 
-        What is there is replaced. What is not is added: in URDF, and where the name begins
-        with ``@``, as an attribute, else as a child element.
+        A value that is there is replaced. A value that is not there is added: in URDF, and where
+        the name begins with ``@``, as an attribute, else as a child element.
 
         Raises EditError where the element around it is not there.
         """
@@ -247,9 +247,9 @@ class Edit:
 def edit(what: str | bytes | os.PathLike[str]) -> Edit:
     """Open a file to change it: ``with sdfcheck.edit("robot.sdf") as robot:``.
 
-    ``what`` is the path of an SDFormat or URDF file, or a text (bytes, or a str that begins
-    with ``<``), whose changed ``text`` is then read from the result. What xacro makes of a
-    file cannot be edited: the file itself can.
+    ``what`` is the path of an SDFormat or URDF file, or a text (bytes, or a str that begins with
+    ``<``), whose changed ``text`` is then read from the result. The expansion of a xacro file
+    cannot be edited: the file itself can.
 
     Raises:
         OSError: the file cannot be read.

@@ -1,4 +1,4 @@
-"""Reads a robot description for programs that want to look at it."""
+"""Loading of a robot description for programs."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ def load(
 ) -> Root:
     """Read an SDFormat, URDF or xacro file.
 
-    ``arguments`` are given to xacro. Included models are looked for below ``model_paths``
-    and in the folders of the environment variables that Gazebo uses, packages below
-    ``package_paths``. What is wrong with the file beyond that is for :func:`sdfcheck.lint`
-    to say: whatever can be understood of it is there.
+    ``arguments`` are given to xacro. Included models are looked for below ``model_paths`` and in
+    the folders of the environment variables that Gazebo uses, packages below ``package_paths``.
+    Other problems of the file are reported by :func:`sdfcheck.lint`: everything that can be
+    understood is there.
 
     Raises:
         OSError: the file cannot be read.
@@ -44,7 +44,7 @@ def load(
 def parse(
     text: str | bytes, path: str | os.PathLike[str] = "<text>", *, arguments: Mapping[str, str] | None = None
 ) -> Root:
-    """Read a text like the content of a file; relative names in it are those beside ``path``.
+    """Read a text like the content of a file; relative names in it are resolved from the folder of ``path``.
 
     Raises Unreadable.
     """
@@ -60,7 +60,8 @@ def as_text(what: object) -> bytes | None:
 
 
 def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: SearchPaths) -> Root:
-    # Only the parser tells what broken XML was meant to be, and only the first bytes what is xacro.
+    # Only the parser knows what broken XML was meant to be, and only the first bytes show whether
+    # it is xacro.
     document = read(data, path, Kind.XACRO if sniff(data[:HEAD], path) is Kind.XACRO else None)
     if document.kind is Kind.XACRO:
         from sdfcheck.xacro.expansion import Surroundings, expand

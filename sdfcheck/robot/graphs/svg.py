@@ -48,7 +48,7 @@ class _Place(NamedTuple):
 
 
 def svg(graph: Graph) -> str:
-    """The picture. Names are text; a node that is met again is drawn once, with a dashed edge."""
+    """The picture. Names are text; a node that occurs again is drawn once, with a dashed edge."""
     tree, again = _tree(graph)
     places, width, height = _places(graph, tree)
     lines = [
@@ -74,7 +74,7 @@ def svg(graph: Graph) -> str:
 
 
 def _tree(graph: Graph) -> tuple[list[Edge], list[Edge]]:
-    """The edges by which nodes are met first, in the order of drawing, and the others."""
+    """The edges that reach a node first, in the order of drawing, and the others."""
     below: defaultdict[int, list[Edge]] = defaultdict(list)
     for edge in graph.edges:
         below[edge.upper].append(edge)
@@ -101,7 +101,7 @@ def _tree(graph: Graph) -> tuple[list[Edge], list[Edge]]:
 
 
 def _places(graph: Graph, tree: list[Edge]) -> tuple[list[_Place], float, float]:
-    """Where each node is, and the size of the picture: leaves one below another, parents beside their middle."""
+    """The position of each node, and the size of the picture: parents beside the middle of their leaves."""
     children: defaultdict[int, list[int]] = defaultdict(list)
     depth = [0] * len(graph.nodes)
     for edge in tree:  # from the root down

@@ -20,7 +20,7 @@ def plain(text: str, what: str) -> str:
 
 
 def tree(graph: Graph, paint: Paint = plain) -> str:
-    """One line a node, indented below what it hangs on; what is met again is not unfolded again."""
+    """One line a node, indented below its parent; a node that occurs again is not unfolded again."""
     below: defaultdict[int, list[Edge]] = defaultdict(list)
     for edge in graph.edges:
         below[edge.upper].append(edge)

@@ -79,7 +79,7 @@ class Alterations:
                 yield found.kind or "model", found.name, Node(found.model, include)
 
     def find(self, element_id: str, kind: str | None, start: Node | None = None) -> Node | None:
-        """What an ``element_id`` names; of several names that fit its beginning the longest goes first."""
+        """The element that an ``element_id`` names; the longest name that fits its beginning goes first."""
         start = start or self.root
         if start is None or element_id.count("::") > _DEEPEST:
             return None

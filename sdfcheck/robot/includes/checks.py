@@ -1,7 +1,7 @@
 """By-products of reading includes: what is wrong with their parameters and placement.
 
-Source: libsdformat 17's parser.cc, checked against what it reports. What is wrong with
-an included file itself is reported there, where it is fixed.
+Source: libsdformat 17's parser.cc, checked against what it reports. Problems of an included file
+itself are reported there, where they are fixed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from sdfcheck.source.document import Document
 
 
 def problems(document: Document) -> list[object]:
-    """What is wrong with the includes of an SDF document by itself, in no particular order."""
+    """The problems of the includes of an SDF document by itself, in no particular order."""
     found: list[object] = []
     for include in includes_of(document):
         brought = included(document, include)

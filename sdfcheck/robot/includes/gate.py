@@ -8,7 +8,7 @@ from sdfcheck.source.document import Document
 
 
 def problems(document: Document) -> Iterator[object]:
-    """What is wrong with the parameters and placement of includes."""
+    """Problems of the parameters and the placement of includes."""
     if "<include" in document.source.text:
         from sdfcheck.robot.includes import checks
 

@@ -20,7 +20,7 @@ from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
 
 INCLUDABLE = ("model", "actor", "light")
-"""What an included file may hold, in the order in which libsdformat prefers them."""
+"""The parts that an included file may hold, in the order in which libsdformat prefers them."""
 
 
 class Obstacle(Enum):
@@ -38,7 +38,7 @@ class Obstacle(Enum):
 
 
 class Included(NamedTuple):
-    """What one ``include`` brings.
+    """The parts that one ``include`` brings.
 
     ``model`` is the included file's model, actor or light (or a URDF's robot), in a
     document of its own, None where there is none to be had, for the reason in
@@ -189,7 +189,7 @@ def _read(document: Document, found: Included, file: Path) -> Included:
 
 
 def _note_origin(document: Document, other: Document, found: Included) -> None:
-    """The first include that leads to a file tells how it was reached; of a static model's, one that asks more."""
+    """The include that leads to a file: the first, or the first one that is not in a static model."""
     if found.uri is None or other is document:
         return
     if not other.included_by or (is_made_static(other) and not found.is_static):

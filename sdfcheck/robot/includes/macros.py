@@ -18,7 +18,7 @@ _OWNERS: dict[str, type[Link | Joint]] = {
     "limit": Joint,
     "visual": Link,
 }
-"""What is looked at → what it belongs to: a macro without that stands for it."""
+"""Class → the class of the holder: a macro without one is taken for it."""
 
 
 def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator[Part]:

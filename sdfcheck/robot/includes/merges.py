@@ -16,7 +16,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 
 _MOVED = frozenset({"link", "model", "joint", "frame", "gripper"})
-"""What has a name and moves into the parent."""
+"""The named parts that move into the parent."""
 _NOT_INTO_WORLDS = frozenset({"link", "gripper"})
 
 _Taken = dict[str, Name]

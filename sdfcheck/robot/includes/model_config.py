@@ -197,5 +197,5 @@ def _near(folder: Path, name: str) -> str | None:
 
 
 def model_configs(document: Document) -> tuple[ModelConfig, ...]:
-    """What a ``model.config`` says."""
+    """The content of a ``model.config``."""
     return (document.view(ModelConfig),)

@@ -1,4 +1,4 @@
-"""What can be wrong with the parameters of an include."""
+"""Problems of the parameters of an include."""
 
 from __future__ import annotations
 
@@ -30,10 +30,11 @@ class ParameterFault(Enum):
 
 
 class InvalidParameter(Record):
-    """An entry of an include's parameters, or a part of one, that fails or does not do what it says.
+    """An entry of an include's parameters, or a part of one, that fails or does not do what it
+    says.
 
-    ``other`` is the party that is told with it: the kind of element that the id names,
-    the element in which a child is absent, the name that is assumed.
+    ``other`` is the second party: the kind of element that the id names, the element in which a
+    child is absent, the name that is assumed.
     """
 
     place: Element | Value

@@ -253,7 +253,7 @@ class _Entry:
 
 
 def definition_of(element: Element) -> Definition | None:
-    """What the newest version says of an element, wherever in its document it is."""
+    """The definition of an element in the newest version, wherever in its document it is."""
     names: list[str] = []
     at = element
     while at.parent is not None and at.parent.name != PARAMETERS:

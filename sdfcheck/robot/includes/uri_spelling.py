@@ -30,21 +30,21 @@ class UriFault(Enum):
 
 
 class Misspelling(NamedTuple):
-    """What is wrong with a URI, and what it was probably meant to be."""
+    """The fault of a URI, and the URI that was probably meant."""
 
     fault: UriFault
     meant: str | None
 
 
 class OtherCase(NamedTuple):
-    """What would be found if case did not matter; ``meant`` is the URI of it, if that is clear."""
+    """The file that would be found if case did not matter; ``meant`` is the URI of it, if that is clear."""
 
     path: Path
     meant: str | None
 
 
 def misspelling(value: Value) -> Misspelling | None:
-    """What is wrong with a URI whatever it leads to."""
+    """The fault of a URI, whatever it leads to."""
     text = value.text.strip()
     if _DRIVE.match(text):
         return None
@@ -67,14 +67,16 @@ def misplaced_blanks(value: Value) -> Misspelling | None:
 
 
 def is_absolute(value: Value) -> bool:
-    """Is it a path that holds on this computer alone? What an expression in the source makes may hold elsewhere."""
+    """Is it a path that holds on this computer alone? A URI that an expression in the source makes
+    may be valid elsewhere.
+    """
     text = value.text.strip()
     is_path = text.startswith("/") or text.lower().startswith("file:///") or _DRIVE.match(text) is not None
     return is_path and "$" not in value.span.text
 
 
 def other_case(value: Value, location: Location) -> OtherCase | None:
-    """What is at the place of a URI but for the case of letters."""
+    """The path at the place of a URI but for the case of letters."""
     if location.near is None:
         return None
     return OtherCase(location.near, _recased(value.text.strip(), location.near))

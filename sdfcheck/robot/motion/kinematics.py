@@ -84,7 +84,7 @@ def link_poses(robot: Mechanism, positions: Positions) -> dict[str, Array]:
     """The poses of every link in the model's frame; joints that close loops are ignored.
 
     ``positions`` leaves out joints at zero; followers are worked out from their leaders.
-    What hangs together is placed from the world, or else from its first link that no joint carries.
+    A connected group is placed from the world, or else from its first link that no joint carries.
     """
     values = with_followers(robot, positions)
     beside: dict[str, list[Joint]] = {}

@@ -1,4 +1,4 @@
-"""What libsdformat makes of the links of a URDF robot: it merges those that fixed joints tie together.
+"""The links of a URDF robot in libsdformat: it merges those that fixed joints tie together.
 
 It begins at the root, or at the links that hang on a root called ``world``, and leaves out
 a link without mass with all that hangs on it. Source: libsdformat 17's parser_urdf.cc, and what

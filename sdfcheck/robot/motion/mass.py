@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def default_mass() -> MassProperties:
-    """What simulators take for a link of an SDF model without ``inertial``: 1 kg and unit moments."""
+    """The mass properties of a link of an SDF model without ``inertial``: 1 kg and unit moments."""
     return MassProperties(1.0, np.zeros(3), np.eye(3))
 
 

@@ -36,7 +36,7 @@ class MassOrigin(Enum):
 
 @dataclass(frozen=True, slots=True)
 class LinkMass:
-    """A link's mass properties in the frame of its model; None where they are unknown, or there are none."""
+    """A link's mass properties in the frame of its model; None where they are unknown or missing."""
 
     name: str
     origin: MassOrigin
@@ -130,7 +130,7 @@ class _Reader:
     def inner(
         self, scope: Scope, prefix: str
     ) -> tuple[list[ModelMass], list[MassProperties | None], list[str]]:
-        """The models in a scope, their totals in its frame, and what could not be told of them."""
+        """The models in a scope, their totals in its frame, and the links without known mass properties."""
         models: list[ModelMass] = []
         bodies: list[MassProperties | None] = []
         notes = [] if scope.is_complete else ["an include could not be read"]

@@ -20,8 +20,8 @@ class MeshError(ValueError):
 def mesh_body(mesh: Element, density: float) -> MassProperties:
     """A ``mesh`` element filled with a density (kg/m³), in the frame of its file.
 
-    Raises MeshError where the file is missing, cannot be read or is no closed surface,
-    where only a part of it is meant, and where trimesh is not installed.
+    Raises MeshError where the file is missing, cannot be read or is not a closed surface, where
+    only a part of it is meant, and where trimesh is not installed.
     """
     try:
         import trimesh

@@ -77,7 +77,7 @@ class Pose:
 
 
 def resolved(node: Node, relative_to: str | Node | None) -> Pose:
-    """The pose of a node relative to what a reference, written beside it, names, or to a node."""
+    """The pose of a node relative to another, or to the one that a reference, written beside it, names."""
     poses, scope = node.root.poses, node.scope_around
     if scope is None:
         own = poses.in_scope(node)

@@ -52,7 +52,7 @@ def written_pose(pose: Element | None) -> Array:
 
 
 def origin_of(element: Element) -> Array:
-    """The 4×4 transform of an element's ``origin`` in URDF; none is no displacement.
+    """The 4×4 transform of an element's ``origin`` in URDF; the identity without one.
 
     Raises DescriptionError where a number is not one.
     """
@@ -148,7 +148,7 @@ class Poses:
             self._open.discard(node)
 
     def _leads_to(self, node: Node) -> Node | None:
-        """What the pose of a node is relative to; None if that is its scope, or unknown."""
+        """The node that the pose of a node is relative to; None if that is its scope, or unknown."""
         base = urdf_base(node)[0] if is_in_urdf(node) else node.base
         return None if base is node.scope else base
 
@@ -184,7 +184,7 @@ def is_in_urdf(node: Node) -> bool:
 
 
 def urdf_base(node: Node) -> tuple[Node | None, Joint | None]:
-    """What a URDF link or joint is placed at, and the joint whose origin leads from there to it."""
+    """The node that a URDF link or joint is placed at, and the joint whose origin leads from there to it."""
     if node.kind == "joint":
         return cast("Joint", node).child, None
     for joint in node.parent_joints:  # type: ignore[attr-defined]

@@ -16,7 +16,7 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 _POLE = 1e-9
-"""Below this cosine of the pitch, roll and yaw turn about one axis and only their sum can be told."""
+"""Below this cosine of the pitch, roll and yaw turn about one axis and only their sum is determined."""
 
 
 def from_rpy(roll: float, pitch: float, yaw: float) -> Array:

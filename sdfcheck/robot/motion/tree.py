@@ -74,7 +74,7 @@ class Tree:
 
     @lazy
     def loose_groups(self) -> list[list[Link]]:
-        """The groups besides the largest, unless mistakes in as many joints explain them."""
+        """The groups except the largest, unless mistakes in as many joints explain them."""
         others = self.groups[1:]
         if not others:
             return []

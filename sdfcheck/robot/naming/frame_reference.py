@@ -67,7 +67,7 @@ class FrameReference:
 
     @lazy
     def target(self) -> Node | None:
-        """What it names; None if that is nothing known."""
+        """The node that it names; None if the name is unknown."""
         return None if self.scope is None else self.scope.resolve(self.name)
 
     @property

@@ -1,4 +1,4 @@
-"""What a name that reaches nothing was probably meant to be."""
+"""The name that was probably meant by one that is not defined."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class _Reachable:
 
 
 def guess(scope: Scope, name: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
-    """What a reference in a scope was meant to be: none of ``but``, and of ``kind`` if one is given."""
+    """The intended name of a reference in a scope: none of ``but``, and of ``kind`` if one is given."""
 
     def fits(candidate: str) -> bool:
         if candidate in but:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class MaterialNames:
-    """What the names of a robot's materials reach. Nobody reads those of collisions."""
+    """The materials that the names in a robot reach. Nobody reads those of collisions."""
 
     def __init__(self, model: Model) -> None:
         self.model = model

@@ -8,7 +8,7 @@ from sdfcheck.source.record import NamedTuple
 
 
 class Name(NamedTuple):
-    """What something is called: ``kind`` is what it counts as, ``parent`` what it is in.
+    """The name of a part: ``kind`` is the kind that it counts as, ``parent`` the part that it is in.
 
     For an include that gives no name of its own ``value`` is the uri that brings it, and
     so for the parts of a model that it merges (``is_merged``).

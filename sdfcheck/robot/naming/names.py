@@ -68,7 +68,8 @@ class Names:
 
     @lazy
     def obstacles(self) -> dict[Element, Value | Element]:
-        """What keeps names with ``::`` in older worlds from being turned into nested models, by their elements.
+        """The causes, by their elements, that keep names with ``::`` in older worlds from being
+        turned into nested models.
 
         It makes libsdformat crash: a reference that stays outside, or an axis without direction.
         """

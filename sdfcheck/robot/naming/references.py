@@ -116,7 +116,7 @@ def _scope(root: Root, element: Element) -> Scope | None:
 
 
 def _nodes(scope: Scope, element: Element, text: str) -> tuple[Node, ...]:
-    """What a reference names; in URDF a joint may have the name of a link."""
+    """The part that a reference names; in URDF a joint may have the name of a link."""
     joints = scope.joints_by_name if isinstance(scope, Model) and scope.is_urdf else {}
     if element.tag in _OF_JOINTS and text in joints:
         return (joints[text],)

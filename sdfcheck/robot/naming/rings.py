@@ -52,7 +52,7 @@ def _node(part: Part) -> Node | None:
 
 
 def _attachment(node: Node) -> _Step:
-    """What a node moves with."""
+    """The node that a node moves with."""
     value = None
     if isinstance(node, Frame):
         value = node.attached_to_value
@@ -62,7 +62,7 @@ def _attachment(node: Node) -> _Step:
 
 
 def _placement(node: Node) -> _Step:
-    """What a node is placed relative to: at the end, the model around it."""
+    """The node that a node is placed relative to: at the end, the model around it."""
     value = _pose_reference(node)
     if value is not None:
         return value, node.look_up(value.text.strip())

@@ -43,7 +43,7 @@ def _in_model(model: Element) -> Iterator[tuple[Element, Value | Element]]:
 
 
 def _obstacles(element: Element, prefix: str) -> Iterator[Value | Element]:
-    """What does not begin with the prefix, in the order in which it is met."""
+    """The names that do not begin with the prefix, in the order in which they occur."""
     for reference in _references(element):
         if isinstance(reference, Element) or not reference.text.strip().startswith(prefix):
             yield reference
@@ -68,7 +68,7 @@ def _references(element: Element) -> Iterator[Value | Element]:
 
 
 def _poses(element: Element) -> Iterator[Value]:
-    """What the poses of a part of a link, and of its camera, are relative to."""
+    """The node that the poses of a part of a link, and of its camera, are relative to."""
     for holder in (element, element.find("camera")):
         pose = holder.find("pose") if holder is not None else None
         if pose is not None:

@@ -1,4 +1,4 @@
-"""What drives the joints of a URDF robot."""
+"""Actuation of the joints of a URDF robot."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Transmission(JointNames):
 
     @property
     def reductions(self) -> tuple[Value, ...]:
-        """What it and its actuators write as ``mechanicalReduction``, with the places."""
+        """The values of ``mechanicalReduction`` in it and its actuators, with the places."""
         holders = (self.element, *self.actuators)
         return tuple(
             found.own_value for holder in holders for found in holder.children("mechanicalReduction")

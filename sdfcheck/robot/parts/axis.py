@@ -109,12 +109,12 @@ class Limit(_AxisPart):
 
     @lazy
     def effort(self) -> Number:
-        """The greatest force or torque; in SDFormat a negative one is no limit."""
+        """The greatest force or torque; in SDFormat a negative one means unlimited."""
         return self._number("effort", math.inf)
 
     @lazy
     def velocity(self) -> Number:
-        """The greatest speed; in SDFormat a negative one is no limit."""
+        """The greatest speed; in SDFormat a negative one means unlimited."""
         return self._number("velocity", math.inf)
 
     @property
@@ -146,7 +146,7 @@ class Limit(_AxisPart):
 
 
 class Dynamics(_AxisPart):
-    """What resists motion along an axis."""
+    """The resistance to motion along an axis."""
 
     __slots__ = ()
     kind = "dynamics"

@@ -175,7 +175,7 @@ def _known(element: Element, definition: UrdfElement) -> Iterator[tuple[Element,
 
 
 def _is_sound(value: Value, attribute: UrdfAttribute) -> bool:
-    """Is a value of the kind that ros2_control wants, or made by an expression?"""
+    """Is a value of the kind that ros2_control expects, or made by an expression?"""
     text = value.text.strip()
     if is_expression(text) or attribute.name == "type":
         return True

@@ -45,7 +45,7 @@ class ControlComponent(Part):
 
     @lazy
     def joint(self) -> Joint | None:
-        """The joint of the robot that it drives or reads; None if it is none, or there is none."""
+        """The joint of the robot that it drives or reads; None without one."""
         return self.model.joints_by_name.get(self.name) if self.what == "joint" and self.name else None
 
     @lazy
@@ -125,7 +125,7 @@ class ControlInterface(Part):
 
     @property
     def component(self) -> ControlComponent:
-        """What it belongs to."""
+        """Its holder."""
         return cast("ControlComponent", self.holder)
 
     @property

@@ -31,7 +31,7 @@ class ExtendedModel(Model):
         return self.root.part_of(element)
 
     def children(self, name: str | None = None) -> Iterator[Element]:
-        """What the blocks about the robot add to it."""
+        """The parts that the blocks about the robot add to it."""
         for block in self.robot.blocks_by_reference.get("", ()):
             yield from block.children(name)
 

@@ -57,7 +57,7 @@ class GazeboBlock(Part):
 
     @lazy
     def subject(self) -> Link | Joint | Model | None:
-        """What it is about; None if the reference names nothing."""
+        """The part that it is about; None if the reference is not resolved."""
         return (
             cast("Link | Joint | None", self.model.resolve(self.reference)) if self.reference else self.model
         )
@@ -66,7 +66,7 @@ class GazeboBlock(Part):
     def is_unresolved(self) -> bool:
         """Does its reference name no link or joint?
 
-        What is yet to be expanded is left out, and a name by which joints call a link that is not there.
+        Expressions that are not expanded are left out, and names by which joints refer to a missing link.
         """
         name = self.reference
         if not name or self.link is not None or self.joint is not None:

@@ -1,4 +1,4 @@
-"""What a ``<gazebo>`` block of a URDF robot holds."""
+"""The content of a ``<gazebo>`` block of a URDF robot."""
 
 from __future__ import annotations
 

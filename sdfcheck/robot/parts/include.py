@@ -34,7 +34,7 @@ class Include(FileUse):
 
     @lazy
     def found(self) -> Included:
-        """What it leads to: file, document, model, or why there is none."""
+        """Its target: file, document, model, or why there is not one."""
         from sdfcheck.robot.includes.included import included
 
         return included(self.document, self.element)
@@ -66,7 +66,7 @@ class Include(FileUse):
 
     @property
     def is_read_in_vain(self) -> bool:
-        """Does it lead to a file that cannot be included? What is not XML at all is reported in that file."""
+        """Does it lead to a file that cannot be included? A file that is not XML is reported in that file."""
         if self.obstacle is None or self.found.file is None or self._misspelling is not None:
             return False
         from sdfcheck.robot.includes.included import Obstacle
@@ -99,7 +99,7 @@ class Include(FileUse):
 
         return ring(self.document, self.element)
 
-    # What it brings
+    # Content
 
     @property
     def placement_frame_value(self) -> Value | None:
@@ -109,7 +109,7 @@ class Include(FileUse):
 
     @lazy
     def node(self) -> Node | None:
-        """The model that it brings whole, or the frame that stands for one that it merges; None if neither."""
+        """The model that it brings whole, or the frame of one that it merges; None if neither."""
         from sdfcheck.robot.scope import Scope
 
         if not isinstance(self.holder, Scope):

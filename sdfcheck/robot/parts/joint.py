@@ -58,7 +58,7 @@ class Joint(Node):
 
     @property
     def is_preserved(self) -> bool:
-        """Does a ``<gazebo>`` block tell libsdformat to keep it although it is fixed?"""
+        """Does a ``<gazebo>`` block make libsdformat keep it although it is fixed?"""
         return any(block.is_on(name) for block in self.gazebo_blocks for name in PRESERVING)
 
     @property

@@ -55,12 +55,12 @@ class Link(Node):
 
     @property
     def visuals(self) -> tuple[Visual, ...]:
-        """What is seen of it."""
+        """The visible shape of it."""
         return tuple(self._parts("visual"))
 
     @property
     def collisions(self) -> tuple[Collision, ...]:
-        """What touches other things."""
+        """The shape of it that touches other things."""
         return tuple(self._parts("collision"))
 
     @property

@@ -126,7 +126,7 @@ class Gripper(Part):
 
 
 def _is_link(scope: Scope, name: str) -> bool:
-    """Is it the name of a link, or may it be one? What has an empty part is reported as that."""
+    """Is it the name of a link, or may it be one? An element with an empty part is reported as that."""
     if name == DEFAULT or "" in name.split("::"):
         return True
     found = scope.resolve(name)

@@ -52,7 +52,7 @@ class Placement(Part):
 
     @property
     def reference(self) -> str:
-        """What it is relative to, as written; empty for the default."""
+        """The frame that it is relative to, as written; empty for the default."""
         return "" if self.is_urdf else reference_of(self.element)
 
     def _part(self, part: slice) -> Vector:

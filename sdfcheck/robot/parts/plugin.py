@@ -38,7 +38,7 @@ class Plugin(Part):
 
     @lazy
     def known(self) -> PluginFacts | None:
-        """What is known of its library; of several generations the one that shares most parameters with it."""
+        """The facts about its library, in the generation that shares most parameters with it."""
         if not self.filename:
             return None
         from sdfcheck.formats.plugins import known
@@ -73,7 +73,7 @@ class Plugin(Part):
 
     @lazy
     def meant_file(self) -> str | None:
-        """The file of a system of Gazebo that a file which is none was probably meant to be."""
+        """The file of a system of Gazebo that was probably meant by a file that is not one."""
         name = self.filename
         if self.known is not None or not ("gz-sim" in name or "ignition-gazebo" in name):
             return None

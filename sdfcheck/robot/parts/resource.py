@@ -93,7 +93,7 @@ class FileUse(Part):
 
     @lazy
     def misspelling(self) -> Misspelling | None:
-        """What is wrong with the URI as a text, whatever it leads to or where that explains why it leads nowhere."""
+        """The fault of the URI as a text, also where that explains why it leads nowhere."""
         if self.uri_value is None or self._misspelling is not None:
             return self._misspelling
         from sdfcheck.robot.includes.uri_spelling import misplaced_blanks
@@ -108,7 +108,7 @@ class FileUse(Part):
 
     @lazy
     def other_case(self) -> OtherCase | None:
-        """What the URI would lead to if case did not matter, where it leads nowhere."""
+        """The file that the URI would lead to if case did not matter, where it leads nowhere."""
         if self.uri_value is None or not self.leads_nowhere or self.misspelling is not None:
             return None
         from sdfcheck.robot.includes.uri_spelling import other_case
@@ -141,7 +141,7 @@ class Resource(FileUse):
 
     @property
     def what(self) -> str:
-        """What it is: ``mesh``, ``texture``, ``material script`` …"""
+        """Its kind: ``mesh``, ``texture``, ``material script`` …"""
         if self.is_urdf:
             return self.element.name
         holder, name = self.holder.element.tag if self.holder is not None else "", self.element.tag

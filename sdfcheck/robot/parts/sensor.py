@@ -41,7 +41,7 @@ SETTINGS = {
 
 
 class Contact(Part):
-    """What a contact sensor, or a sound, listens to."""
+    """The collisions that a contact sensor, or a sound, listens to."""
 
     __slots__ = ()
     kind = "contact"
@@ -142,7 +142,7 @@ class Sensor(Part):
 
     @property
     def settings(self) -> Setting | None:
-        """What is particular to its type: the part of ``camera``, ``lidar``, ``imu`` …; None if there is none."""
+        """The part of its type: ``camera``, ``lidar``, ``imu`` …; None without one."""
         from sdfcheck.robot.parts.setting import Setting
 
         names = (SETTINGS.get(self.type, self.type), "lidar", "ray", "camera", "gps", "navsat")

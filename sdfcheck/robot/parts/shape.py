@@ -180,7 +180,7 @@ class Shape(Part):
 
     @property
     def position(self) -> tuple[float, float, float] | None:
-        """Where its origin is in the link's frame (m); None where its pose alone does not tell."""
+        """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
         return position(self)
 
     def pose(self, relative_to: str | None = None) -> Pose:
@@ -191,7 +191,7 @@ class Shape(Part):
 
 
 class Visual(Shape):
-    """What is seen of a link."""
+    """The visible shape of a link."""
 
     __slots__ = ()
     kind = "visual"
@@ -208,7 +208,7 @@ class Visual(Shape):
 
 
 class Collision(Shape):
-    """What touches other things."""
+    """The shape of a link that touches other things."""
 
     __slots__ = ()
     kind = "collision"

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def semantics_in(document: Document) -> tuple[Semantics, ...]:
-    """What an SRDF document says of a robot."""
+    """The parts of an SRDF document that are about a robot."""
     if document.kind is not Kind.SRDF or document.root is None:
         return ()
     from sdfcheck.robot.semantics.semantics import Semantics

@@ -78,7 +78,7 @@ class StateValue(NamedTuple):
 
 
 class Semantics:
-    """What an SRDF file says; ``robots`` are those that it may be about, empty where none is found."""
+    """The content of an SRDF file; ``robots`` are those that it may be about, empty where none is found."""
 
     def __init__(self, document: Document) -> None:
         root = document.root

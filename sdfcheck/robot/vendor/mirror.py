@@ -13,7 +13,7 @@ from sdfcheck.source.element import Element
 
 
 def mirrored(use: VendorTag, standard: str) -> Iterator[MirroredTag]:
-    """What is wrong below: everything must have the prefix, and be what the standard element may hold."""
+    """The problems below: everything must have the prefix, and be allowed in the standard element."""
     definition = schema(NEWEST).at(f"{standard}:{standard}")
     if definition is not None and use.element is not None:
         yield from _below(use, use.element, definition)

@@ -45,7 +45,7 @@ class PlacedTag:
 
     @property
     def title(self) -> str:
-        """What to call it in a sentence."""
+        """Its name in a sentence."""
         return f"`{self.name}`" if isinstance(self.target, Value) else self.target.title
 
     @property
@@ -89,7 +89,7 @@ class PlacedTag:
 
     @property
     def successor(self) -> str:
-        """What takes the place of a tag that is gone, or that is older than a standard element; else empty."""
+        """The replacement of a tag that is removed, or that is older than a standard element; else empty."""
         if self.definition is None:
             return ""
         keys = self.definition.keys
@@ -103,7 +103,7 @@ class PlacedTag:
 
     @property
     def effect(self) -> Effect:
-        """What the vendor's consumer does about a tag that is not read as it is written."""
+        """The reaction of the vendor's consumer to a tag that is not read as it is written."""
         if self.definition is None:
             return self._effect_of_unknown()
         if self.is_gone:
@@ -124,7 +124,7 @@ class PlacedTag:
 
     @property
     def substitute(self) -> str:
-        """What this format has instead of a tag that is in the other one only."""
+        """The counterpart in this format of a tag that only the other one has."""
         absent = self.definition.absent if self.definition is not None else None
         return absent.use if absent is not None else ""
 

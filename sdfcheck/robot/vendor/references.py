@@ -1,4 +1,4 @@
-"""What the names in vendors' tags refer to: in SDF by scope, in URDF among the robot's parts."""
+"""The parts that the names in vendors' tags refer to: in SDF by scope, in URDF among the robot's parts."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Unresolved(NamedTuple):
 
 
 class _Found(NamedTuple):
-    """What has a name (None: nothing; ``?``: that cannot be said), and which names would do."""
+    """The part of a name (None: nothing; ``?``: that cannot be determined), and the names that would do."""
 
     kind: str | None
     candidates: Iterable[str]
@@ -53,7 +53,7 @@ class References:
         self._tags: dict[tuple[Element, str], dict[str, None]] = {}
 
     def unresolved(self, value: VendorValue) -> Unresolved | None:
-        """What is known about a name of nothing; None for one that may refer to something."""
+        """The fault of a name that is not defined; None for one that may refer to something."""
         slot, name = value.slot, value.text.strip()
         owner = self.owner(value.value.element)
         if owner is None:

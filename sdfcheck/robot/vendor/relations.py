@@ -73,7 +73,7 @@ def forbidden(use: Use) -> list[Element]:
 
 
 def idle_beside(use: Use) -> Element | None:
-    """The sibling beside which a tag has no effect."""
+    """The sibling because of which a tag has no effect."""
     tag, parent = use.tag, use.parent
     other = sibling(tag.keys.text("idle-with"), parent)
     if other is not None:
@@ -121,7 +121,7 @@ def excess(use: Use) -> Excess | None:
 
 
 def _is_skipped(tag: Tag, element: Element) -> bool:
-    """Does an attribute of its own tell the consumer not to look into it?"""
+    """Does an attribute of its own make the consumer skip its content?"""
     switch = tag.keys.text("skipped").removeprefix("@")
     return element.attributes.get(switch, "").strip().lower() in _TRUE
 

@@ -90,7 +90,7 @@ class VendorTag(PlacedTag):
 
     @property
     def effect_of_empty(self) -> Effect:
-        """What the vendor's consumer does where the value is missing."""
+        """The reaction of the vendor's consumer where the value is missing."""
         slot = self._own_slot
         if slot is None or slot.lacking is not None or self.carrier != "text":
             return (slot.lacking if slot is not None else None) or REFUSED
@@ -103,7 +103,7 @@ class VendorTag(PlacedTag):
         conditions = self.definition.keys.text("range-with") if self.definition is not None else ""
         return not conditions or relations.sibling(conditions, self.parent) is not None
 
-    # What is around it
+    # Surroundings
 
     @property
     def lacks(self) -> list[Lack]:
@@ -122,7 +122,7 @@ class VendorTag(PlacedTag):
 
     @property
     def is_compatible(self) -> bool:
-        """Is it read, and excludes nothing beside it, nor is excluded?"""
+        """Is it read, without excluding a sibling or being excluded by one?"""
         return self._compatible is not None
 
     @property
@@ -132,7 +132,7 @@ class VendorTag(PlacedTag):
 
     @property
     def idle_beside(self) -> Element | None:
-        """The sibling beside which it has no effect."""
+        """The sibling because of which it has no effect."""
         return None if self._compatible is None else relations.idle_beside(self._compatible)
 
     @property
@@ -205,7 +205,7 @@ class VendorTag(PlacedTag):
 
     @lazy
     def _compatible(self) -> Use | None:
-        """The same, where nothing beside it excludes it, which is what there is to say then."""
+        """The same, where no sibling excludes it, which would be reported then."""
         use = self._use
         is_in_conflict = use is None or self.excluded is not None or relations.is_excluded(use)
         return None if is_in_conflict else use

@@ -19,11 +19,11 @@ from sdfcheck.source.rewritten import COLON
 from sdfcheck.source.sniff import Kind
 
 _CLOSED = frozenset(("plugin", "gazebo"))
-"""What lies in these is for their own parsers."""
+"""The content of these is for their own parsers."""
 
 
 class VendorTags:
-    """What a document has of the elements and attributes of one vendor."""
+    """The elements and attributes of one vendor in a document."""
 
     def __init__(self, document: Document, vendor: Vendor, other: Vendor) -> None:
         self.document = document
@@ -38,7 +38,7 @@ class VendorTags:
 
     @lazy
     def references(self) -> References:
-        """What the names in values refer to."""
+        """The parts that names in values refer to."""
         return References(self.document, self._mark)
 
     def _walk(self, root: Element) -> Iterator[VendorTag]:

@@ -40,7 +40,7 @@ class VendorValue:
 
     @property
     def title(self) -> str:
-        """What to call it in a sentence: by its attribute or plain child, where that is not the tag itself."""
+        """Its name in a sentence: its attribute or plain child, where that is not the tag itself."""
         own = self.value.attribute or self.value.element.name
         return f"`{self.tag.name}`" if own in {self.tag.name, "value"} else f"`{own}` of `{self.tag.name}`"
 
@@ -64,7 +64,7 @@ class VendorValue:
 
     @property
     def is_unknown_choice(self) -> bool:
-        """Is it a word that is none of those that are possible?"""
+        """Is it a word that is not one of the choices?"""
         if not self.slot.choices or self.misreading is not None:
             return False
         return self.text.strip() not in self.slot.choices
@@ -88,7 +88,7 @@ class VendorValue:
 
     @lazy
     def unresolved(self) -> Unresolved | None:
-        """What is known about a name of nothing that it could refer to; None where it refers to something."""
+        """The fault of a name that is not defined; None where it refers to something."""
         if not self.slot.references or not self.text.strip() or not self.is_well_formed:
             return None
         return self.tag.tags.references.unresolved(self)
