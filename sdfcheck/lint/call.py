@@ -36,11 +36,12 @@ def lint(  # noqa: PLR0913
 ) -> Run:
     """Lint files, folders, or a text.
 
-    ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A
-    text goes by ``name``. The other arguments are the options of the command, configuration files included.
+    ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A text has
+    ``name`` as its path. The other arguments are the options of the command, configuration files
+    included.
 
-    The workers of an ``executor`` lint portions of the files: processes, threads, or a cluster
-    that has the same files. Files whose worker died are in ``skipped``, with the reason.
+    The workers of an ``executor`` lint portions of the files: processes, threads, or a cluster that
+    has the same files. Files whose worker died are in ``skipped``, with the reason.
 
     Raises:
         sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.

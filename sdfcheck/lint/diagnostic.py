@@ -1,4 +1,4 @@
-"""What a rule has to say about a place."""
+"""The report of a rule about a place."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Origin(NamedTuple):
 
 
 class MissingKind(Enum):
-    """What is missing; the value is its noun."""
+    """The missing fact; the value is its noun."""
 
     PACKAGE = "package"
     MODEL = "model"
@@ -86,7 +86,7 @@ class Diagnostic(NamedTuple):
     help: str | None = None
     origins: tuple[Origin, ...] = ()
     affects: tuple[tuple[str, Reaction], ...] = ()
-    """What each consumer that is concerned does, sorted by consumer."""
+    """The reaction of each consumer that is concerned, sorted by consumer."""
     missing: Missing | None = None
     """Given where the finding is about this computer, and the file may be sound."""
 

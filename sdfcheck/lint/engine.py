@@ -60,7 +60,7 @@ class Xacro(NamedTuple):
 
 
 class Dispatch:
-    """Which rules want which problems, objects and elements; made once for a set of rules."""
+    """Which rules look at which problems, objects and elements; made once for a set of rules."""
 
     def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
         self.index = index
@@ -70,7 +70,7 @@ class Dispatch:
         asked = active.targets.union(*(facts.affects for facts in active.facts if not facts.default))
         self.by_problem: dict[str, list[RuleFacts]] = {}
         self.by_subject: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
-        """What is looked at (classes of the robot, selectors of elements) → the rules that do."""
+        """A class of the robot or a selector of elements → the rules that look at it."""
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
@@ -120,14 +120,14 @@ def _tables(document: Document, dispatch: Dispatch) -> list[Path]:
 
 
 def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
-    """What the rules have to say about problems of a document."""
+    """The diagnostics of the rules about problems of a document."""
     for problem in problems:
         for rule in dispatch.by_problem.get(type(problem).__name__, ()):
             yield from _check(rule, (problem,), document, dispatch)
 
 
 def look_at(parts: Sequence[Part], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
-    """What the rules have to say about some parts of the robot that a document describes."""
+    """The diagnostics of the rules about some parts of the robot that a document describes."""
     for (looks_at, _), rules in dispatch.by_subject.items():
         if seen := [part for part in parts if type(part).__name__ in looks_at]:
             for rule in rules:
@@ -164,7 +164,7 @@ def _check(
 def _adapted(
     diagnostics: list[Diagnostic], facts: RuleFacts, dialect: str, dispatch: Dispatch
 ) -> list[Diagnostic]:
-    """A rule's diagnostics as the configuration and the targets want them."""
+    """A rule's diagnostics after the configuration and the targets."""
     if not diagnostics:
         return diagnostics
     severity = dispatch.severities.get(facts.code)
@@ -181,7 +181,7 @@ def _adapted(
 
 
 def _internal_error(facts: RuleFacts, error: BaseException, document: Document) -> Diagnostic:
-    """What failed, and where; for each document the first failure of a rule counts."""
+    """The rules that failed, and where; for each document the first failure of a rule counts."""
     import os
 
     if os.environ.get("SDFCHECK_DEBUG"):

@@ -48,7 +48,7 @@ class Bad(NamedTuple):
     """File name, where the root element does not show the snippet's kind."""
     scaffold: str | None = None
     files: Mapping[str, str] | None = None
-    """Other files on disk: path beside the snippet's file → text. None: nothing is looked up."""
+    """Files beside the snippet's own: path beside it → text. None: nothing is looked up."""
 
 
 class Good(NamedTuple):

@@ -37,7 +37,7 @@ def lint_xacro(
 
 
 def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispatch) -> list[Diagnostic]:
-    """What is wrong with some elements of a robot, whatever the rest of it may be."""
+    """The problems of some elements of a robot, whatever the rest of it may be."""
     if document.root is None or document.root.name != "robot":
         return []
     bodies = Bodies(document, pieces)

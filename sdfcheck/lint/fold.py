@@ -75,8 +75,8 @@ def _holds(fix: Fix, top: Source) -> bool:
 def fold(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
     """One diagnostic for each rule and place, with the number of expansions that it shows up in.
 
-    The first stands for all. Its fix stays if all have the same. What one expansion has to say
-    twice of a place is two things.
+    The first represents all. Its fix stays if all have the same. Two diagnostics of one expansion
+    at one place are two mistakes.
     """
     groups: dict[tuple[str, Span, int], list[Diagnostic]] = {}
     heard: dict[tuple[str, Span, tuple[Origin, ...]], int] = {}

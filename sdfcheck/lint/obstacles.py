@@ -1,10 +1,9 @@
 """Which errors stop a conversion: those for which the format's own parser refuses the file.
 
 The own parser is urdfdom for URDF and xacro, libsdformat (Gazebo's) for SDFormat, and Drake for a
-URDF file with joints that Drake alone reads. What it
-refuses is no robot yet, and a converter would have to guess which one was meant. What it
-reads is one, whatever else is wrong with it: a mesh that is not there, an inertia
-that no body has, something that another consumer cannot do.
+URDF file with joints that Drake alone reads. A file that it refuses is not a robot yet, and a
+converter would have to guess which one was meant. A file that it reads is one, even with other
+errors: a missing mesh, an inertia that no body has, a feature that another consumer lacks.
 """
 
 from __future__ import annotations

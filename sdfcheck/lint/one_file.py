@@ -90,7 +90,7 @@ class Caches:
                 if not own:
                     own.update(map(library.disk.real, files))
                 key = library.disk.real(document.path)
-                # Of what is no XML the parser cannot tell the kind.
+                # Of a text that is not XML the parser cannot determine the kind.
                 if key not in own and (document.kind in _INCLUDABLE or document.root is None):
                     own.add(key)
                     yield document
@@ -100,9 +100,9 @@ def lint_file(
     file: Selected, book: RuleBook, settings: Settings, caches: Caches
 ) -> tuple[Sequence[Diagnostic], int]:
     """The diagnostics of one file, and how many were silenced."""
-    # The parser tells what broken XML was meant to be.
+    # The parser knows what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
-    # What expands gets ready in its process while the rest is loaded here.
+    # The process of the expansion gets ready while the rest is loaded here.
     xacro = caches.xacro(settings, file.path) if kind in {Kind.XACRO, Kind.SRDF} else None
     from sdfcheck.lint.source_file import lint_source
 
@@ -138,7 +138,7 @@ def lint_included(
 def _silence(
     result: FileResult, book: RuleBook, settings: Settings, path: Path
 ) -> tuple[Sequence[Diagnostic], int]:
-    """What the comments in a file, and in those that its diagnostics come from, let through; how many not."""
+    """The diagnostics that the comments in a file, or where they come from, leave; how many not."""
     foreign = _foreign(result.diagnostics, path)
     if not result.comments and not foreign:
         return result.diagnostics, 0

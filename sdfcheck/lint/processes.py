@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor
 
 COPIES = sys.platform == "linux"
-"""Whether a worker is a copy of this process; on macOS the system's own libraries would mind."""
+"""Whether a worker is a copy of this process; on macOS the system's own libraries do not allow that."""
 
 
 def run_of(results: Sequence[Sequence[Done]], options: Options, notify: Notify | None) -> Run:

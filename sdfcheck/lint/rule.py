@@ -1,4 +1,4 @@
-"""What every rule is."""
+"""The base class of all rules."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Placed(Protocol):
-    """What has a place in the text: an object or value of the robot, a text, an element."""
+    """Things with a place in the text: an object or value of the robot, a text, an element."""
 
     @property
     def span(self) -> Span:
@@ -24,7 +24,7 @@ class Placed(Protocol):
 
 
 Target = Span | Placed
-"""What a diagnostic may point at: a span, or something that has one."""
+"""A target for a diagnostic: a span, or something that has one."""
 
 
 class Rule:

@@ -21,7 +21,7 @@ EXTENSION = "extension"
 
 
 class RuleFacts(NamedTuple):
-    """What can be said of a rule without importing it (the index holds it)."""
+    """The facts of a rule that are known without importing it (the index holds them)."""
 
     code: str
     name: str
@@ -38,7 +38,7 @@ class RuleFacts(NamedTuple):
     explains: tuple[str, ...]
     """Names of the kinds of problem that the rule puts into words."""
     affects: Mapping[str, Mapping[str, str]]
-    """Reader → dialect → what it does: a :class:`~sdfcheck.consumers.reaction.Reaction` as text."""
+    """Consumer → dialect → its reaction: a :class:`~sdfcheck.consumers.reaction.Reaction` as text."""
     module: str
     """Module that holds the rule's class."""
     looks_at: tuple[str, ...] = ()
@@ -58,7 +58,7 @@ class RuleFacts(NamedTuple):
 def reactions(
     facts: RuleFacts, dialect: str, special: Iterable[tuple[str, Reaction]] = ()
 ) -> tuple[tuple[str, Reaction], ...]:
-    """What each consumer does about a rule's defect in a document, sorted by consumer; ``special`` comes first."""
+    """The reactions to a rule's defect in a document, sorted by consumer; ``special`` comes first."""
     from sdfcheck.consumers.reaction import READS, Consumer, Reaction
 
     if dialect == EXTENSION:

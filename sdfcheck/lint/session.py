@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.rulebook.pack import Fault
 
 Progress = Callable[[int, int, Path], None]
-"""Told before each file: how many are done, how many there are, and which comes now."""
+"""Called before each file: how many are done, how many there are, and which comes now."""
 
 
 class Level(Enum):
@@ -40,7 +40,7 @@ class Level(Enum):
 
 
 class Notice(NamedTuple):
-    """Something to say about the run that is no diagnostic of a file."""
+    """A note on the run that is not a diagnostic of a file."""
 
     level: Level
     text: str
@@ -50,11 +50,11 @@ Notify = Callable[[Notice], None]
 
 
 def _nobody(notice: Notice) -> None:
-    """Who is told where nobody asked to be."""
+    """The notifier of a session without one."""
 
 
 class Options(NamedTuple):
-    """What the caller asks for; the configuration settles the rest.
+    """The settings of the caller; the configuration has the rest.
 
     ``kind`` is what named files are taken for, whatever they look like. ``stdin`` is a
     text to lint under the name ``stdin_path``. xacro files are expanded with ``arguments``
@@ -91,7 +91,7 @@ class InternalError(Exception):
 
 
 class Part(NamedTuple):
-    """What came of some of the files of a run.
+    """The results of some of the files of a run.
 
     ``foreign`` holds, by real path, what was found in files that only includes lead to,
     and how much of that was silenced.
@@ -196,7 +196,7 @@ def joined(parts: Sequence[Part]) -> Run:
 
 @contextmanager
 def _surviving(path: Path, skipped: list[tuple[Path, str]], notify: Notify | None) -> Iterator[None]:
-    """A bug that is met on a file is reported, and the file ignored; where nobody listens, it is raised."""
+    """A bug that occurs on a file is reported, and the file ignored; without a notifier, it is raised."""
     try:
         yield
     except WrongUsage:

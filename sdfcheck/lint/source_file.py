@@ -35,9 +35,9 @@ def lint_source(
     library: Library | None = None,
     xacro: Xacro | None = None,
 ) -> FileResult:
-    """Read and lint one file's bytes. Whatever they hold, the result is diagnostics.
+    """Read and lint one file's bytes. Any text gives diagnostics.
 
-    What the file refers to is taken from the library; without one nothing is looked up.
+    Other files are taken from the library; without one nothing is looked up.
     """
     document = library.known(data, path) if library is not None else None
     if document is None or document.kind is not (kind or document.kind):
@@ -55,14 +55,14 @@ def lint_source(
         from sdfcheck.xacro.static.definitions import is_robot
 
         expander, sets = xacro or Xacro(None)
-        # Who includes the file calls its macros, and brings out what is wrong in them.
+        # A file that includes this one calls its macros, and shows the problems in them.
         is_open = expander is None or not is_robot(document)
         return result(lint_xacro(document, dispatch, expander, sets), document, open=is_open)
     return result(lint_document(document, dispatch), document)
 
 
 def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = False) -> FileResult:
-    """The diagnostics with what the document's comments tell; all of it if it is ``open`` to others."""
+    """The diagnostics that the document's comments leave; all of it if it is ``open`` to others."""
     source = document.source
     if "sdfcheck:" not in source.text or document.root is None:
         return FileResult(diagnostics)

@@ -1,4 +1,4 @@
-"""What rules look at in a document: objects of the robot that it describes, and its elements."""
+"""The subjects of rules in a document: objects of the robot that it describes, and its elements."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ NAMES = (".sdfcheck.toml", "sdfcheck.toml", PYPROJECT)
 
 
 class Settings(NamedTuple):
-    """What a configuration settles; the defaults are where it is silent.
+    """The settings of a configuration; the defaults apply where it sets nothing.
 
     ``files`` are the file itself and those that it extends, none if there is none.
     """
@@ -159,7 +159,7 @@ def load(path: Path, root: Path | None = None) -> Settings:
 
 
 def _mentions_us(pyproject: str) -> bool:
-    """Whether a ``pyproject.toml`` configures sdfcheck; most do not, and need no parsing to tell."""
+    """Whether a ``pyproject.toml`` configures sdfcheck; most do not, and need no parsing to find out."""
     path = Path(pyproject)
     if b"sdfcheck" not in _bytes(path):
         return False

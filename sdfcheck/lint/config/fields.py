@@ -8,7 +8,7 @@ from sdfcheck.source.record import NamedTuple
 
 
 class Shape(Enum):
-    """What the value of a key looks like."""
+    """The form of a key's value."""
 
     SELECTORS = "a list of rule codes, names or families"
     PATTERNS = "a list of patterns"

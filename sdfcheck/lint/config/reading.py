@@ -1,4 +1,4 @@
-"""A table of a TOML file to checked values; what is wrong is told with its line."""
+"""A table of a TOML file to checked values; faults are reported with their lines."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _MOST_MEGABYTES = 1e9
 
 
 class Pattern:
-    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is none."""
+    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is not valid."""
 
     __slots__ = ("_spec", "glob", "root")
 
@@ -71,7 +71,7 @@ def shown(path: Path) -> str:
 
 
 def line_of(text: str, keys: tuple[str, ...]) -> int:
-    """The line on which the last of ``keys`` stands, each looked for after the one before."""
+    """The line of the last of ``keys``, each looked for after the one before."""
     bare = re.sub(r"(?m)^[ \t]*#.*", lambda match: " " * len(match[0]), text)
     header = re.search(r"(?m)^[ \t]*\[\s*tool\.sdfcheck\b", bare)
     place = header.start() if header else 0
@@ -252,4 +252,4 @@ _EXPECTED: tuple[Mapping[Shape, str], ...] = (
         Shape.ARGUMENTS: "a table of texts, numbers or true and false (or a list of such tables)",
     },
 )
-"""What is expected of a value, and of a value inside a table."""
+"""The type that a value should have, and that of a value inside a table."""

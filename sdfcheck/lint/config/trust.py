@@ -1,6 +1,6 @@
-"""What a configuration may do without a person's consent, and where a person gives it.
+"""Rights of a configuration without a person's consent, and where a person gives it.
 
-A configuration that is found beside the files comes from whoever wrote them. It decides how
+A configuration that is found beside the files has the author that they have. It decides how
 they are linted; it may run code, write files and lead out of its repository only if somebody
 trusts it: on the command line, or in a configuration of their own.
 """

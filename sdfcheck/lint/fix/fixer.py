@@ -107,7 +107,7 @@ def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -
 
 
 def _made(found: Sequence[Diagnostic], applied: Sequence[Fix]) -> Iterator[MadeFix]:
-    """What is said of applied fixes; each belongs to one of the diagnostics."""
+    """The note on applied fixes; each is for one of the diagnostics."""
     left = list(found)
     for fix in applied:
         at = next(at for at, diagnostic in enumerate(left) if diagnostic.fix == fix)
@@ -118,7 +118,7 @@ def _made(found: Sequence[Diagnostic], applied: Sequence[Fix]) -> Iterator[MadeF
 def together(fixes: Sequence[Fix]) -> tuple[list[Edit], list[Fix]]:
     """The edits, in order, of those fixes that are apart from the ones before; and these fixes.
 
-    What two fixes want alike is done once.
+    An edit that two fixes share is done once.
     """
     taken: list[tuple[int, int]] = []
     edits: dict[tuple[int, int], Edit] = {}

@@ -2,7 +2,7 @@
 
 ``python -m sdfcheck.lint.rulebook.conditions [PACK]``; with ``--check`` only compares. Each static
 method ``applies`` is copied, with what it uses of the modules of its pack: constants and
-functions under the module's name, and imports. Whatever cannot be copied is refused.
+functions under the module's name, and imports. A condition that cannot be copied is refused.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class _Module:
 
 
 class _Conditions:
-    """What is written: the imports, the definitions by name, and the conditions by code."""
+    """The parts of the module: the imports, the definitions by name, and the conditions by code."""
 
     def __init__(self, pack: Pack) -> None:
         self._pack = pack
@@ -191,7 +191,7 @@ def _bound(node: ast.stmt) -> Iterator[str]:
 
 
 def _is_constant(node: ast.stmt | None) -> bool:
-    """Does a statement define one value for good, not a container that is filled later?"""
+    """Does a statement define one constant value, not a container that is filled later?"""
     value = node.value if isinstance(node, ast.Assign | ast.AnnAssign) else None
     if isinstance(value, ast.Call):
         return bool(value.args or value.keywords)

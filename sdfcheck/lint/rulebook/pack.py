@@ -58,7 +58,7 @@ class Pack(NamedTuple):
 
 
 class Fault(NamedTuple):
-    """What keeps a rule or a module of a pack from being loaded, and where: ``path:line``."""
+    """The error that keeps a rule or a module of a pack from being loaded, and where: ``path:line``."""
 
     place: str
     text: str

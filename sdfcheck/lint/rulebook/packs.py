@@ -39,7 +39,7 @@ class RuleIndex:
         self._modules_of_conditions = conditions
 
     def condition(self, facts: RuleFacts) -> Condition:
-        """What decides at little cost whether a rule has something to report."""
+        """Conditions that decide at little cost whether a rule has something to report."""
         if self._conditions is None:
             self._conditions = {}
             for module in self._modules_of_conditions:

@@ -41,7 +41,7 @@ class RuleBook:
         return self._loaded(settings)[0]
 
     def faults(self, settings: Settings) -> tuple[Fault, ...]:
-        """What keeps rules of the plugins from being loaded."""
+        """Errors that keep rules of the plugins from being loaded."""
         return self._loaded(settings)[0].faults
 
     def active(self, settings: Settings, path: Path) -> ActiveRules:
@@ -61,7 +61,7 @@ class RuleBook:
         return self._active[key]
 
     def dispatch(self, settings: Settings, path: Path) -> Dispatch:
-        """The same, as the engine wants it; files with the same rules share it."""
+        """The same in the engine's form; files with the same rules share it."""
         key = (settings, settings.ignored_for(path))
         if key not in self._dispatch:
             from sdfcheck.lint.engine import Dispatch

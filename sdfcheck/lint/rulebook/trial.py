@@ -163,7 +163,7 @@ def _listed(diagnostics: list[Diagnostic]) -> str:
 
 
 def _errors(found: list[Diagnostic]) -> str:
-    """What is wrong with an example in which a rule finds nothing."""
+    """The reason for an example in which a rule finds nothing."""
     error = next((d for d in found if d.severity is Severity.ERROR), None)
     return f" (but {error.code} {error.name}: “{error.message}” at {_place(error.span)})" if error else ""
 

@@ -46,7 +46,7 @@ class VendorRule(Rule):
 
     @staticmethod
     def does(subject: VendorTag | VendorValue, effect: Effect) -> str:
-        """What the vendor's consumer does, as the second half of a sentence."""
+        """The reaction of the vendor's consumer, as the second half of a sentence."""
         tag = subject.tag if isinstance(subject, VendorValue) else subject
         return f"{tag.vendor.name} {by_effect(effect).words}"
 

@@ -24,7 +24,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 
 _OWN = frozenset(facts.code for facts in (*FACTS, INTERNAL_ERROR))
-"""What the engine says for itself is no matter of opinion."""
+"""Diagnostics of the engine itself cannot be silenced."""
 _LINE_END = re.compile(r"\r\n?|\n")
 _Key = tuple[str, int]
 """The kind of directive, and the offset of the element that it goes before."""
@@ -35,8 +35,8 @@ def add_ignores(
 ) -> Iterator[FixedFile]:
     """Each file of a run in which something can be silenced, before and after; nothing is written.
 
-    What a comment before the element does not reach takes one for the whole file. What
-    was found in other files is silenced where these are included.
+    A diagnostic that a comment before the element does not reach takes one for the whole file.
+    Diagnostics in other files are silenced where these are included.
     """
     files = {os.path.realpath(path): path for path in done.files}
     wanted: dict[Path, list[tuple[Diagnostic, Span]]] = {}
@@ -55,9 +55,10 @@ def add_ignores(
 
 
 def ignoring(document: Document, diagnostic: Diagnostic, rules: Sequence[RuleFacts]) -> list[Edit]:
-    """The edits of a document that silence one diagnostic, where it is if that can be, else in the whole file.
+    """The edits of a document that silence one diagnostic, where it is if that can be, else in the
+    whole file.
 
-    None for what is no matter of opinion, or silenced already.
+    None for a diagnostic that cannot be silenced, or is silenced already.
     """
     if diagnostic.code in _OWN or document.root is None:
         return []
@@ -83,7 +84,7 @@ def _marked(
 
 
 class _Marks:
-    """The directives that a document needs besides those that it has."""
+    """The directives that a document needs in addition to those that it has."""
 
     def __init__(self, document: Document, rules: Sequence[RuleFacts]) -> None:
         self._document = document
@@ -146,7 +147,7 @@ class _Marks:
         return number if start <= place.start < end and is_free else None
 
     def _break(self, start: int) -> str:
-        """What comes between a comment and the element after it: a new line as the element's own."""
+        """The text between a comment and the element after it: a new line as the element's own."""
         text = self._source.text
         line = max(text.rfind("\n", 0, start), text.rfind("\r", 0, start)) + 1
         indent = text[line:start]

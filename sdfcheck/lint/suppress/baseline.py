@@ -28,8 +28,7 @@ class Held(NamedTuple):
 def read(path: Path) -> Mapping[Key, int]:
     """The numbers of a baseline.
 
-    Raises:
-        WrongUsage: there is none, or it is none.
+    Raises: WrongUsage: the file does not exist, or is not a baseline.
     """
     import json
 

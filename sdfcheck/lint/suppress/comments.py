@@ -1,4 +1,4 @@
-"""Comments that may speak to sdfcheck, and what they stand before."""
+"""Comments that may be directives of sdfcheck, and the elements after them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def comments(source: Source, scan: Scan) -> list[Comment]:
 
 
 def reach(source: Source, scan: Scan, number: int) -> tuple[int, int]:
-    """What a comment before an element covers: its start tag, and all of a leaf or an include."""
+    """The reach of a comment before an element: its start tag, and all of a leaf or an include."""
     place = scan.place(number)
     is_leaf = number + 1 == len(scan.starts) or scan.starts[number + 1] >= place.close_end
     is_whole = is_leaf or is_include(source, place.start)

@@ -27,7 +27,7 @@ VERBS = (IGNORE, DISABLE, ENABLE, IGNORE_FILE)
 
 _DIRECTIVE = r"<!--\s*(sdfcheck(?:\s*(:))?\s*([A-Za-z][\w-]*)\s*(?:(\[)([^\]]*)(\]?))?)"
 ANY_RULE = ""
-"""Stands for the code of every rule, where a directive has no brackets."""
+"""Means the code of every rule, where a directive has no brackets."""
 
 
 class Selector(NamedTuple):
@@ -93,7 +93,7 @@ def _understand(word: Span, rules: Sequence[RuleFacts]) -> Selector | Diagnostic
 
 
 def _complaint(comment: Comment, match: re.Match[str]) -> Diagnostic | None:
-    """What keeps a directive from being understood at all."""
+    """The fault that keeps a directive from being understood at all."""
     verb = match[3]
     if verb not in VERBS:
         near, place = nearest_choice(verb, VERBS), _part(comment, match, 3)

@@ -78,4 +78,4 @@ def _facts(rule: OwnRule, fixable: str) -> RuleFacts:
 
 
 FACTS = (_facts(UnusedSuppression, "safe"), _facts(MalformedSuppression, "unsafe"))
-"""What the index of rules would hold about these, were they part of a pack."""
+"""The entry of the index of rules about these, if they were in a pack."""

@@ -1,7 +1,7 @@
-"""What directives silence, and which of them silence nothing.
+"""The effect of directives, and those without effect.
 
-What was reached through a macro or an include can be silenced where it is, where
-the macro is called, or where the file is included.
+A diagnostic that was reached through a macro or an include can be silenced where it is, where the
+macro is called, or where the file is included.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from sdfcheck.source.text import Span
 
 
 class Filtered(NamedTuple):
-    """What is left of the diagnostics, how many were silenced, and what is said about useless directives."""
+    """The diagnostics that are left, how many were silenced, and the notes on useless directives."""
 
     kept: tuple[Diagnostic, ...]
     suppressed: int
@@ -64,7 +64,7 @@ def suppress(
 
 
 class _Range(NamedTuple):
-    """What one word of one directive silences; ``end`` is -1 for the end of the file."""
+    """The reach of one word of one directive; ``end`` is -1 for the end of the file."""
 
     start: int
     end: int
@@ -77,7 +77,7 @@ _Key = tuple[Path, str]
 
 
 class _Ranges:
-    """What is silenced, by file and code: next elements, stretches, whole files."""
+    """The silenced places, by file and code: next elements, stretches, whole files."""
 
     __slots__ = ("_near", "_open", "_whole", "_wide", "silenced", "used")
 
@@ -158,7 +158,7 @@ def _covering(ranges: Sequence[_Range], offset: int) -> _Range | None:
 
 
 def _unused(directive: Directive, used: set[int], active: frozenset[str]) -> list[Diagnostic]:
-    """What to say of the words of a directive that silenced nothing, as far as that can be judged."""
+    """The notes on the words of a directive that silenced nothing, as far as that can be judged."""
     words = [
         selector
         for index, selector in enumerate(directive.selectors)

@@ -25,8 +25,8 @@ _LONG = 60
 def guard(rule: Rule) -> None:
     """Hold a rule to what rules promise.
 
-    Its ``check`` then raises Misbehavior for what is no diagnostic of the rule; what it and
-    ``applies`` print goes to stderr.
+    Its ``check`` then raises Misbehavior for a result that is not a diagnostic of the rule; prints
+    of ``check`` and ``applies`` go to stderr.
     """
     place = place_of_check(type(rule))
     prints = Aside(f"rule {rule.code} {rule.name} ({place})")
@@ -54,7 +54,7 @@ def guard(rule: Rule) -> None:
 
 
 def _iterated(returned: Any, place: str) -> Iterator[Any]:
-    """What a rule yields."""
+    """The diagnostics that a rule yields."""
     if isinstance(returned, Diagnostic):
         raise Misbehavior(place, "`check` returned a Diagnostic: yield it")
     if isinstance(returned, str) or not isinstance(returned, Iterable):
@@ -63,7 +63,7 @@ def _iterated(returned: Any, place: str) -> Iterator[Any]:
 
 
 def _wrong(item: Any, rule: Rule) -> Iterator[str]:
-    """What is wrong with something that a rule has yielded."""
+    """The fault of something that a rule has yielded."""
     if not isinstance(item, Diagnostic):
         yield f"`check` yielded {_shortened(item)}, not a Diagnostic: use self.diagnostic(…)"
         return

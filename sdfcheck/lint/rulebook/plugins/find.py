@@ -19,8 +19,7 @@ GROUP = "sdfcheck.rules"
 def find_pack(name: str | Path) -> Pack:
     """Locate a pack: a folder if the name is a path, else an entry point, else a package or module.
 
-    Raises:
-        PackError: there is none.
+    Raises: PackError: the pack is not found.
     """
     if isinstance(name, Path) or "/" in name or os.sep in name:
         return _in_folder(Path(name))

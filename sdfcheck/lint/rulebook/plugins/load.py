@@ -52,7 +52,7 @@ class Imported(NamedTuple):
 
 
 class Plugins(NamedTuple):
-    """What plugins bring: facts of rules, tables of vendors, modules with conditions; and what is wrong."""
+    """The content of plugins: facts of rules, vendor tables, modules with conditions; their faults."""
 
     facts: tuple[RuleFacts, ...]
     tables: tuple[Path, ...]
@@ -63,7 +63,7 @@ class Plugins(NamedTuple):
 def load_plugins(
     names: Sequence[str | Path], others: Sequence[RuleFacts] = (), *, anew: bool = False
 ) -> Plugins:
-    """The rules of plugins beside those of ``others``; ``anew``: whatever indexes the plugins have.
+    """The rules of plugins in addition to those of ``others``; ``anew``: without the indexes of the plugins.
 
     Raises:
         PackError: a plugin cannot be loaded at all, or takes a prefix that is taken.
@@ -171,7 +171,7 @@ def import_pack(pack: Pack) -> Imported:
             _open(pack)
         except KeyboardInterrupt:
             raise
-        except BaseException as error:  # a stranger's module may fail in any way
+        except BaseException as error:  # a module of a plugin may fail in any way
             raise PackError(_failure(error, pack.package, pack.folder), pack.name) from error
         for name, path in _modules(pack):
             made = _import(name)

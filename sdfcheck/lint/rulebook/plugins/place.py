@@ -45,7 +45,7 @@ def at(path: Path | str, line: int) -> str:
 
 
 def failure(facts: RuleFacts, error: BaseException) -> tuple[str, str]:
-    """What failed in a rule and where, and what to do about it."""
+    """The failure of a rule, its place, and the way to fix it."""
     place = error.place if isinstance(error, Misbehavior) else place_of_error(error, facts.module)
     where = f" at {place}" if place else ""
     message = f"rule {facts.code} {facts.name} failed{where}: {described(error)}"

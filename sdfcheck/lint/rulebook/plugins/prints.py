@@ -1,4 +1,4 @@
-"""What rules print goes to stderr: stdout carries the report."""
+"""Prints of rules go to stderr: stdout carries the report."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What keeps a rule from running at all: attributes that are missing or not what they should be."""
+"""Faults that keep a rule from running at all: attributes that are missing or malformed."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _DIALECTS = ("sdf", "urdf", "xacro", "model-config")
 
 
 class Flaw(NamedTuple):
-    """What is wrong with an attribute of a rule."""
+    """The fault of an attribute of a rule."""
 
     attribute: str
     text: str
 
 
 def flaws(rule: type[Rule]) -> Iterator[Flaw]:
-    """What is wrong with a rule, one flaw for each attribute at most."""
+    """The faults of a rule, one for each attribute at most."""
     for attribute, examine in _EXAMINED.items():
         value = vars(rule).get(attribute) if attribute == "code" else getattr(rule, attribute, None)
         text = examine(value) if value is not None else _MISSING.get(attribute)
@@ -45,7 +45,7 @@ _SUBJECTS = ("looks_at", "selects", "explains")
 
 
 def _looks_nowhere(rule: type[Rule]) -> str | None:
-    """What is wrong with the three attributes that say what a rule looks at, taken together."""
+    """The fault of the three attributes that list the targets of a rule, taken together."""
     if not any(getattr(rule, attribute) for attribute in _SUBJECTS):
         return f"looks at nothing: give it {' or '.join(f'`{name}`' for name in _SUBJECTS)}"
     if Element in rule.looks_at and not rule.selects:
@@ -104,7 +104,7 @@ def _selects(value: object) -> str | None:
 
 
 def _selector(selector: str) -> str | None:
-    """What is wrong with a selector: an unknown dialect, or a place that the format does not have."""
+    """The fault of a selector: an unknown dialect, or a place that the format does not have."""
     dialect, colon, path = selector.partition(":")
     if not colon or dialect not in _DIALECTS:
         return f"`selects` has `{selector}`, which should begin with one of {', '.join(f'`{d}:`' for d in _DIALECTS)}"
