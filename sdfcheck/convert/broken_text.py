@@ -28,6 +28,6 @@ def guess_in(document: Document) -> Span | None:
 
 def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
     found = (problem for problem in document.problems if isinstance(problem, kinds))
-    # What version of XML a declaration names changes nothing about the text.
+    # The version of XML that a declaration names does not change the text.
     spans = (p.span for p in found if getattr(p, "kind", None) is not SyntaxKind.ODD_VERSION)
     return min(spans, key=lambda span: span.start, default=None)

@@ -1,4 +1,4 @@
-"""What differs between two robots, whatever formats they were read from.
+"""Differences between two robots, whatever formats they were read from.
 
 Links are compared where their parents carry them, so that one moved joint is one
 difference and not one for every link after it.
@@ -34,7 +34,7 @@ def compare(
     across_formats: bool = False,
     tolerance: float = TOLERANCE,
 ) -> list[Change]:
-    """What changed from ``a`` to ``b``, and from one of the ``contents`` to the other.
+    """The changes from ``a`` to ``b``, and from one of the ``contents`` to the other.
 
     ``across_formats``: what only one of the formats can say (names of shapes, frames, where
     a mesh is looked for) is not compared.
@@ -105,7 +105,7 @@ class _Comparison:
         if a.name in self.moved:
             yield self.changed("link", b.name, "frame", *pose_texts(np.eye(4), self.moved[a.name]))
         if self.names.links.get(parent, parent) != other_parent:
-            parent, here, there = "", a.pose, b.pose  # the joint tells that the parent is another
+            parent, here, there = "", a.pose, b.pose  # the joint reports that the parent is another
         if not same_pose(here, there, self.tolerance):
             what = f"pose in `{parent}`" if parent else "pose"
             yield self.changed("link", b.name, what, *pose_texts(here, there))
@@ -185,7 +185,7 @@ class _Comparison:
             if x != y:
                 yield self.changed("joint", name, what, x, y)
         here, there = _in_child(self.a, a), _in_child(self.b, b)
-        if self.across_formats:  # URDF has no frames of joints that are turned: the axis tells
+        if self.across_formats:  # URDF has no frames of joints that are turned: the axis shows them
             here[:3, :3] = there[:3, :3] = np.eye(3)
         if not same_pose(here, there, self.tolerance) and (a.moves or not self.across_formats):
             yield self.changed("joint", name, "pose in the child", *pose_texts(here, there))
@@ -241,7 +241,7 @@ def _turned_round(joint: Joint) -> Joint:
 
 
 def _bounded(value: float) -> float:
-    """Bounds that no joint reaches are none."""
+    """Bounds that no joint reaches count as unlimited."""
     return math.copysign(math.inf, value) if abs(value) >= _ENDLESS else value
 
 
@@ -251,7 +251,7 @@ def _in_child(robot: Mechanism, joint: Joint) -> Array:
 
 
 def _partner(geometry: Geometry, gone: list[Geometry], new: list[Geometry]) -> Geometry | None:
-    """What a shape has become: the one of its name, or the only other one of its role."""
+    """The counterpart of a shape: the one of its name, or the only other one of its role."""
     same_role = [g for g in new if g.role == geometry.role]
     named = next((g for g in same_role if g.name and g.name == geometry.name), None)
     alone = len(same_role) == 1 and sum(g.role == geometry.role for g in gone) == 1
@@ -275,7 +275,7 @@ def pose_texts(a: Array, b: Array) -> tuple[str, str]:
 
 
 def _pair(a: Array | tuple[float, ...], b: Array | tuple[float, ...]) -> tuple[str, str]:
-    """Two lists of numbers, with as many digits as it takes to tell them apart."""
+    """Two lists of numbers, with as many digits as distinguish them."""
     texts = ("", "")
     for digits in (6, 10, 17):
         texts = tuple(" ".join(_digits(float(x), digits) for x in numbers) for numbers in (a, b))  # type: ignore[assignment]

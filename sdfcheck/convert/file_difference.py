@@ -1,4 +1,4 @@
-"""What differs between two files: the models in them, where they are, and each robot."""
+"""Differences between two files: the models in them, where they are, and each robot."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from sdfcheck.source.sniff import Kind
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A model of a file: the robot, its settings, its 4×4 pose in the world, and whether it stands still."""
+    """A model of a file: the robot, its settings, its 4×4 pose in the world, and whether it is static."""
 
     robot: Mechanism
     contents: Contents
@@ -74,7 +74,7 @@ def placed_models(document: Document) -> dict[str, Placed]:
 def compare_files(
     a: Document, b: Document, *, tolerance: float = TOLERANCE, across_formats: bool = False
 ) -> FileDifference:
-    """What changed from one document to another.
+    """The changes from one document to another.
 
     ``across_formats``: compare as if their formats differed, as :func:`compare` has it.
 
@@ -103,7 +103,7 @@ def compare_files(
 
 
 def _worlds(a: Document, b: Document) -> list[tuple[str, tuple[Change, ...]]]:
-    """What changed in the worlds themselves, where both files have one."""
+    """The changes in the worlds themselves, where both files have one."""
     found = []
     for before, after in zip(root_of(a).worlds, root_of(b).worlds, strict=False):
         apart = divergences(of_world(before), of_world(after))
@@ -119,7 +119,7 @@ def _worlds(a: Document, b: Document) -> list[tuple[str, tuple[Change, ...]]]:
 
 def _placed(scope: Model, pose: Array) -> Placed:
     robot = mechanism_of(scope, vendors=True)
-    if scope.is_static:  # what stands still needs no joint to stand
+    if scope.is_static:  # a static model needs no joint to the world
         anchors = {j.name for j in robot.joints.values() if j.kind == "fixed" and j.parent == "world"}
         robot.joints = {name: joint for name, joint in robot.joints.items() if name not in anchors}
     return Placed(robot, of_model(scope), pose, scope.is_static)

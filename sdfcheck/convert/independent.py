@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
 TOLERANCE = 1e-6
-"""What a library may differ that computes in chains of its own (m, rad)."""
+"""The tolerance for a library that computes in chains of its own (m, rad)."""
 CONFIGURATIONS = 16
 
 

@@ -45,7 +45,7 @@ def shortened(text: str) -> str:
 
 
 def shown(element: Element) -> str:
-    """What to call an element, with its value if that is short, and what it is in."""
+    """The name of an element in a sentence, with its value if that is short, and its parent."""
     text = element.content
     value = ""
     if text and len(text) <= _SHOWN and next(element.children(), None) is None:
@@ -55,7 +55,7 @@ def shown(element: Element) -> str:
 
 
 def other_shapes(element: Element) -> list[Element]:
-    """The shapes beside a shape in its geometry, which can have one; none for anything else."""
+    """The shapes beside a shape in its geometry, which can have one; empty for any other element."""
     at = element.parent
     return (
         [child for child in at.children() if child is not element]

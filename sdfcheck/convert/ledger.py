@@ -1,9 +1,10 @@
 """The books of a conversion: each item of the source, and what became of it.
 
-Items are elements, attributes, texts and comments. A writer enters what it carries, translates
-or merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so
-that nothing disappears in silence. What a writer should have entered is a bug of the converter,
-and says so (CNV030). ``prove`` looks into the result for what is said to be carried as it is.
+Items are elements, attributes, texts and comments. A writer enters what it carries, translates or
+merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so that
+nothing disappears in silence. An item that a writer should have entered is a bug of the converter,
+and is reported as such (CNV030). ``prove`` looks into the result for what is said to be carried as
+it is.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ _KINDS = {
 
 
 class Ledger:
-    """What became of the items of a source; ``target`` is the format that it is written in.
+    """The outcomes of the items of a source; ``target`` is the format that it is written in.
 
     Without ``words`` the converter is to have an outcome for each element that is not custom.
     """
@@ -54,12 +55,14 @@ class Ledger:
         """Custom elements and attributes that are said to be in the result."""
         self._reported: set[tuple[LossKind, Span, str]] = set()
 
-    # What is in the result
+    # Items in the result
 
     def take(self, element: Element | None, *attributes: str) -> None:
-        """An element is said in the result, by its value and these attributes; without any, by all that mean something.
+        """An element is said in the result, by its value and these attributes; without any, by all
+        that mean something.
 
-        What is in it is entered apart. ``TEXT`` among the attributes is a value that is not in the words.
+        Its content is entered apart. ``TEXT`` among the attributes is a value that is not in the
+        words.
         """
         if element is not None:
             names = frozenset(attributes) if attributes else self._known(element)
@@ -67,7 +70,7 @@ class Ledger:
             self._taken[element] = names if before is None else before | names
 
     def _known(self, element: Element) -> frozenset[str]:
-        """What of an element means something: attributes, and maybe its text."""
+        """The parts of an element with a meaning: attributes, and maybe its text."""
         if self._words is not None:
             return self._words.get(element.name, frozenset())
         return frozenset((TEXT, *(name for name in element.attributes if ":" not in name)))
@@ -119,7 +122,7 @@ class Ledger:
     def _enter(self, element: Element, attribute: str) -> None:
         self._taken[element] = self._taken.get(element, frozenset()) | {attribute}
 
-    # What is not
+    # Items that are lost
 
     def lose(
         self, kind: LossKind, element: Element, message: str, severity: Severity = Severity.WARNING

@@ -1,4 +1,4 @@
-"""What a conversion could not carry over as it was."""
+"""Parts that a conversion could not carry over as they were."""
 
 from __future__ import annotations
 

@@ -244,7 +244,7 @@ class LossKind(Enum):
 
     @property
     def facts(self) -> RuleFacts:
-        """What there is to say of the kind, the way it is said of rules; the severity is the highest."""
+        """The facts of the kind, in the form of a rule's; the severity is the highest."""
         fatal = self in {LossKind.NOT_CONVERTIBLE, LossKind.NOT_VERIFIED, LossKind.UNSOUND_RESULT}
         severity = Severity.ERROR if fatal else Severity.WARNING
         about = self.value[2]

@@ -1,4 +1,4 @@
-"""What a converter hands back."""
+"""The result of a converter."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ class Comparison:
     result: Mechanism
     correspondence: Correspondence
     contents: tuple[Contents, Contents] | None = None
-    """What else is in the texts: sensors, plugins, materials."""
+    """The other contents of the texts: sensors, plugins, materials."""
     translated: frozenset[Element] = frozenset()
-    """What the result says in another place or in other words."""
+    """The parts that the result has in another place or in other words."""
 
     def verify(self, losses: Sequence[Loss] = ()) -> Verification:
         """Compare them; what is reported as a loss need not be equal."""

@@ -1,4 +1,4 @@
-"""What came of comparing two robots."""
+"""The results of comparing two robots."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class Verification:
-    """What was compared, and the largest differences that were met (m, rad, relative for the mass)."""
+    """The compared parts, and the largest differences that were found (m, rad, relative for the mass)."""
 
     links: int
     configurations: int
@@ -26,7 +26,7 @@ class Verification:
     inertia: float
     differences: tuple[Difference, ...]
     counts: Mapping[str, int] = field(default_factory=dict)
-    """What else was compared: joints, shapes, sensors, plugins and so on."""
+    """The other compared parts: joints, shapes, sensors, plugins and so on."""
 
     @property
     def is_equal(self) -> bool:

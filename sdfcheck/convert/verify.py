@@ -30,7 +30,7 @@ from sdfcheck.robot.motion.rotations import Array, angles_between, inverse
 TOLERANCE = 1e-9
 CONFIGURATIONS = 64
 _ENDLESS = 1e15
-"""Bounds from here on mean none, for formats that want a number."""
+"""Bounds from here on mean unlimited, for formats that require a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Counterpart:
 
 @dataclass(frozen=True, slots=True)
 class Correspondence:
-    """What became of the source's links and joints; what is not named keeps its name, or is ``dropped``."""
+    """The outcomes of the source's links and joints; other parts keep their names, or are ``dropped``."""
 
     links: Mapping[str, Counterpart] = field(default_factory=dict)
     joints: Mapping[str, str] = field(default_factory=dict)
@@ -123,7 +123,7 @@ class _Comparison:
         )
 
     def counts(self, settings: Settings | None) -> dict[str, int]:
-        """What was compared in addition to links."""
+        """The parts that were compared in addition to links."""
         joints = sum(name not in self.to.dropped_joints for name in self.source.joints)
         others = settings.source.count() if settings is not None else {}
         return {"joint": joints, "shape": len(self.shapes), **dict(sorted(others.items()))}
@@ -169,7 +169,7 @@ class _Comparison:
         angles_apart = angles_between(here[..., :3, :3], there[..., :3, :3])
         self.position, self.angle = float(positions_apart.max()), float(angles_apart.max())
         allowed = self.tolerance * np.maximum(1.0, np.linalg.norm(here[..., :3, 3], axis=-1))
-        # Written so that what is no number is off as well.
+        # Written so that a value that is not a number is off as well.
         off = ~((positions_apart <= allowed) & (angles_apart <= self.tolerance))
         for number in np.flatnonzero(off.any(axis=1)):
             apart = f"{positions_apart[number].max():.3g} m and {angles_apart[number].max():.3g} rad"
@@ -230,7 +230,7 @@ class _Comparison:
                     self.compare_axes(joint, mine, other.axes[which])
 
     def compare_axes(self, joint: Joint, mine: Axis, theirs: Axis) -> None:
-        # What follows another joint, and whether it does so rightly, shows in the poses.
+        # Wrong couplings of joints show in the poses.
         if mine.mimic is not None and theirs.mimic is None:
             self.differ("joint", joint.name, f"does not follow `{mine.mimic.leader}`")
         for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):

@@ -12,7 +12,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 INDENT = "  "
 _NOISE = 1e-15
-"""Smaller numbers in a computed vector, or beside numbers of its scale, are what is left of rounding."""
+"""Smaller numbers in a computed vector, or beside numbers of its scale, come from rounding."""
 
 
 class Comment:
@@ -184,7 +184,7 @@ def _gives_up_blanks(element: Element) -> bool:
 
 
 def comment_of(node: object) -> Comment | None:
-    """What to write for a node of lxml that is a comment; None for any other."""
+    """The text for a node of lxml that is a comment; None for any other."""
     from lxml import etree
 
     return Comment(node.text or "") if isinstance(node, etree._Comment) else None
@@ -226,7 +226,7 @@ def numbers(values: Iterable[float]) -> str:
 
 
 def settled(value: float, scale: float = 1.0) -> float:
-    """A computed number; 0 if it is what is left of rounding beside numbers of a scale."""
+    """A computed number; 0 if it comes from rounding beside numbers of a scale."""
     return 0.0 if abs(value) < _NOISE * scale else value
 
 

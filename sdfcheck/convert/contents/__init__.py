@@ -1,1 +1,1 @@
-"""What a robot has beyond bodies and joints that move: sensors, plugins, materials, surfaces, custom data."""
+"""Other contents of a robot than bodies and moving joints: sensors, plugins, materials, custom data."""

@@ -1,4 +1,4 @@
-"""What changed in the settings of a robot."""
+"""The changes in the settings of a robot."""
 
 from __future__ import annotations
 

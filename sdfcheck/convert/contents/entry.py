@@ -35,7 +35,7 @@ class Entry:
         self.element = element
         """The place in the text that it comes from."""
         self.definition = definition
-        """What the format says of it; None for what is custom, or free."""
+        """Its definition in the format; None for a custom element, or free content."""
         self.attributes: dict[str, str] = {}
         self.children: list[Entry] = []
         self.pose: Array | None = None
@@ -121,7 +121,7 @@ class Divergence(NamedTuple):
     before: str
     after: str
     element: Element | None
-    """The place in the first text, or the nearest that there is."""
+    """The place in the first text, or the nearest one."""
 
 
 def same_text(a: str, b: str, tolerance: float = 1e-9) -> bool:

@@ -1,4 +1,4 @@
-"""What an SDFormat file says beyond bodies and joints that move."""
+"""The contents of an SDFormat file beyond bodies and joints that move."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def of_model(model: Model) -> Contents:
 
 
 def of_world(world: World) -> Entry:
-    """What a world has in addition to models."""
+    """The contents of a world in addition to models."""
     definition = schema(survey(world.document).version).root.children.get("world")
     made = _entry(world.element, definition, _OF_WORLDS)
     for physics in [child for child in made.children if child.name == "physics"]:
@@ -134,11 +134,11 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
 
 
 def _add_custom(shape: Entry, element: Element) -> None:
-    """What is custom in a shape."""
+    """The custom parts of a shape."""
     shape.children += custom_entries(element.children(), Kind.SDF)
 
 
 def _definition(element: Element, kind: str) -> Definition | None:
-    """What the version of its file says of a link, joint or model."""
+    """The definition of a link, joint or model in the version of its file."""
     model = schema(survey(element.document).version).root.children.get("model")
     return model if kind == "model" or model is None else model.children.get(kind)

@@ -1,4 +1,4 @@
-"""What a URDF file says beyond bodies and joints that move, in SDFormat's words.
+"""The contents of a URDF file beyond bodies and joints that move, in SDFormat's words.
 
 That is ``<gazebo>`` blocks, materials and custom data.
 """
@@ -53,7 +53,7 @@ def of_urdf(model: Model) -> Contents:
     for element in (element for name in _KEPT for element in model.element.children(name)):
         kept = robot.add(custom_entry(element, Kind.URDF))
         for actuator in (child for child in kept.children if child.name == "actuator"):
-            # What vendors say of it is the joint's.
+            # Vendor tags of it are the joint's.
             actuator.children = [child for child in actuator.children if ":" not in child.name]
     for link in model.links:
         _link(found, link, sdf.children["link"])
@@ -90,7 +90,7 @@ def _link(found: Contents, link: Link, definition: Definition) -> None:
 
 
 def _of_shape(made: Entry, element: Element, definition: Definition | None) -> None:
-    """What a block says of all visuals or collisions of a link."""
+    """The settings in a block for all visuals or collisions of a link."""
     name = element.name
     if name == made.name:
         _lay_over(made, entry_of(element, definition))
@@ -148,7 +148,7 @@ def _is_of_link(joint: Joint, element: Element) -> bool:
 
 
 def _drive(found: Contents, model: Model) -> None:
-    """What vendors say of the actuator of a joint."""
+    """Vendor tags of the actuator of a joint."""
     for transmission in model.transmissions:
         kind, names = transmission.type_value, transmission.joint_names
         if kind is None or "SimpleTransmission" not in kind.text or not names or not transmission.actuators:
@@ -170,7 +170,7 @@ def _add(made: Entry, element: Element) -> None:
 
 
 def _lay_over(entry: Entry, other: Entry) -> None:
-    """What one setting says goes before what the other said."""
+    """The values of one setting take precedence over those of the other."""
     entry.attributes.update(other.attributes)
     entry.text = other.text or entry.text
     for child in other.children:

@@ -70,7 +70,7 @@ def _read(slot: Slot, text: str) -> str:
 
 
 def _is_read(element: Element, kind: Kind) -> bool:
-    """Does its consumer look for it where it is? What no table is about is anybody's."""
+    """Does its consumer look for it where it is? Elements that no table has may be anybody's."""
     if not element.name.startswith(tuple(f"{prefix_of(table)}:" for table in BUILT_IN)):
         return True
     tag, parent = tag_of(element.name, kind), element.parent
@@ -82,7 +82,7 @@ def _is_read(element: Element, kind: Kind) -> bool:
 
 
 def attribute_entry(element: Element, name: str, text: str) -> Entry | None:
-    """A tag that is an attribute; None if it is none that a table knows."""
+    """A tag that is an attribute; None if no table has it."""
     tag = tag_of(name, Kind.URDF)
     slot = (
         next((place.slot for place in tag.places if place.slot is not None), None)
@@ -106,7 +106,7 @@ def attribute_entries(element: Element) -> Iterator[Entry]:
 
 
 def tag_of(name: str, kind: Kind) -> Tag | None:
-    """What a table says of a name; None if none is about it."""
+    """The entry of a table for a name; None if no table has it."""
     for table in BUILT_IN:
         if name.startswith(f"{prefix_of(table)}:"):
             return _vendor(kind, table.name).tags.get(name)

@@ -15,7 +15,7 @@ from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 
 _NO_EXCUSE = frozenset({LossKind.KEPT_AS_EXTENSION})
-"""What is said to be there has to be there."""
+"""Parts that are listed must exist."""
 _NOT_COMPARED = ("/pose", "material/ambient", "material/script", "material/pbr")
 """Where the formats differ: what a merged link carries moves, and URDF has one color and one texture."""
 

@@ -1,4 +1,4 @@
-"""What of a source is in a draft at the end: the text of what no step takes out is the author's."""
+"""The parts of a source that are in a draft at the end: text that no step takes out is the author's."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Defaults that differ between two versions, and dead content that would come alive.
 
-What relies on a default that the target does not have gets the value of its own
-version in writing.
+A value that relies on a default that the target does not have is written out.
 """
 
 from __future__ import annotations

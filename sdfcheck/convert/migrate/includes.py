@@ -1,4 +1,4 @@
-"""What includes bring: written out where the target cannot include it, reported where it is too new."""
+"""Includes: written out where the target cannot include the file, reported where it is too new."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from sdfcheck.source.text import Source
 
 
 def write_out_merges(migration: Migration) -> None:
-    """Put what merged includes bring in their place; a frame stands for the merged model."""
+    """Put the parts of merged includes in their place; a frame replaces the merged model."""
     for include in migration.root.of("include"):
         merges = (include.get("merge") or "").strip().lower() in {"true", "1"}
         since = 9 if include.parent is None or include.parent.name == "model" else 10

@@ -49,7 +49,7 @@ def sdf_to_sdf(
 ) -> Conversion:
     """Write a document for the consumers of another version.
 
-    What is not touched stays as it is, to the byte. Raises NotConvertible where no
+    Text that is not touched stays as it is, to the byte. Raises NotConvertible where no
     result could be right.
     """
     migration = migrated(document, target, keep_unknown=keep_unknown)
@@ -71,8 +71,8 @@ def to_sdf(document: Document, version: Version) -> Conversion:
 def migrated(document: Document, target: Version, *, keep_unknown: bool = False) -> Migration:
     """The migration of a document, done.
 
-    Raises NotConvertible: the document is no SDFormat of a known version, or needs what
-    the target cannot say in any way.
+    Raises NotConvertible: the document is not SDFormat of a known version, or needs a feature that
+    the target cannot express.
     """
     given, document = document, with_newer_root(document)
     root = document.root
@@ -131,4 +131,4 @@ _STEPS: tuple[tuple[int, Callable[[Migration], None]], ...] = (
     (6, put_gravity_into_physics),
     (5, flatten),
 )
-"""What a target below 1.minor needs: in this order, since axes are turned while frames are still there."""
+"""The steps for a target below 1.minor: in this order, since axes are turned while frames are still there."""

@@ -1,4 +1,4 @@
-"""What the steps of a migration share: the draft, where it goes, and what got lost on the way."""
+"""The shared state of a migration's steps: the draft, its target, and the losses."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from sdfcheck.source.element import Element
 class Migration:
     """One document on its way from its version to another.
 
-    ``renamed_joints`` and ``moved_links`` go by the names that verification uses
-    (``arm::hand``); the sets name what is not to be compared because it is a loss.
-    ``kept`` stays although the target does not have it.
+    ``renamed_joints`` and ``moved_links`` have the names that verification uses (``arm::hand``);
+    the sets name the parts that are not to be compared because they are losses. ``kept`` stays
+    although the target does not have it.
     """
 
     def __init__(
@@ -95,6 +95,6 @@ class Migration:
 
 
 def title(node: Node) -> str:
-    """What to call a node in a sentence."""
+    """The name of a node in a sentence."""
     own = (node.get("name") or "").strip()
     return f"{node.name} `{own}`" if own else f"`{node.name}`"

@@ -1,6 +1,6 @@
 """Elements that can be changed, with every character of the file that is not.
 
-What no step touches is written back as it was: spaces, quotes, comments, entities.
+Text that no step touches is written back as it was: spaces, quotes, comments, entities.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from xml.sax.saxutils import escape, unescape
 from sdfcheck.source.element import Element
 
 _ATTRIBUTE = re.compile(r"""(?<!\s)(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
-# What has no end goes on to the last character: many of them must not be looked for one by one.
+# A piece without an end goes on to the last character: many of them must not be searched one by one.
 _PIECE = re.compile(
     r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)|<!\[CDATA\[(?P<cdata>.*?)(?:\]\]>|\Z)|(?P<text>[^<]+)", re.DOTALL
 )
@@ -160,7 +160,7 @@ class Node:
         self.parts.insert(0, written)
 
     def copy(self) -> Node:
-        """The same once more, standing nowhere."""
+        """A copy of it, without a parent."""
         other = Node(self.name, self.opening, self.closing, self.origin)
         other.written = self.written
         for part in self.parts:
@@ -228,7 +228,7 @@ class Node:
         return self.append(child, before=siblings[0] if siblings else None)
 
     def path(self, path: str) -> Node:
-        """What a path leads to; steps that are missing are made."""
+        """The node that a path leads to; steps that are missing are made."""
         at = self
         for step in path.split("/"):
             at = at.find(step) or at.add(step)

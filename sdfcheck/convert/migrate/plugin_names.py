@@ -1,7 +1,8 @@
-"""What plugins and custom elements say of links and joints that get another name.
+"""References of plugins and custom elements to links and joints that get another name.
 
-A vendor's table says what its elements mean. Nobody says it of those of a plugin, or of other custom ones: one
-that is called after a kind of thing (``joint_name``, ``link``) and holds the name of one means it; others are reported.
+A vendor's table says what its elements mean. Nobody says it of those of a plugin, or of other
+custom ones: one that is called after a kind of thing (``joint_name``, ``link``) and holds the name
+of one means it; others are reported.
 """
 
 from __future__ import annotations

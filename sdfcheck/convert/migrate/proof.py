@@ -29,7 +29,7 @@ from sdfcheck.source.element import Element
 
 
 def comparisons(migration: Migration) -> list[Comparison]:
-    """What there is to compare; a model whose source cannot be read is reported."""
+    """The models to compare; a model whose source cannot be read is reported."""
     source, result = migration.draft.source, migration.draft.read()
     others = dict(models(result))
     elsewhere = _translated(migration)
@@ -99,7 +99,7 @@ def _worlds(
 
 
 def _of_world(world: Scope) -> Contents:
-    """What a world has beside its models."""
+    """The parts of a world beside its models."""
     found = Contents(world.name)
     if isinstance(world, World):
         found.add("model", "", of_world(world))
@@ -139,7 +139,7 @@ def comparable(migration: Migration, robot: Mechanism) -> Mechanism:
 
 
 def correspondence(migration: Migration, source: Mechanism) -> Correspondence:
-    """What became of the links and joints of a model."""
+    """The new names of the links and joints of a model, and those that are lost."""
     joints = dict(migration.renamed_joints)
     links = dict(migration.moved_links)
     if migration.target < Version(1, 5):

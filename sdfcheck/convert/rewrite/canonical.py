@@ -34,7 +34,7 @@ _COMPUTED = frozenset(("auto_inertia_params", "density", "inertia", "mass", "pos
 
 @dataclass(frozen=True, slots=True)
 class CanonicalStyle:
-    """What to write how."""
+    """The choices for the canonical form."""
 
     numbers: NumberStyle = field(default_factory=NumberStyle)
     expand_includes: bool = False
@@ -43,7 +43,7 @@ class CanonicalStyle:
 
 @dataclass(frozen=True, slots=True)
 class CanonicalText:
-    """The canonical text; ``notes`` tell what was asked for and not done, and why."""
+    """The canonical text; ``notes`` list the requests that were not fulfilled, and why."""
 
     text: str
     notes: tuple[str, ...] = ()

@@ -1,8 +1,8 @@
 """Includes replaced by what they bring.
 
-What an include says itself (name, pose, static, placement frame, plugins) goes before
-what the included file says. A merged model leaves a frame in place of its own, by the
-name that libsdformat gives it.
+The children of an include (name, pose, static, placement frame, plugins) take precedence over those
+of the included file. A merged model leaves a frame in place of its own, by the name that
+libsdformat gives it.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class IncludeExpansion:
         branch.parts = parts
 
     def replacement(self, include: Element) -> list[Branch]:
-        """What takes the place of one include; nothing if it has to stay."""
+        """The nodes that replace one include; empty if it has to stay."""
         assert include.parent is not None
         document, own = include.document, branch_of(include)
         parts = self._replaced(own, Branch(include.parent.name), document, (document,))
@@ -118,7 +118,7 @@ class IncludeExpansion:
             at = at.parent
 
     def _in_version(self, found: Included, version: Version) -> Element | None:
-        """What an include brings, in the version of the file that includes it; None if it cannot be had."""
+        """The parts of an include, in the version of the file that includes it; None if it cannot be read."""
         assert found.document is not None
         if found.document.kind is Kind.SDF and survey(found.document).version == version:
             return found.model
@@ -191,7 +191,7 @@ def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
 
 
 def _give_custom(branch: Branch, *others: Branch) -> None:
-    """Hand on the custom attributes of what a branch stands for."""
+    """Hand on the custom attributes of the element that a branch replaces."""
     for other in others:
         for name, text in other.attributes.items():
             if ":" in name and not name.startswith("xmlns:"):
@@ -199,7 +199,7 @@ def _give_custom(branch: Branch, *others: Branch) -> None:
 
 
 def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -> list[Branch]:
-    """The parts of a model that is merged, after the frame that stands for it."""
+    """The parts of a model that is merged, after the frame that replaces it."""
     name = f"_merged__{found.name}__model__"
     frame = Branch("frame", name=name)
     first = next(
@@ -242,7 +242,7 @@ def _placed(found: Included, name: str) -> Branch:
 
 
 def _settle(part: Branch, name: str) -> None:
-    """What referred to the model's own frame, or was relative to it unsaid, refers to the frame in its place."""
+    """Parts that were relative to the model's own frame refer to the frame in its place."""
     _rename_frame(part, name)
     if part.name == "frame" and not part.attributes.get("attached_to", "").strip():
         part.attributes["attached_to"] = name

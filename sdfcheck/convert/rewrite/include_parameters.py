@@ -1,6 +1,6 @@
 """``experimental:params`` of an include, carried out on what it brings.
 
-What they do is what :mod:`sdfcheck.robot.includes.parameters` checks; here they are sound.
+:mod:`sdfcheck.robot.includes.parameters` checks their effects; here they are sound.
 Source: libsdformat 17's ParamPassing.cc.
 """
 
@@ -93,7 +93,7 @@ def _drop(parent: Branch, target: Branch) -> None:
 
 
 def _find(model: Branch, element_id: str, kind: str) -> tuple[Branch, Branch] | None:
-    """What an ``element_id`` names, with what it is in; the longest of several beginnings goes first."""
+    """The element that an ``element_id`` names, with its parent; the longest beginning goes first."""
     fitting = [child for child in _named(model) if _begins(element_id, child.attributes["name"])]
     for child in sorted(fitting, key=lambda child: -len(child.attributes["name"])):
         name = child.attributes["name"]

@@ -13,7 +13,7 @@ _FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "norm
 
 
 def relocated(name: str, text: str, found: Included, document: Document) -> str | None:
-    """What the content of an element of that name becomes; None if it can stay."""
+    """The new content of an element of that name; None if it can stay."""
     assert found.document is not None
     if name not in _FILES and not name.endswith("_map"):
         return None

@@ -45,7 +45,7 @@ class Names:
 
 
 def same_names(a: Iterable[str], b: Container[str]) -> dict[str, str]:
-    """What has one name, or the name that it gets where scopes are flattened."""
+    """The parts of one name, or of the name that they get where scopes are flattened."""
     same = {name: name for name in a if name in b}
     taken = set(same)
     for name in a:

@@ -27,7 +27,7 @@ def carry_inside(context: Context, node: Node, element: Element) -> None:
 
 
 def carry_around(context: Context, node: Node, model: Element) -> None:
-    """Write the comments of a model that stand before nothing that is written: at the start, or at the end."""
+    """Write the comments of a model that are before no written element: at the start, or at the end."""
     written = ("link", "joint", "model", "include", "frame")
     last = next((child for child in reversed(list(model.children())) if child.name in written), None)
     comments = [child for child in model if isinstance(child, etree._Comment)]

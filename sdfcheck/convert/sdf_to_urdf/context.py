@@ -1,4 +1,4 @@
-"""What the writers of links, joints and extensions share."""
+"""The shared state of the writers of links, joints and extensions."""
 
 from __future__ import annotations
 

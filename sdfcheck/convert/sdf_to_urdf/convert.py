@@ -275,7 +275,7 @@ def _tell_shift(context: Context, name: str) -> None:
 
 
 def _expected(context: Context) -> Mechanism:
-    """The robot that the result must be equal to: couplings that were told to be lost are not in it."""
+    """The robot that the result must be equal to: couplings that were reported as lost are not in it."""
     joints = dict(context.robot.joints)
     for name in context.unmimicked:
         joint = joints[name]

@@ -1,4 +1,4 @@
-"""Custom elements and attributes: carried over for whoever reads them, spelled as they are in URDF."""
+"""Custom elements and attributes: carried over for their consumers, spelled as they are in URDF."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 
 _OF_URDF = frozenset(("urdf:ros2_control", "urdf:transmission"))
-"""What the way from URDF to SDFormat keeps of a robot under a prefix."""
+"""The parts that the conversion from URDF to SDFormat keeps of a robot under a prefix."""
 
 
 def carry_custom(context: Context, node: Node, element: Element | None, scope: str) -> None:
@@ -100,6 +100,6 @@ def _declare(context: Context, element: Element, name: str) -> None:
 
 
 def namespace_of(prefix: str) -> str:
-    """What to declare for a prefix that its document does not declare."""
+    """The URI to declare for a prefix that its document does not declare."""
     known = (vendor(table, "urdf").namespace for table in BUILT_IN if prefix_of(table) == prefix)
     return next(known, f"urn:{prefix}")

@@ -205,7 +205,7 @@ def _tell_split(context: Context, joint: Joint, by: str, between: str) -> None:
 
 
 def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
-    """A joint that URDF cannot say, as the user wants it."""
+    """A joint that URDF cannot express, by the user's choice."""
     policy = context.options.ball
     what = f"URDF has no {joint.kind} joint"
     if policy is Unsupported.ERROR:

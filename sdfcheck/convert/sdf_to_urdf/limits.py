@@ -1,6 +1,6 @@
 """Limits, dynamics and mimics of joints.
 
-SDF leaves out what is unlimited; URDF before 1.2 must be told numbers, and reads nothing as 0.
+SDF leaves unlimited bounds out; URDF before 1.2 requires numbers, and reads an absent one as 0.
 """
 
 from __future__ import annotations

@@ -65,7 +65,7 @@ def _add_inertial(context: Context, node: Node, link: Link) -> None:
 
 
 def _enter_automatic(context: Context, part: Element) -> None:
-    """What an automatic inertia is computed from."""
+    """The shapes that an automatic inertia is computed from."""
     context.ledger.take(part.find("density"), TEXT)
     for parameters in part.children("auto_inertia_params"):
         context.ledger.take_whole(parameters)

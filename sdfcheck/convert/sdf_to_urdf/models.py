@@ -1,4 +1,4 @@
-"""What models hold in addition to links and joints: nested models, includes, frames, flags."""
+"""The parts of models in addition to links and joints: nested models, includes, frames, flags."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _enter_include(context: Context, include: Element, scope: str) -> None:
 
 
 def include_title(include: Element) -> str:
-    """What to call what an include brings."""
+    """The name of an include's content in a sentence."""
     uri = include.find("uri")
     return f"what `{uri.content}` brings" if uri is not None else "what is included"
 

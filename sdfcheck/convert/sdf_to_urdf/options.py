@@ -1,4 +1,4 @@
-"""What a user can choose about the URDF that an SDF model becomes."""
+"""The choices of a user about the URDF that an SDF model becomes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from enum import Enum
 
 
 class Unsupported(Enum):
-    """What to do with a joint or forest that URDF cannot express."""
+    """The treatment of a joint or forest that URDF cannot express."""
 
     FLOATING = "floating"
     FIXED = "fixed"
@@ -15,14 +15,14 @@ class Unsupported(Enum):
 
 
 class Loops(Enum):
-    """What to do with joints that close loops."""
+    """The treatment of joints that close loops."""
 
     ERROR = "error"
     CUT = "cut"
 
 
 class Planes(Enum):
-    """What to do with planes."""
+    """The treatment of planes."""
 
     DROP = "drop"
     BOX = "box"
@@ -39,14 +39,14 @@ class Options:
     frames: bool = False
     """Frames become massless links."""
     ball: Unsupported = Unsupported.FLOATING
-    """What a ball joint becomes."""
+    """The replacement of a ball joint."""
     forest: Unsupported = Unsupported.FLOATING
     """How free links are tied to the one root that URDF demands."""
     loops: Loops = Loops.ERROR
     """Whether a joint that closes a loop may be left to libsdformat."""
     planes: Planes = Planes.DROP
-    """Whether a flat box may stand for a plane."""
+    """Whether a flat box may replace a plane."""
     unlimited: float = 1e16
-    """What is written for a limit that is infinite."""
+    """The number that is written for an infinite limit."""
     package_uris: bool = False
     """Uris ``model://x`` are written ``package://x``, which consumers of URDF resolve."""

@@ -27,7 +27,7 @@ DRAKE_SHAPES = frozenset({"capsule", "ellipsoid"})
 
 
 _THICKNESS = {"visual": 0.001, "collision": 0.1}
-"""Of a box that stands for a plane, m: what is too thin is passed through."""
+"""Of a box that replaces a plane, m: a thinner one would be passed through."""
 _ENDLESS = 100.0
 """The least length of such a box where it collides, m: there a plane has no end."""
 

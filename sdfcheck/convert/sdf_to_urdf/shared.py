@@ -1,6 +1,8 @@
-"""What all visuals or all collisions of a link share, and URDF has no word for: surfaces, textures, flags.
+"""Settings that all visuals or all collisions of a link share, and URDF does not have: surfaces,
+textures, flags.
 
-libsdformat lays a ``visual`` or ``collision`` in a link's ``gazebo`` element over all that have no name.
+libsdformat lays a ``visual`` or ``collision`` in a link's ``gazebo`` element over all that have no
+name.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ from sdfcheck.robot.motion.mechanism import Link
 from sdfcheck.source.element import Element
 
 _SAID = frozenset({"auto_inertia_params", "density", "geometry", "pose"})
-"""What is written otherwise: density is in the inertia, if it is used at all."""
+"""The settings that are written otherwise: density is in the inertia, if it is used at all."""
 _COLOR = frozenset({"diffuse", "ambient"})
 
 

@@ -33,7 +33,7 @@ class VendorTags:
         self.spellings = spellings(Kind.SDF, Kind.URDF, self)
 
     def put(self, element: Element, node: Node) -> bool:
-        """Write a tag into the counterpart of what it is in; False if it is none that a table knows."""
+        """Write a tag into the counterpart of its parent; False if no table has it."""
         made = self.spellings.get(element.name.partition(":")[0])
         tag = made.target.tags.get(element.name) if made is not None else None
         if made is None or tag is None:
@@ -84,7 +84,7 @@ class VendorTags:
         )
         self.context.ledger.note(LossKind.KEPT_AS_EXTENSION, element, message, Severity.WARNING)
 
-    # What names call
+    # The parts that names refer to
 
     def name(self, text: str, kinds: tuple[str, ...]) -> str:
         """The name in the URDF; where a frame is wanted, one that is there for Drake."""
@@ -130,7 +130,7 @@ class VendorTags:
     # Joints
 
     def _drive(self, element: Element, joint: Node, made: Spelling) -> None:
-        """What is in the joint is in its actuator's in URDF."""
+        """A tag in the joint is in its actuator in URDF."""
         if joint.attributes.get("type") in _DRIVEN:
             self.context.actuators.setdefault(joint.attributes["name"], []).append(made.element(element))
             return

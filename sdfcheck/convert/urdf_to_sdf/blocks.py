@@ -16,7 +16,7 @@ from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 
 _SINGLE = frozenset({"light", "particle_emitter", "projector", "sensor"})
-"""What libsdformat looks up by name in a link or joint."""
+"""The parts of a link or joint that libsdformat looks up by name."""
 
 
 def copied_entry(context: Context, entry: Element, holder: Node) -> Node:

@@ -1,4 +1,4 @@
-"""What the writers of the parts share."""
+"""The shared state of the writers of the parts."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Context:
     plan: Plan
     ledger: Ledger = field(default_factory=lambda: Ledger(WORDS, "SDFormat"))
     links: dict[str, Node] = field(default_factory=dict)
-    """What was written for each link (of the source) that survives."""
+    """The element that was written for each link (of the source) that survives."""
     joints: dict[str, Node] = field(default_factory=dict)
     came_from: dict[int, str] = field(default_factory=dict)
     """The link (of the source) that a written shape came from, by the identity of its node."""
@@ -42,7 +42,7 @@ class Context:
     """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
     reported: set[str] = field(default_factory=set)
     vendors: VendorTags = field(init=False)
-    """What knows how SDFormat has the tags of vendors."""
+    """The writer of vendors' tags in SDFormat."""
 
     def __post_init__(self) -> None:
         self.vendors = VendorTags(self.plan, self.options, self.note)
@@ -149,7 +149,7 @@ class Context:
         self.note(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
         own = made.attributes.get("name")
         if own is not None and node.name == "model" and not self.plan.names.claim(own):
-            # libsdformat wants different names of everything in a model, known to it or not.
+            # libsdformat requires different names of everything in a model, known to it or not.
             made.attributes = {
                 f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
             }

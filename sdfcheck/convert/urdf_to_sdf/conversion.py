@@ -84,7 +84,7 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
 
 
 def _refuse_broken(root: Element, robot: Mechanism) -> None:
-    """Raise NotConvertible where names do not tell which link or joint is meant."""
+    """Raise NotConvertible where names do not determine which link or joint is meant."""
     for kind in ("link", "joint"):
         seen: set[str] = set()
         for element in root.children(kind):

@@ -111,7 +111,7 @@ class Extensions:
             self.context.keep(entry, model)
 
     def _native(self, entry: Element, model: Node) -> None:
-        """What is SDFormat already; its name must not be one that the robot uses."""
+        """Parts that are SDFormat already; their names must differ from those of the robot."""
         joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
         if entry.name == "frame" and joint is not None and joint.kind == "floating":
             # It replaces the joint, in whose place it is, for libsdformat.
@@ -230,7 +230,7 @@ class _LinkPart:
             collision.reach(*place).text = text.removesuffix(".0") if place == COUNT else text
 
     def _of_shapes(self, entry: Element, link: Node) -> None:
-        """What a block says of all visuals or collisions."""
+        """The settings of a block for all visuals or collisions."""
         for part in self._some_parts(entry, link, entry.name):
             self.context.ledger.copy(entry)
             merge(copied(entry), part)

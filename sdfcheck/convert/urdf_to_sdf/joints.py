@@ -142,7 +142,7 @@ class Joints:
         self.context.carry(axis, node)
 
     def _of_vendors(self, joint: Joint, axis: Node) -> None:
-        """What vendors say of the limits."""
+        """Vendor tags of the limits."""
         found = Node("limit")
         limit = joint.element.find("limit")
         for name in self.context.vendors.attributes(limit, found):
@@ -222,7 +222,7 @@ class Joints:
             node.add("drake:mimic", None, joint=leader, **values)
 
     def _idle(self, element: Element) -> None:
-        """What has no meaning on a fixed joint."""
+        """The settings that have no meaning on a fixed joint."""
         for name in _AXIS_PARTS:
             part = element.find(name)
             if part is not None:

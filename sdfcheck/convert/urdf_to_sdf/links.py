@@ -183,7 +183,7 @@ class Links:
         return spaced(text)
 
     def uri(self, element: Element, text: str) -> str:
-        """A file's address as the options want it."""
+        """A file's address in the form that the options choose."""
         context = self.context
         if not text.startswith(_PACKAGE) or context.options.package_uris is PackageUris.KEEP:
             return text

@@ -1,4 +1,4 @@
-"""What a caller may choose."""
+"""The choices of a caller."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from sdfcheck.formats.sdf.version import NEWEST, Version
 
 
 class FixedJoints(Enum):
-    """What becomes of fixed joints: they stay, or their links become one."""
+    """The treatment of fixed joints: they stay, or their links become one."""
 
     KEEP = "keep"
     MERGE = "merge"
 
 
 class Massless(Enum):
-    """What becomes of a link without mass, which SDFormat does not have.
+    """The treatment of a link without mass, which SDFormat does not have.
 
     MERGE: it becomes part of what it is fixed to, else SMALL. SMALL: it gets a negligible
     mass. AUTO: its collisions' inertia is left to the simulator (1.11), else SMALL.

@@ -85,7 +85,7 @@ def _unbounded(axis: Axis) -> Axis:
 
 
 def correspondence(plan: Plan, context: Context) -> Correspondence:
-    """What became of the source's links and joints."""
+    """The outcomes of the source's links and joints."""
     names = plan.names
     links = {
         name: Counterpart(names.links[survivor], offset) for name, (survivor, offset) in plan.home.items()

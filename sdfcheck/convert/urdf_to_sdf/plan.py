@@ -1,4 +1,4 @@
-"""What becomes of each link and joint, before anything is written."""
+"""The plan for each link and joint, before anything is written."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
 SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
-"""What a link without mass is given where it cannot be merged: too little to be felt."""
+"""The inertia of a link without mass where it cannot be merged: too small to have an effect."""
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw"})
 FOR_DRAKE = frozenset({"planar", "curvilinear"})
 """Kinds of joint that only Drake has in SDFormat, between frames."""
@@ -153,7 +153,7 @@ def _kept_joints(document: Document, robot: Mechanism) -> set[str]:
     for block in document.root.children("gazebo"):
         name = block.attributes.get("reference", "")
         for child in block.children():
-            # What a link and a joint of one name could both have is the link's.
+            # A tag that a link and a joint of one name could both have is the link's.
             concerned = child.name in OF_JOINTS or name not in robot.links
             idle = child.name in OF_MOVING_JOINTS or (child.name in _KEEPERS and not _says_yes(child))
             if concerned and not idle:

@@ -1,4 +1,4 @@
-"""What ``<gazebo>`` blocks may say: libsdformat's words, and where SDFormat has them."""
+"""The settings of ``<gazebo>`` blocks: libsdformat's words, and where SDFormat has them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ OF_COLLISIONS = {
     "max_contacts": COUNT,
     "laserRetro": ("laser_retro",),
 }
-"""What a block for a link says of each of its collisions."""
+"""The settings in a block for a link about each of its collisions."""
 OF_JOINT = {
     "stopCfm": ("physics", "ode", "limit", "cfm"),
     "stopErp": ("physics", "ode", "limit", "erp"),

@@ -29,7 +29,7 @@ class VendorTags:
         self.named: dict[tuple[str, str], str] = {}
         """Kind and name of a frame or tag → its name in the model, where all names differ."""
         self.moved: list[str] = []
-        """What was said of names while the last tag was written."""
+        """The losses of names in the last tag that was written."""
         for child in plan.root.children():
             own = child.attributes.get("name", "")
             is_named = child.name == "frame" or (child.name != "drake:joint" and self.of(child) is not None)
@@ -37,12 +37,12 @@ class VendorTags:
                 self.named[child.name, own] = plan.names.free(own)
 
     def of(self, element: Element) -> Spelling | None:
-        """How to write an element; None if it is no vendor's tag that SDFormat can say."""
+        """The spelling of an element; None if it is not a vendor's tag that SDFormat can express."""
         made = self.spellings.get(element.name.partition(":")[0])
         return made if made is not None and made.knows(element.name) else None
 
     def put(self, element: Element, node: Node) -> bool:
-        """Write a tag into the counterpart of what it is in; False if it is none that a table knows."""
+        """Write a tag into the counterpart of its parent; False if no table has it."""
         made = self.spellings.get(element.name.partition(":")[0])
         if made is None:
             return False
@@ -105,7 +105,7 @@ class VendorTags:
         return made is not None and made.knows(attribute)
 
     def attributes(self, element: Element | None, node: Node) -> Iterator[str]:
-        """What vendors say in attributes of an element, as elements of its counterpart; the names of those."""
+        """Vendors' attributes of an element, as elements of its counterpart; the names of those."""
         for name, text in () if element is None else element.attributes.items():
             if self.knows(name):
                 node.add(name, " ".join(text.split()))

@@ -18,7 +18,7 @@ from sdfcheck.source.sniff import Kind
 
 
 class Surroundings(Protocol):
-    """What became of the parts of the robot that tags refer to."""
+    """The new names of the parts of the robot that tags refer to."""
 
     def name(self, text: str, kinds: tuple[str, ...]) -> str:
         """The new name of what a name calls, which is of one of several kinds (``link``, ``frame``, ``:tag``)."""
@@ -109,7 +109,7 @@ class Spelling:
         return text if link is None else self.around.vector(link.text.strip(), text, is_point=True)
 
     def _plain(self, element: Element, node: Node) -> Node:
-        """What the table does not know, as it is."""
+        """Elements that the table does not have, as they are."""
         node.attributes.update(element.attributes)
         node.text = element.content or None
         node.children += [self.element(child) for child in element.children()]

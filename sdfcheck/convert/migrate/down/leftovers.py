@@ -1,6 +1,6 @@
-"""What the target's table does not have: taken out and told, or kept on request.
+"""Parts that the target's table does not have: taken out and reported, or kept on request.
 
-What no version knows is as dead as before, and stays. On the way up so does what is
+A name that no version knows has as little effect as before, and stays. On the way up so does what is
 newer than the target: consumers let a file use more than its version has.
 """
 
@@ -44,7 +44,7 @@ def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
 
 
 def _meanings(migration: Migration, definition: Definition) -> list[Definition]:
-    """What the place of a definition holds in the versions that are left, or those that the source may have meant."""
+    """The parent definitions of a place in the versions that the source may have."""
     source, target = migration.source.minor, migration.target.minor
     minors = range(source, target) if source < target else range(source, NEWEST.minor + 1)
     found = (schema(Version(1, minor)).at(definition.place) for minor in minors)

@@ -1,4 +1,4 @@
-"""What older versions call otherwise, and the values that they write otherwise."""
+"""Elements with another name in older versions, and the values that they write otherwise."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ def _move(migration: Migration, places: Places, joint: Node, model: Node) -> Non
 
 
 def _resolved(places: Places, joint: Node) -> tuple[Array | None, list[tuple[Node, Array]]]:
-    """What was relative to frames of the world: the pose in the child, and axes in the joint."""
+    """Parts relative to frames of the world: the pose in the child, and axes in the joint."""
     own, frame = joint.find("pose"), places.frame(joint)
     refers = own is not None and bool((own.get("relative_to") or "").strip())
     turns: list[tuple[Node, Array]] = []

@@ -1,4 +1,4 @@
-"""What newer versions want otherwise and libsdformat does not convert."""
+"""Parts that newer versions write otherwise and libsdformat does not convert."""
 
 from __future__ import annotations
 

@@ -28,8 +28,7 @@ def _models(scope: Scope) -> Iterator[Model]:
 def choose(document: Document, name: str) -> Model:
     """The model of a name, or the only one.
 
-    Raises:
-        WrongUsage: there is none, or several and no name to choose by.
+    Raises: WrongUsage: the file has no model, or several and no name was given.
     """
     found = models(document)
     names = [scope.name for scope in found]
@@ -52,7 +51,7 @@ def _list(names: list[str]) -> str:
 
 
 def others(document: Document, chosen: Model) -> Iterator[Element]:
-    """What is beside the chosen model: other models, lights, physics and the rest of its world."""
+    """The parts beside the chosen model: other models, lights, physics and the rest of its world."""
     at: Element | None = chosen.place
     while at is not None and at is not document.root:
         around = at.parent

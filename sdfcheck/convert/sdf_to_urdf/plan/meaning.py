@@ -1,4 +1,4 @@
-"""What a model means where its text is silent, and what URDF says in another way.
+"""Values of a model that its text leaves to defaults, and those that URDF writes otherwise.
 
 The robot that comes out moves and weighs as the model does, and is what the URDF is
 compared with: every link has its mass, every moving joint its axis.
