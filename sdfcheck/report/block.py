@@ -27,7 +27,7 @@ class Style(NamedTuple):
 def block(
     diagnostic: Diagnostic, is_explained: bool, style: Style, others: str = "", page: str | None = None
 ) -> Iterator[str]:
-    """The lines of one diagnostic, which may stand for ``others``.
+    """The lines of one diagnostic, which may represent ``others``.
 
     ``is_explained``: there is a rule to read about; ``page``: where its code leads to.
     """
@@ -49,7 +49,7 @@ def block(
 
 
 def marks_by_file(diagnostic: Diagnostic) -> Iterator[list[Mark]]:
-    """What to mark, file by file; the defect is the first mark of the first file."""
+    """The marks, file by file; the defect is the first mark of the first file."""
     primary = Mark(diagnostic.span, "", True)
     by_file = {_file(primary.span): [primary]}
     for label in diagnostic.labels:
@@ -79,7 +79,7 @@ def _remarks(diagnostic: Diagnostic, paths: Paths) -> Iterator[tuple[str, str]]:
 def _notes(
     remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint, width: int | None
 ) -> Iterator[str]:
-    """The lines below the frames; the hint is beside the last one if there is room."""
+    """The lines below the frames; the hint is beside the last one if the width allows it."""
     widths = [width_of(f"{indent}= {kind}: {visible(text)}") for kind, text in remarks]
     is_wide = width is None or _HINT_COLUMN + len(hint) <= width
     if hint and not (widths and is_wide and widths[-1] + 2 <= _HINT_COLUMN):

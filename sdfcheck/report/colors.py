@@ -9,7 +9,7 @@ from sdfcheck.lint.diagnostic import Severity
 
 
 class Ink(Enum):
-    """What a piece of text is painted with; the value is the terminal's code."""
+    """The color of a piece of text; the value is the terminal's code."""
 
     ERROR = "1;31"
     WARNING = "1;33"

@@ -1,4 +1,4 @@
-"""What the HTML report shows, as JSON for its script."""
+"""The content of the HTML report, as JSON for its script."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Json = dict[str, Any]
 MOST_FRAMES = 5000
 """So many findings are shown with their lines of code; those after them with their places only."""
 WHOLE = View(Severity.INFO, folds=True)
-"""What is not found on this computer is apart from the rest, as in the report for people."""
+"""Files that are not found on this computer are apart from the rest, as in the report for people."""
 
 
 class Content:
@@ -95,7 +95,7 @@ class Content:
         frames = list(marks_by_file(found))
         gutter = len(str(max(mark.span.begin.line for marks in frames for mark in marks)))
         for number, marks in enumerate(frames):
-            # The empty line at the top separates code from a heading, and there is none here.
+            # The empty line at the top separates code from a heading, which is absent here.
             lines = list(frame(marks, gutter, painter(True), INK_OF[found.severity]))[1:]
             place = visible(self._paths.place(first_of(marks).span)) if number else ""
             yield {"place": place, "text": "\n".join(lines)}

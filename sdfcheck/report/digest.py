@@ -32,7 +32,7 @@ class Group(NamedTuple):
 
 
 def digest(run: Run, view: View) -> list[Group]:
-    """What a view shows of a run, in the order of place."""
+    """The part of a run that a view shows, in the order of place."""
     shown = view.shown(run)
     return folded(shown) if view.folds else list(map(Group, shown))
 

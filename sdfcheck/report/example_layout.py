@@ -13,7 +13,7 @@ _SHORT = 60
 _LONG = 100
 """Characters of a line that is broken, even if there are others."""
 _DEEP = 40
-"""Elements in one another that are more than anybody wants indented."""
+"""More nested elements than this are not indented."""
 _TOKEN = re.compile(f"{MARK_START}?<(?:!--.*?--|[^<>]*)>{MARK_END}?|[^<]+", re.DOTALL)
 
 

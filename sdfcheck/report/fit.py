@@ -23,7 +23,7 @@ def fitted(text: str, width: int | None) -> str:
 def folded(line: str, width: int, indent: int | None = None) -> Iterator[str]:
     """The parts of a line, those after the first indented a little more than it; colors go on.
 
-    What has no space, such as a path, stays whole: a terminal wraps it, and it can be copied.
+    A text without spaces, such as a path, stays whole: a terminal wraps it, and it can be copied.
     """
     if len(line) <= width and line.isascii() and "\x1b" not in line:
         yield line

@@ -43,14 +43,14 @@ class Shown(NamedTuple):
     files: Mapping[str, str]
     """The other files: path → text."""
     report: str = ""
-    """What is reported about it."""
+    """Diagnostics of it."""
     fixed: str | None = None
     is_safe: bool = True
     why: str = ""
 
 
 class Manual(NamedTuple):
-    """All that there is to say about a rule."""
+    """The whole manual of a rule."""
 
     facts: RuleFacts
     documentation: str
@@ -161,7 +161,7 @@ def _record(example: Shown, *keys: str) -> Mapping[str, Any]:
 
 
 def facts_record(facts: RuleFacts) -> Mapping[str, Any]:
-    """What the list of rules says about one, as JSON values."""
+    """The entry of one rule in the list of rules, as JSON values."""
     return {
         "code": facts.code,
         "name": facts.name,

@@ -27,7 +27,7 @@ _HEADINGS = {
 
 
 class Row(NamedTuple):
-    """What a rule has found."""
+    """The findings of a rule."""
 
     found: list[Diagnostic]
 

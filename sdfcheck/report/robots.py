@@ -18,9 +18,9 @@ from sdfcheck.view.sealed import split
 _BYTES = 10_000_000
 """Of the scenes in a report, meshes included; what does not fit is left out."""
 _FINDINGS = 200
-"""So many findings are listed beside a robot."""
+"""The findings listed beside a robot, at most."""
 TITLE = "\ue000"
-"""What stands for the file's name in the page of a robot; names cannot hold it, as it cannot be shown."""
+"""A substitute for the file's name in the page of a robot; names cannot hold it, as it cannot be shown."""
 
 
 class Robot(NamedTuple):

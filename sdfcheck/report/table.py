@@ -24,7 +24,7 @@ class Column(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """What is in a row and a column, its color, and where it leads to on a terminal that knows links."""
+    """The text in a row and a column, its color, and its link on a terminal that knows links."""
 
     text: str
     ink: Ink | None = None

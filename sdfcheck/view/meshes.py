@@ -19,7 +19,7 @@ ALL = 40_000_000
 
 
 class Meshes:
-    """What the shapes of a scene refer to by number."""
+    """The meshes that the shapes of a scene refer to by number."""
 
     def __init__(self, *, one: int = ONE, all: int = ALL) -> None:
         self.entries: list[dict[str, Any]] = []

@@ -1,4 +1,4 @@
-"""What is listed beside a scene: findings and differences, and the part that each is about."""
+"""The list beside a scene: findings and differences, and the part that each is about."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def findings(
 
 
 def differences(before: Document, after: Document) -> list[Json]:
-    """What changed from one description to another, as ``sdfcheck diff`` has it."""
+    """The changes from one description to another, as in ``sdfcheck diff``."""
     try:
         changes = compare_files(before, after).changes
     except DescriptionError as error:

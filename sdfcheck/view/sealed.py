@@ -32,7 +32,7 @@ _UNPRINTABLE = re.compile(r"[^\x20-\x7e]")
 
 
 class Assets(NamedTuple):
-    """What a page looks like and does: CSS and JavaScript."""
+    """The style and the scripts of a page: CSS and JavaScript."""
 
     style: str
     script: str

@@ -1,8 +1,8 @@
 """The fingerprints by which GitHub follows a finding when its line moves.
 
-The hash of a line covers the 100 UTF-16 units from its beginning on, spaces left out
-and line ends made equal; a number tells lines apart that hash alike. GitHub computes
-the same from the file (github/codeql-action, `fingerprints.ts`) where it finds none.
+The hash of a line covers the 100 UTF-16 units from its beginning on, spaces left out and line ends
+made equal; a number distinguishes lines that hash alike. GitHub computes the same from the file
+(github/codeql-action, `fingerprints.ts`) where it finds none.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""SARIF 2.1.0, with what GitHub's code scanning wants on top."""
+"""SARIF 2.1.0, with the additions that GitHub's code scanning requires."""
 
 from __future__ import annotations
 
