@@ -1,4 +1,4 @@
-"""What can be done about diagnostics: fixes, one or all, and comments that silence them."""
+"""Actions for diagnostics: fixes, one or all, and comments that silence them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Offer(NamedTuple):
 
 
 def offers(workspace: Workspace, buffer: Buffer, found: Sequence[Diagnostic], at: Span) -> list[Offer]:
-    """What can be done about the diagnostics that touch a range: fixes first, safe ones before others."""
+    """The actions for the diagnostics that touch a range: fixes first, safe ones before others."""
     touched = [each for each in found if each.span.start <= at.end and at.start <= each.span.end]
     fixes = [fix for each in touched for fix in _fixes(each)]
     silences = [silence for each in touched for silence in _silences(workspace, buffer, each)]

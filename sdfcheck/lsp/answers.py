@@ -53,7 +53,7 @@ _SYMBOLS = {
 
 
 class Answers:
-    """What the server knows, request by request; all of it runs in the worker's thread."""
+    """The answers of the server, request by request; all of it runs in the worker's thread."""
 
     def __init__(self, workspace: Workspace, findings: Findings, speech: Speech) -> None:
         self.workspace = workspace
@@ -69,7 +69,7 @@ class Answers:
     # Diagnostics
 
     def actions(self, buffer: Buffer, params: types.CodeActionParams) -> list[types.CodeAction]:
-        """What can be done about the diagnostics in a range."""
+        """The actions for the diagnostics in a range."""
         wanted = [str(getattr(kind, "value", kind)) for kind in params.context.only or ()]
         found: list[types.CodeAction] = []
         self.findings.lint(buffer)
@@ -107,7 +107,7 @@ class Answers:
         action.edit = self.speech.workspace_edit(fix_all(self.workspace, buffer))
         return action
 
-    # What is there
+    # Facts
 
     def hover(self, buffer: Buffer, position: types.Position) -> types.Hover | None:
         document = self.document(buffer)

@@ -1,4 +1,4 @@
-"""What a place in a text belongs to: the element, and which part of it."""
+"""The element at a place in a text, and which part of it."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def elements(document: Document) -> Elements:
 
 
 def at(document: Document, offset: int) -> Cursor | None:
-    """What is at a place; None between elements, in comments, and where the text could only be guessed at."""
+    """The part at a place; None between elements, in comments, and where the text was read by a guess."""
     if document.root is None:
         return None
     element = elements(document).around(offset)

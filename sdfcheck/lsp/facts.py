@@ -1,4 +1,4 @@
-"""What a named part of a robot is: where it is, what it weighs, what hangs on it."""
+"""Facts about a named part of a robot: its place, its mass, the parts that are joined to it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def of_symbol(document: Document, named: Occurrence) -> Iterator[str]:
-    """What there is to say about a name, a paragraph each."""
+    """The facts about a name, a paragraph each."""
     symbol = named.symbol
     where = "" if symbol.span.source is document.source else f" ({symbol.span.source.path.name})"
     yield f"**{symbol.kind} `{symbol.name}`**{where}"

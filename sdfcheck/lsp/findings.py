@@ -33,7 +33,7 @@ class _Foreign(NamedTuple):
 
 
 class Findings:
-    """What is known to be wrong, for each root that was linted and each file that one of them includes."""
+    """The known problems, for each root that was linted and each file that one of them includes."""
 
     def __init__(self, workspace: Workspace) -> None:
         self.workspace = workspace
@@ -96,7 +96,7 @@ class Findings:
         return found[:MOST_INCLUDERS]
 
     def forget(self, path: Path) -> None:
-        """What was found from a root is no longer so."""
+        """Drop the findings of a root."""
         key = self.workspace.key(path)
         self._by_root.pop(key, None)
         self._looked.pop(key, None)
@@ -145,7 +145,7 @@ class Findings:
                 if by and self.workspace.key(by[0].element.document.path) == key:
                     document.included_by = ()
 
-    # What to show
+    # Findings to show
 
     def all(self) -> dict[str, list[Diagnostic]]:
         """Real path → what was found there, sorted, from whichever root; each once."""
@@ -176,7 +176,7 @@ class Findings:
         return buffer is None or source is buffer.source or source.text == buffer.source.text
 
     def at(self, path: Path) -> list[Diagnostic]:
-        """What was found in one file."""
+        """The findings in one file."""
         return self.all().get(self.workspace.key(path), [])
 
 

@@ -1,4 +1,4 @@
-"""What editors show between the characters: degrees beside radians, resolved masses; and the colors of names."""
+"""Hints between the characters: degrees beside radians, resolved masses; and the colors of names."""
 
 from __future__ import annotations
 

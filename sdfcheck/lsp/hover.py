@@ -1,4 +1,4 @@
-"""What is known of a place, as Markdown."""
+"""The facts about a place, as Markdown."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Hover(NamedTuple):
 
 
 def hover(document: Document, offset: int, found: Sequence[Diagnostic] = ()) -> Hover | None:
-    """What is known of a place; ``found`` are the diagnostics of the document."""
+    """The facts about a place; ``found`` are the diagnostics of the document."""
     cursor = at(document, offset)
     if cursor is None:
         return None
@@ -75,14 +75,14 @@ def version_of(document: Document) -> Version:
 
 
 def spot_of(element: Element) -> Spot | None:
-    """What the format has at the place of an element; of one that came or went, another version's."""
+    """The definition at the place of an element; of one that came or went, another version's."""
     names = names_around(element)
     found = spot(names, version_of(element.document))
     return found if found is not None else spot(names)
 
 
 def describe_at(document: Document, cursor: Cursor) -> Description | None:
-    """What the format says of the element or attribute at a place."""
+    """The definition of the element or attribute at a place."""
     element, attribute = cursor.element, cursor.attribute
     is_urdf = document.kind is not Kind.SDF
     names = names_around(element)
@@ -101,7 +101,7 @@ def describe_at(document: Document, cursor: Cursor) -> Description | None:
 
 
 def _of_control(names: list[str], attribute: str) -> Description | None:
-    """What is known of a place in a ``ros2_control`` block."""
+    """The facts about a place in a ``ros2_control`` block."""
     inner = names[names.index("ros2_control") :] + ([f"@{attribute}"] if attribute else [])
     text = summary("ros2_control", inner)
     what = "attribute" if attribute else "element"
@@ -142,7 +142,7 @@ def _often(one: Description) -> str:
 
 
 def _reactions(span: Span, found: Sequence[Diagnostic]) -> Iterator[str]:
-    """What each consumer does about what is wrong here."""
+    """The reaction of each consumer to the defects here."""
     known = dict.fromkeys(
         (consumer, reaction.words)
         for diagnostic in found

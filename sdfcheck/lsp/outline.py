@@ -1,4 +1,4 @@
-"""What a text consists of: its parts as a tree, the ranges that fold, and the files that it names."""
+"""The outline of a text: its parts as a tree, the ranges that fold, and the files that it names."""
 
 from __future__ import annotations
 

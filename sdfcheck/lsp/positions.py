@@ -10,7 +10,7 @@ from sdfcheck.source.text import Source
 
 
 class Units(Enum):
-    """What a column counts, by the name that the protocol has for it."""
+    """The units of a column, by the names of the protocol."""
 
     UTF8 = "utf-8"
     UTF16 = "utf-16"

@@ -1,4 +1,4 @@
-"""What is worked out while nobody asks, so that the next question is answered at once."""
+"""Work that is done while no request waits, so that the next one is answered at once."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sdfcheck.lsp.workspace import Buffer, Workspace
 
 
 def prime(workspace: Workspace, buffer: Buffer, *, is_first: bool) -> None:
-    """Work out what questions about a text need, and let go of what none will; at first load what answers need."""
+    """Compute the views that requests about a text need, and drop the others."""
     buffer.tidy()
     document = workspace.document(buffer.path)
     if document is None:

@@ -34,7 +34,7 @@ class Schedule:
         self._timers[key] = asyncio.get_running_loop().call_later(wait, self._begin, key)
 
     def drop(self, key: str) -> None:
-        """What the key names is of no interest any more."""
+        """The key is of no interest any more."""
         timer = self._timers.pop(key, None)
         if timer is not None:
             timer.cancel()

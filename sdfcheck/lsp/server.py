@@ -29,7 +29,7 @@ class Protocol(LanguageServerProtocol):
     """Leaves the texts to the server, which counts lines and columns as the protocol does."""
 
     def structure_message(self, data: dict[str, Any]) -> Any:
-        """What the client sent; a request that cannot be read is answered, too, so that nobody waits for it."""
+        """The messages of the client; a request that cannot be read is answered, too."""
         if data.get("method") == types.TEXT_DOCUMENT_CODE_ACTION and "jsonrpc" in data:
             data = {**data, "params": _without_diagnostics(data.get("params"))}
         try:
@@ -96,7 +96,7 @@ class Server(LanguageServer):
             return otherwise
 
     async def ask(self, uri: str, answer: Callable[[Buffer], T], otherwise: T, urgency: int = ANSWER) -> T:
-        """What an open text answers."""
+        """The answers about an open text."""
 
         def job() -> T:
             buffer = self.robots.buffers.get(self.robots.key(path_of(uri)))
@@ -114,7 +114,7 @@ class Server(LanguageServer):
             self.show(f"sdfcheck: internal error: {' '.join(words.split())} ({REPORT_IT})")
 
     def report_server_error(self, error: Exception, source: Any) -> None:
-        """What went wrong outside of the work on documents; refusals are answers."""
+        """Errors outside of the work on documents; refusals are answers."""
         if source is not FeatureRequestError or not isinstance(error, JsonRpcException):
             self.report(error.__cause__ or error)
 
@@ -263,7 +263,7 @@ class Server(LanguageServer):
     # The session
 
     def began(self, params: types.InitializeParams) -> None:
-        """Note what the client can do and what it wants."""
+        """Note the abilities and settings of the client."""
         self.speech.client = params.capabilities
         encodings = self.speech.client.general.position_encodings if self.speech.client.general else None
         known = {units.value: units for units in Units}
@@ -286,7 +286,7 @@ class Server(LanguageServer):
         await self.refreshed(job)
 
     def ended(self) -> None:
-        """Stop what runs beside the server."""
+        """Stop the threads beside the server."""
         self.is_finished = True
         self.robots.close()
         self.worker.close()

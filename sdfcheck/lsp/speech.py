@@ -26,7 +26,7 @@ _SEVERITIES = {
 
 
 def path_of(uri: str) -> Path:
-    """The file that a URI means; what is in no file yet goes by its name."""
+    """The file that a URI means; a text without a file is named after it."""
     parts = urlsplit(uri)
     if parts.scheme == "file" and (path := to_fs_path(uri)):
         return Path(path)
@@ -34,7 +34,7 @@ def path_of(uri: str) -> Path:
 
 
 class Speech:
-    """What the client and the server agreed on: units, and what the client understands."""
+    """The agreement of the client and the server: units, and the features of the client."""
 
     def __init__(self, workspace: Workspace) -> None:
         self.workspace = workspace

@@ -1,4 +1,4 @@
-"""What happens outside of the editor's texts: settings, configuration files, files on disk."""
+"""Changes outside of the editor's texts: settings, configuration files, files on disk."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class Watch:
             self._polling.cancel()
 
     async def saved(self, path: Path) -> None:
-        """A text was written to its file: whoever reads the file sees it now."""
+        """A text was written to its file: other readers of the file see it now."""
         if path.name in _LAYOUT:
             await self.server.refreshed(self.server.robots.refresh)
 
@@ -148,7 +148,7 @@ def _stamp(path: str) -> float:
 
 
 def _plain(value: Any) -> Any:
-    """What the protocol library made an object of, as a mapping again."""
+    """A mapping from an object that the protocol library made of it."""
     if hasattr(value, "_asdict"):
         value = value._asdict()
     if isinstance(value, Mapping):

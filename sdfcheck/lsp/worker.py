@@ -14,8 +14,9 @@ from typing import Any, TypeVar
 T = TypeVar("T")
 
 ANSWER, LINT, OVERVIEW, SURVEY = range(4)
-"""What comes first: answers that somebody waits for, diagnostics of open files, what editors show beside
-a text, diagnostics of files that include it."""
+"""The order of work: answers that somebody waits for, diagnostics of open files, hints beside a
+text, diagnostics of files that include it.
+"""
 
 PAUSE = 0.5
 """After so many seconds without a job, garbage is collected: during a job that takes longer than the job."""

@@ -1,4 +1,4 @@
-"""What is open in the editor and what lies on disk, as one set of documents."""
+"""The texts that are open in the editor and the files on disk, as one set of documents."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from sdfcheck.xacro.expansion import Surroundings
 
 
 class Choices(NamedTuple):
-    """What the client's settings say, over the configuration files."""
+    """The client's settings, over the configuration files."""
 
     configuration: Path | None = None
     select: tuple[str, ...] | None = None
@@ -61,7 +61,7 @@ class Buffer:
         self._document = None
 
     def tidy(self, kept: int = 0) -> None:
-        """Let go of old documents, which takes a while; so many are kept for later."""
+        """Drop old documents, which takes a while; so many are kept for later."""
         while len(self._stale) > kept:
             self._stale.pop(0).release()
 
@@ -71,7 +71,7 @@ class Buffer:
 
     @property
     def kind(self) -> Kind:
-        """What the text looks like."""
+        """The kind of a text."""
         head = self.source.text[:HEAD].encode("utf-8", "surrogatepass")
         return sniff(head, self.path)
 
@@ -91,7 +91,7 @@ class Buffer:
 
 
 def _kind(path: Path) -> Kind | None:
-    """What a file of ROS holds: robots, their semantics and macros have the same root."""
+    """The content of a file of ROS: robots, their semantics and macros have the same root."""
     if path.suffix not in {".urdf", ".xacro", ".srdf"}:
         return None
     try:
@@ -190,7 +190,7 @@ class Workspace:
         self.generation = 0
         """How often documents were forgotten: what was worked out before has no worth after."""
         self.fault = ""
-        """What is wrong with the configuration, as a sentence for people."""
+        """The fault of the configuration, as a sentence for people."""
         self.choose(Choices())
 
     def choose(self, choices: Choices) -> None:
@@ -238,7 +238,7 @@ class Workspace:
         buffer.write(source, version, kept)
 
     def drop(self, path: Path) -> None:
-        """What the editor shows no more is again what the file holds."""
+        """A text that the editor closes is again the content of its file."""
         if self.buffers.pop(self.key(path), None) is not None:
             self._turn(path)
 
@@ -247,7 +247,7 @@ class Workspace:
         return any(library.holds(path) for library in self.caches.libraries)
 
     def _turn(self, path: Path) -> None:
-        """Whoever looked into a file must look again."""
+        """Documents that depend on a file must be read again."""
         if self.is_referred_to(path):
             self.forget()
 
@@ -266,7 +266,7 @@ class Workspace:
         return self.caches.library(self.settings_for(path))
 
     def facts(self, path: Path) -> dict[str, RuleFacts]:
-        """The rules that there are for a file, by their codes."""
+        """The available rules for a file, by their codes."""
         try:
             return {facts.code: facts for facts in self.book.rules(self.settings_for(path))}
         except WrongUsage as error:
@@ -274,7 +274,7 @@ class Workspace:
             return {}
 
     def document(self, path: Path) -> Document | None:
-        """What is open at a path, or what the file holds; None where nothing can be read."""
+        """The text that is open at a path, or the content of the file; None where it cannot be read."""
         library = self.library(path)
         buffer = self.buffers.get(self.key(path))
         if buffer is None:

@@ -1,4 +1,4 @@
-"""What can be written at a place."""
+"""The names and values that can be typed at a place."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _FILES = frozenset({"uri", "filename", "albedo_map", "normal_map", "metalness_ma
 
 
 class Completion(NamedTuple):
-    """What is offered in place of the text from ``start`` to ``end``."""
+    """The items that are offered in place of the text from ``start`` to ``end``."""
 
     items: tuple[Item, ...]
     start: int
@@ -37,7 +37,7 @@ class Completion(NamedTuple):
 
 
 def complete(workspace: Workspace, buffer: Buffer, offset: int) -> Completion:
-    """What can be written at a place of an open text; nothing in what is no description."""
+    """The items at a place of an open text; none in a text that is not a description."""
     kind = buffer.kind
     where = context(buffer.source.text, offset, buffer.checkpoints)
     if kind not in {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.BROKEN_XML, Kind.EMPTY} and where.around:
@@ -80,7 +80,7 @@ class _Completer:
 
     @property
     def visible(self) -> Definitions:
-        """What a xacro file can see; the document is read for it."""
+        """The definitions that a xacro file can see; the document is read for it."""
         document = self.workspace.document(self.buffer.path)
         assert document is not None
         return visible_definitions(document)

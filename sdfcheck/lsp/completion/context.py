@@ -19,7 +19,7 @@ _SPACING = 65536
 
 
 class Where(Enum):
-    """What is being typed."""
+    """The input at the cursor."""
 
     TAG = "tag"
     END = "end tag"
@@ -31,10 +31,11 @@ class Where(Enum):
 
 
 class Context(NamedTuple):
-    """What is being typed, and in what.
+    """The input at the cursor, and its surroundings.
 
-    ``around`` are the names of the open elements, from the root's; in a tag and in its
-    attributes that of the tag itself is ``tag``. ``typed`` is what the completion replaces, which begins at ``start``.
+    ``around`` are the names of the open elements, from the root's; in a tag and in its attributes
+    that of the tag itself is ``tag``. ``typed`` is what the completion replaces, which begins at
+    ``start``.
     """
 
     where: Where
@@ -85,7 +86,7 @@ def _take(match: re.Match[str], stack: list[str]) -> None:
 
 
 def context(text: str, offset: int, checkpoints: Checkpoints | None = None) -> Context:
-    """What is being typed at an offset."""
+    """The input at an offset."""
     around, end = (checkpoints or Checkpoints()).around(text, offset)
     rest = text[end:offset]
     opening = rest.rfind("<")

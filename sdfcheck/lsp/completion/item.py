@@ -1,4 +1,4 @@
-"""What is offered."""
+"""The items that are offered."""
 
 from __future__ import annotations
 
@@ -38,5 +38,5 @@ class Item(NamedTuple):
 
 
 def escaped(text: str) -> str:
-    """A text as snippets want it."""
+    """A text with the characters escaped that have a meaning in snippets."""
     return text.replace("\\", "\\\\").replace("$", "\\$").replace("}", "\\}")

@@ -79,7 +79,7 @@ def _of_parameter(tag: str) -> tuple[str, ...]:
 
 
 def _of_vendor(tag: str, carrier: str, *, is_urdf: bool) -> tuple[str, ...]:
-    """What a vendor's own tag names."""
+    """The parts that a vendor's own tag can name."""
     if ":" not in tag:
         return ()
     for path in BUILT_IN:
@@ -136,7 +136,7 @@ def _in_scope(scope: Scope, kinds: tuple[str, ...], context: Context) -> Iterato
 
 
 def _own_name(scope: Scope, context: Context) -> str:
-    """What cannot refer to itself."""
+    """Parts that cannot refer to themselves."""
     return dict(context.given).get("name", "") if context.where is Where.VALUE else ""
 
 

@@ -26,7 +26,7 @@ _CLIMB = 6
 
 
 def path_items(document: Document, typed: str, tag: str, around: tuple[str, ...]) -> Iterator[Item]:
-    """What can follow a URI that has been typed up to its last slash; each item is the whole URI."""
+    """The continuations of a URI that has been typed up to its last slash; each item is the whole URI."""
     holder = tag if tag in _ENDINGS else (around[-2] if len(around) > 1 else "")
     head, slash, _ = typed.rpartition("/")
     if "://" not in typed:

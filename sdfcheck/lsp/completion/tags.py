@@ -61,7 +61,7 @@ def _item(name: str, place: Spot | None, rank: int, detail: str = "", is_old: bo
 
 
 def _custom(around: tuple[str, ...], *, is_urdf: bool) -> Iterator[Item]:
-    """What vendors' tables have in the innermost open element."""
+    """The tags of vendors' tables in the innermost open element."""
     dialect = "urdf" if is_urdf else "sdf"
     for path in BUILT_IN:
         table = vendor(path, dialect)

@@ -37,7 +37,7 @@ _XACRO_COMMANDS = ("arg ", "find ", "env ", "optenv ", "eval ", "dirname", "cwd"
 
 
 def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterator[Item]:
-    """What an attribute or text can be, where that is a closed list or well known."""
+    """The values of an attribute or text, where they are a closed list or well known."""
     tag, attribute = context.tag, context.attribute
     if tag == "plugin" and attribute == "filename":
         for name in _SYSTEMS:
@@ -130,7 +130,7 @@ def _of_vendor(context: Context, *, is_urdf: bool) -> Iterator[Item]:
 
 
 def command_items() -> Iterator[Item]:
-    """What a substitution of xacro can begin with."""
+    """The beginnings of a substitution of xacro."""
     yield from (
         Item(f"$({word.strip()} …)", Sort.WORD, f"$({word}", detail="xacro") for word in _XACRO_COMMANDS
     )

@@ -31,7 +31,7 @@ class Refused(Exception):
 
 
 def renamable(document: Document, offset: int) -> Occurrence | None:
-    """What is named at a place and can have another name."""
+    """The symbol at a place that can have another name."""
     return occurrences(document).at(offset)
 
 

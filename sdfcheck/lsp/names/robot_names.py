@@ -102,7 +102,7 @@ def _materials(root: Root) -> Iterator[Occurrence]:
 
 
 def _of_vendors(document: Document, root: Root) -> Iterator[Occurrence]:
-    """What vendors' own elements name."""
+    """The parts that vendors' own elements name."""
     used = [path for path in BUILT_IN if f"{prefix_of(path)}:" in document.source.text]
     for found in vendor_values(document, used):
         owner = _owner(found.value.element) if found.slot.references else None
@@ -111,7 +111,7 @@ def _of_vendors(document: Document, root: Root) -> Iterator[Occurrence]:
 
 
 def _of_tag(value: Value, slot: Slot, owner: Element, root: Root) -> Iterator[Occurrence]:
-    """What one value of a vendor's tag names: another such tag, or a part of the robot."""
+    """The target of one value of a vendor's tag: another such tag, or a part of the robot."""
     own = {kind for kind in slot.references if ":" in kind}
     for kind in own:
         for tag in owner.children(kind):

@@ -28,7 +28,7 @@ def srdf_names(document: Document) -> Iterator[Occurrence]:
 
 
 def _symbols(semantics: Semantics) -> dict[tuple[str, str], Symbol]:
-    """What the nearest file defines that is about the robot."""
+    """The definitions of the nearest file that is about the robot."""
     wanted = {(part.kind, part.value.text.strip()) for part in semantics.named}
     for document in descriptions_of(semantics):
         known = _defined(document)

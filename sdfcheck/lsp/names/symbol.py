@@ -17,7 +17,7 @@ class Symbol(NamedTuple):
 
     @property
     def key(self) -> tuple[str, int]:
-        """What is the same for the same symbol, however often its file is read."""
+        """The identity of a symbol, the same however often its file is read."""
         return self.span.source.real_path, self.span.start
 
 

@@ -94,7 +94,7 @@ class _Known:
                 yield Occurrence(symbol.span, symbol, True)
 
     def word(self, name: str, macro: Element | None) -> Symbol | None:
-        """What a word in an expression means, inside a macro or outside."""
+        """The meaning of a word in an expression, inside a macro or outside."""
         if macro is not None:
             found = self.parameters.get(macro, {}).get(name) or self.local.get(macro, {}).get(name)
             if found is not None:
