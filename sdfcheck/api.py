@@ -1,4 +1,4 @@
-"""What the commands do, as functions: fix, compare, judge, measure, write."""
+"""The commands as functions: fix, compare, judge, measure, write."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def fix(  # noqa: PLR0913
 
 
 def diff(a: Description, b: Description, *, tolerance: float = 1e-9) -> FileDifference:
-    """What changed in the robot from ``a`` to ``b``, not in the text; they may be of different formats.
+    """The changes in the robot from ``a`` to ``b``, not in the text; they may be of different formats.
 
     The result has ``changes`` by model: each a ``kind`` (added, removed, changed, renamed), the
     ``part``, its ``name``, ``what`` of it, ``before`` and ``after``. Smaller differences than

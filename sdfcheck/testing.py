@@ -11,8 +11,8 @@ or all of them at once, with any test runner::
     def test_pack():
         sdfcheck.testing.check_pack("my_rules")
 
-Packs go by what ``plugins`` in the configuration takes: an entry point, an import name or
-a folder, which is a :class:`~pathlib.Path` or has a slash in it.
+Packs are named as in ``plugins`` in the configuration: an entry point, an import name or a folder, which
+is a :class:`~pathlib.Path` or has a slash in it.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ def describe_command(element: str, version: Version, form: str, output_file: Pat
 
 
 def record(description: Description) -> dict[str, object]:
-    """What JSON holds: everything that there is to say."""
+    """The content of the JSON output: all facts."""
     record: dict[str, object] = {}
     for key, value in description._asdict().items():
         if value or key in {"name", "format", "what"}:

@@ -75,7 +75,7 @@ def _expand(file: Path, around: Around) -> tuple[Document, Expansion]:
 
 
 def _explained(document: Document, problems: Sequence[object]) -> list[Diagnostic]:
-    """What the rules say of the problems that stopped the expansion."""
+    """The diagnostics of the problems that stopped the expansion."""
     from sdfcheck.lint.diagnostic import Severity
     from sdfcheck.lint.engine import Dispatch, lint_document
     from sdfcheck.lint.rulebook.packs import load_index

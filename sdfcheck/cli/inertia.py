@@ -40,7 +40,7 @@ _ORIGINS = {
 
 
 class _Block(NamedTuple):
-    """What is shown of one model, or of the file."""
+    """The table of one model, or of the file."""
 
     title: str
     rows: list[tuple[str, ...]]

@@ -220,7 +220,7 @@ def _report(request: Request, options: Options, wanted: Sequence[Output], done: 
 
 
 def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
-    """What the session needs to know, and the paths without ``-``."""
+    """The settings of the session, and the paths without ``-``."""
     if request.show_fixes and not (request.fix or request.diff):
         raise WrongUsage("--show-fixes goes with --fix, --fix-only or --diff")
     if request.add_ignore and (request.fix or request.baseline):

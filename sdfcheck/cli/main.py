@@ -60,7 +60,7 @@ _MEANT = {
     **dict.fromkeys(("help", "man"), "sdfcheck --help"),
     **dict.fromkeys(("version",), "sdfcheck --version"),
 }
-"""What people call a command → what it is here."""
+"""Usual names of a command → the name here."""
 
 
 @click.group(
@@ -85,7 +85,7 @@ def run() -> NoReturn:
     # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
     gc.set_threshold(500_000, 50, 100)
     if not sys.warnoptions:
-        # What numpy thinks of a document's numbers is of no use to whoever wrote them.
+        # Warnings of numpy about a document's numbers are of no use to its author.
         warnings.simplefilter("ignore")
     code = main()
     try:

@@ -22,7 +22,7 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Work(NamedTuple):
-    """What is done to files: the word for it, and the function that does it."""
+    """An operation on files: its verb, and its function."""
 
     verb: str
     participle: str
@@ -30,7 +30,7 @@ class Work(NamedTuple):
 
 
 class Request(Protocol):
-    """What the command line says about it."""
+    """The options about it."""
 
     unsafe_fixes: bool
     fix_only: bool
@@ -41,7 +41,7 @@ class Request(Protocol):
 
 
 def work(request: Request) -> Work:
-    """What the command line asks for.
+    """The options of the command line.
 
     Raises:
         WrongUsage: the reason cannot be in a comment.
@@ -159,7 +159,7 @@ class Rewriter:
 
 
 def unified_diff(fixed_file: FixedFile) -> str:
-    """What changed in a file, as ``diff -u`` says it."""
+    """The changes in a file, in the format of ``diff -u``."""
     from difflib import unified_diff as compare
 
     name = fixed_file.path.as_posix()

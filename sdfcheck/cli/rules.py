@@ -66,7 +66,7 @@ def rules(
 def loaded(configuration: Configuration) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
     """The packs, and the facts of all rules, under the configuration of the current folder.
 
-    What conversions report is listed with them."""
+    Losses that conversions report are listed with them."""
     settings = configuration.settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
     losses = tuple(kind.facts for kind in LossKind)

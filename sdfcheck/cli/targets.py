@@ -60,8 +60,7 @@ def targets_command(
 def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:
     """Lint a file with everything that the rules know about some consumers.
 
-    Raises:
-        WrongUsage: it cannot be read, or is no robot description.
+    Raises: WrongUsage: it cannot be read, or is not a robot description.
     """
     failures: list[str] = []
 

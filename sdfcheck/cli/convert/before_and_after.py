@@ -36,7 +36,7 @@ def _page(source: Document, outcome: Outcome, kind: Kind) -> str:
 
     documents = [source]
     if outcome.conversion is not None:
-        # The text names files as the source does, so it is read as if it were beside it.
+        # The text names files as the source does, so it is read as if it were in its folder.
         beside = source.path.with_suffix(f".{kind.value}")
         result = read(outcome.conversion.text.encode("utf-8", "surrogateescape"), beside, kind)
         result.library = source.library

@@ -34,7 +34,7 @@ COMMANDS = {
     "sdf-to-sdf": LazyCommand("sdfcheck.cli.convert.sdf_to_sdf:sdf_to_sdf", "Between versions of SDFormat."),
 }
 _OTHER_WORK = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.MJCF, Kind.MODEL_CONFIG})
-"""What may well be beside the files to convert."""
+"""Files that are often beside those to convert."""
 
 
 _MEANT = {
@@ -45,7 +45,7 @@ _MEANT = {
     **dict.fromkeys(("upgrade", "migrate", "update", "downgrade"), "sdfcheck convert sdf-to-sdf FILE"),
     "xacro-to-urdf": "sdfcheck expand FILE",
 }
-"""What people call a conversion → what it is here."""
+"""Usual names of a conversion → the name here."""
 _ENDINGS = {
     ".urdf": "sdfcheck convert urdf-to-sdf",
     ".xacro": "sdfcheck convert urdf-to-sdf",
@@ -108,7 +108,7 @@ def convert_files(
 
 
 def _give_up(file: Source, files: Sequence[Source], error: WrongUsage, done: Reporting) -> None:
-    """Ignore a file of another kind that was found, or is one of several; other files are not to blame."""
+    """Ignore a file of another kind that was found, or is one of several."""
     from sdfcheck.cli.convert.inputs import OtherKind
 
     if isinstance(error, OtherKind) and (not file.named or (len(files) > 1 and error.kind in _OTHER_WORK)):

@@ -1,4 +1,4 @@
-"""What a conversion starts from: the document, expanded if it is xacro, and the errors in it."""
+"""The source of a conversion: the document, expanded if it is xacro, and the errors in it."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Input(NamedTuple):
     errors: Sequence[Diagnostic] = ()
     is_sound: bool = True
     encoding: str = ""
-    """What its bytes are in, if that is not plain UTF-8."""
+    """The encoding of its bytes, if that is not plain UTF-8."""
     found: Sequence[Diagnostic] | None = None
     """All that the configured rules find in it; None if nobody has looked."""
 
@@ -140,7 +140,7 @@ class Reader:
         after = lint_document(result, self._book.dispatch(self._around.settings_for(given.file), given.file))
         found = new_errors(source, given.found, result, after)
         if found and (brought := _included(source)):
-            # What an included file brings may be as faulty there.
+            # A part that an included file brings may be as faulty there.
             dispatch = self._book.dispatch(self._around.settings_for(given.file), given.file)
             before = [*given.found, *(one for other in brought for one in lint_document(other, dispatch))]
             found = new_errors(source, before, result, after)

@@ -15,7 +15,7 @@ from sdfcheck.source.record import NamedTuple
 
 
 class Request(NamedTuple):
-    """What every command takes."""
+    """The options of every command."""
 
     inputs: tuple[str, ...]
     output_file: Path | None

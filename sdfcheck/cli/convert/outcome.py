@@ -1,4 +1,4 @@
-"""What came of converting one file."""
+"""The results of converting one file."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Outcome(NamedTuple):
-    """What came of it; ``failed``: nothing is written."""
+    """The result; ``failed``: nothing is written."""
 
     file: Path
     errors: Sequence[Diagnostic]
@@ -33,7 +33,7 @@ class Outcome(NamedTuple):
     is_unsound: bool = False
     """Whether errors of the source stopped it."""
     broken: Span | None = None
-    """Where the text of the source is no XML."""
+    """Where the text of the source is not XML."""
     also_by: str = ""
     """The library that has read the URDF as well."""
     encoding: str = ""
@@ -107,7 +107,7 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
 
 
 def _differences(done: Conversion, document: Document, request: Request) -> list[Diagnostic]:
-    """What the comparison found, as diagnostics of the source."""
+    """The findings of the comparison, as diagnostics of the source."""
     found = list(done.verification.differences) if done.verification is not None else []
     if request.verify_with is not None:
         from sdfcheck.convert.independent import differences

@@ -1,4 +1,4 @@
-"""What is converted, and where each result goes."""
+"""The files to convert, and where each result goes."""
 
 from __future__ import annotations
 
@@ -27,8 +27,7 @@ class Source(NamedTuple):
 def sources(request: Request) -> list[Source]:
     """The files that are named, those in the folders that are named, and stdin for ``-``.
 
-    Raises:
-        WrongUsage: there are none.
+    Raises: WrongUsage: no file is found.
     """
     paths = request.paths
     if not paths:

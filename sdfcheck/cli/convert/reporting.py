@@ -1,4 +1,4 @@
-"""What is said about conversions: losses, then a line for each file."""
+"""The report of conversions: losses, then a line for each file."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Reporting:
         self._rows.append(_Row(how, f"{outcome.file}{where}{why}"))
 
     def ignore(self, file: Path, description: str) -> None:
-        """A file is of another kind, which is no mistake."""
+        """A file is of another kind, which is not a mistake."""
         self._rows.append(_Row("ignored", f"{file}: looks like {description}"))
 
     def fail(self, file: Path, text: str) -> None:

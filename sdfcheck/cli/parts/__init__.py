@@ -1,1 +1,1 @@
-"""What the commands share: options, help, what they read, where output goes."""
+"""Shared parts of the commands: options, help, input, where output goes."""

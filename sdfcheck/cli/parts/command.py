@@ -1,4 +1,4 @@
-"""What every command is: its help lists options by what they are about, and ends with examples."""
+"""The class of all commands: the help lists options by subject, and ends with examples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a shell offers after an option or a word: rules, formats, targets, places of a format."""
+"""The words that a shell offers after an option or a word: rules, formats, targets, places of a format."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def versions(context: click.Context, parameter: click.Parameter, begun: str) -> 
 
 
 def places(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
-    """What the newest SDFormat, or another format, has below what is written: ``joint/ax`` → ``joint/axis``."""
+    """The continuations in the newest SDFormat, or another format: ``joint/ax`` → ``joint/axis``."""
     from sdfcheck.formats.describe.description import UnknownPlace
     from sdfcheck.formats.describe.place import describe
     from sdfcheck.formats.sdf.version import NEWEST

@@ -1,4 +1,4 @@
-"""What every command takes that reads a description: where things are, and arguments for xacro."""
+"""The options of every command that reads a description: where things are, and arguments for xacro."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from sdfcheck.xacro.expansion import Expander
 
 ARGUMENT = ":="
-"""What an argument for xacro has, and a path has not."""
+"""A sign that an argument for xacro has, and a path does not have."""
 
 
 def surroundings(command: F) -> F:
@@ -52,7 +52,7 @@ def described(command: Callable[..., Any]) -> Any:
 
 
 class Around(NamedTuple):
-    """What the command line says about the surroundings of descriptions."""
+    """The options about the surroundings of descriptions."""
 
     configuration: Configuration
     arguments: tuple[tuple[str, str], ...] = ()
@@ -106,8 +106,8 @@ def search_of(
 def load(file: Path, around: Around, *, check: bool = True) -> Document:
     """Read a description, expanded if it is xacro; ``check``: with arguments that it takes.
 
-    Raises:
-        WrongUsage: it is none, cannot be read or expanded, or brings too many models.
+    Raises: WrongUsage: it is not a description, cannot be read or expanded, or brings too many
+    models.
     """
     from sdfcheck.files.regular import read_regular
     from sdfcheck.robot.includes.multiplied import refuse_too_many
@@ -151,7 +151,7 @@ def _expanded(document: Document, settings: Settings, around: Around) -> Documen
 
 
 def expander_for(settings: Settings) -> Expander:
-    """What expands the files that have these settings."""
+    """The expansion for files that have these settings."""
     from sdfcheck.xacro.expansion import Expander, Surroundings
 
     return Expander(Surroundings(dict(settings.packages), settings.package_paths, settings.env))
@@ -171,7 +171,7 @@ def check_arguments(
 ) -> None:
     """Make sure that some of the files take the arguments; says which do not seem to be taken.
 
-    ``texts`` are what stands for some of the files, such as stdin.
+    ``texts`` replace some of the files, such as stdin.
 
     Raises:
         WrongUsage: a name is misspelled.

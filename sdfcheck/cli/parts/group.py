@@ -60,7 +60,7 @@ class LazyGroup(click.Group):
         return super().resolve_command(ctx, args)
 
     def _for_file(self, name: str) -> str | None:
-        """What to write where a file is named in the place of a command."""
+        """The command to write where a file is named in its place."""
         commands = (command for ending, command in self._endings.items() if name.endswith(ending))
         command = next(commands, None)
         return f"{command} {name}" if command else None

@@ -187,8 +187,7 @@ def folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
 def require_file(file: Path) -> None:
     """Make sure that an input is a file.
 
-    Raises:
-        WrongUsage: there is none, or it is a folder, a pipe or a device.
+    Raises: WrongUsage: the file does not exist, or is a folder, a pipe or a device.
     """
     if not file.is_file():
         from sdfcheck.files.regular import oddity

@@ -37,7 +37,7 @@ class Output(NamedTuple):
 
 
 def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
-    """What ``FORMAT`` and ``FORMAT=FILE`` ask for; ``file`` is for the one without a file.
+    """The formats and files that ``FORMAT`` and ``FORMAT=FILE`` name; ``file`` is for the one without a file.
 
     Raises:
         WrongUsage: a format is unknown, or two reports would go to one place.
@@ -102,7 +102,7 @@ def write(
 ) -> None:
     """Render a run and put it where it belongs; ``aside``: to stderr where that is stdout.
 
-    ``color`` is auto, always or never. What goes to a terminal fits it.
+    ``color`` is auto, always or never. Output on a terminal fits it.
 
     Raises:
         WrongUsage: the file cannot be written.

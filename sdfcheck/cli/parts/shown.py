@@ -52,7 +52,7 @@ def shown(command: F) -> F:
 
 
 class Request(Protocol):
-    """What the command line says about it."""
+    """The options about it."""
 
     min_severity: str | None
     max_diagnostics: int | None

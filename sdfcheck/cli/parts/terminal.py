@@ -73,7 +73,7 @@ def emit(text: str) -> None:
 
 
 def _write(text: str) -> None:
-    """Write to stdout, as UTF-8 wherever no person is looking; a consumer that has left is no error.
+    """Write to stdout, as UTF-8 except on a terminal; a closed pipe is not an error.
 
     Raises:
         WrongUsage: stdout is closed or takes no more.
