@@ -20,9 +20,9 @@ _VERSION = re.compile(r"[0-9]+(\.[0-9]+)*((a|b|rc|\.post|\.dev)[0-9]+)?")
 
 
 def requirement(environment: Mapping[str, str], folder: Path) -> str:
-    """What to install: the release that was asked for, else what came with the action.
+    """The version to install: the release that was asked for, else the one of the action.
 
-    Raises ValueError for what is no version.
+    Raises ValueError for a text that is not a version.
     """
     version = environment.get("SDFCHECK_VERSION", "").strip()
     if not version:

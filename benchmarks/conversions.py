@@ -77,7 +77,7 @@ def urdf(name: str, size: int) -> str:
             joint = JOINT.format(
                 number=number, kind=kind, parent=parent, tilt=number % 7 / 10, across=number % 2
             )
-            # On a joint that stands still they would mean nothing.
+            # On a fixed joint they would mean nothing.
             lines = joint.splitlines(keepends=True)
             made += "".join(lines[:4] + lines[-1:]) if kind == "fixed" else joint
         parts.append(made)

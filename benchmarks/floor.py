@@ -1,4 +1,4 @@
-"""What no linter in Python can undercut: load click and lxml, parse, look at each element once."""
+"""The least work of any linter in Python: load click and lxml, parse, look at each element once."""
 
 import sys
 

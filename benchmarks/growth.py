@@ -1,8 +1,8 @@
 """How the work grows with each dimension of a document: ``python -m benchmarks.growth [NAME…]``.
 
 Each dimension makes a document in which one thing occurs n times. Linear work grows with n to the
-power of 1; the exponent is that from the first size to the last. What was measured is seconds of
-the processor; ``work`` counts instead, which does not depend on the machine.
+power of 1; the exponent is that from the first size to the last. The measured time is that of the
+processor, in s; ``work`` counts instead, which does not depend on the machine.
 """
 
 from __future__ import annotations

@@ -34,7 +34,7 @@ GROWTH = (300, 3_000, 30_000)
 
 
 class Input(NamedTuple):
-    """What is linted: the paths given to sdfcheck, the files they stand for, how often; and against what."""
+    """The input of a series: the paths given to sdfcheck, the files in them, how often; and against what."""
 
     name: str
     given: tuple[Path, ...]

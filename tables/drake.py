@@ -1,7 +1,7 @@
 """Writes data/drake.txt, the table of Drake's extensions: ``python -m tables.drake FACTS``.
 
-FACTS is the file ``drake_extensions.json``, or the folder that holds it. The layout of
-the table is told in docs/vendor-tables.md and read by ``sdfcheck.formats.vendor.definitions``.
+FACTS is the file ``drake_extensions.json``, or the folder that holds it. The layout of the table is
+described in docs/vendor-tables.md and read by ``sdfcheck.formats.vendor.definitions``.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def value_keys(tag: Facts, value: Facts) -> Iterator[str]:
 
 
 def reference_keys(tag: Facts, reference: Facts) -> Iterator[str]:
-    """What a name refers to, and where scoped names are understood."""
+    """The kind that a name refers to, and where scoped names are understood."""
     kind = reference.get("kind", "")
     kind = {"collision filter group": ":collision_filter_group", "link (rigid or deformable)": "link"}.get(
         kind, kind
@@ -150,7 +150,7 @@ def places(tag: Facts, dialect: str) -> Iterator[str]:
 
 
 def split(path: str, tag: str, carried: str) -> Iterator[tuple[str, str]]:
-    """Parent and carrier of each place that a path of the facts stands for."""
+    """Parent and carrier of each place that a path of the facts means."""
     before, _, after = path.lstrip("/").partition(tag)
     carrier = {"text": "text", "attribute itself": "attribute"}.get(carried, "")
     if after:

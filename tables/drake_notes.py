@@ -1,4 +1,4 @@
-"""What the facts about Drake say in prose, as keys of the table."""
+"""The prose of the facts about Drake, as keys of the table."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ IGNORED_IN = (
     ":collision_filter_group",
     "@",
 )
-"""The parents in which Drake does not look for what it does not know; ``@`` stands for attributes."""
+"""The parents in which Drake does not look for unknown tags; ``@`` means attributes."""
 
 GONE = {
     "drake:elastic_modulus": (":hydroelastic_modulus", "sdf:error,urdf:ignored"),
@@ -98,4 +98,4 @@ REFERENCES = {"frame": "frame,link", "tendon_constraint_joint": "joint,:joint"}
 """Kind in the facts, or tag, → the kinds of thing that a name may be of."""
 
 UNITS = {"damping": "N s/m", "gear_ratio": "|1/m"}
-"""Tag → unit, where the facts tell it in a sentence."""
+"""Tag → unit, where the facts give it in a sentence."""

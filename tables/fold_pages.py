@@ -10,7 +10,7 @@ from textwrap import wrap
 LONGEST = 120
 _ITEM = re.compile(r"\s*(?:[-*]|\d+\.)\s+")
 _ALONE = ("#", "|", "<!--", "!!!", ">")
-"""What begins a line that is not part of a paragraph."""
+"""The beginnings of lines that are not part of a paragraph."""
 
 
 def pages(root: Path) -> list[Path]:

@@ -1,8 +1,7 @@
 """Makes data/migration.txt: ``python -m tables.migration conversions.json``.
 
-The input restates the ``.convert`` files of libsdformat. Places that those name one by
-one (in worlds, at the top) stand for all places here, and what they create needlessly
-is left out.
+The input restates the ``.convert`` files of libsdformat. Places that those name one by one (in
+worlds, at the top) mean all places here, and elements that they create without need are left out.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ _HEAD = (
     "Do not edit.\n# minor version that it leads to, operation, place, source, target, value (tabs)\n"
 )
 _EVERYWHERE = ("joint/axis", "joint/axis2", "actor", "imu")
-"""What libsdformat converts at some of its places only."""
+"""Elements that libsdformat converts at some of their places only."""
 _MADE_ON_DEMAND = {"angular_velocity", "linear_acceleration"}
 
 

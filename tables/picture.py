@@ -24,7 +24,7 @@ _REMOTE_FONT = re.compile(r"@font-face \{.*?\}\s*", re.DOTALL)
 
 
 def report() -> str:
-    """What the command writes to a terminal, with its colors."""
+    """The output of the command on a terminal, with its colors."""
     known = {name: text for name, text in os.environ.items() if name not in {"NO_COLOR", "COLUMNS"}}
     run = subprocess.run(
         [sys.executable, "-m", "sdfcheck", *COMMAND, "--isolated", "--color", "always"],

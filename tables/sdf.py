@@ -1,7 +1,7 @@
 """Writes data/sdf.txt, the merged SDFormat tables: ``python -m tables.sdf FACTS``.
 
 FACTS is the folder with one ``sdf-<version>.json`` a version, ``enums.json`` and ``conversions.json``.
-The layout of the file is told in its own head and read by ``sdfcheck.formats.sdf.table``.
+The layout of the file is described in its own head and read by ``sdfcheck.formats.sdf.table``.
 """
 
 from __future__ import annotations

@@ -43,7 +43,7 @@ OWN_INFINITE = (
     "surface:surface/friction/ode/mu2",
     "surface:surface/friction/torsional/coefficient",
 )
-"""Where infinity has a meaning, besides the places whose default it is."""
+"""Where infinity has a meaning, in addition to the places whose default it is."""
 
 _INTERVALS = (
     (r"(?:every component|x) > 0(?:, else (?P<instead>[\d. ]+) is used)?", "(0,inf)"),
@@ -141,13 +141,13 @@ def successor_rows(enums: Facts, canonical: Callable[[str], str | None]) -> Iter
 
 
 def shortest(place: str, to: str) -> str:
-    """A successor below the same parent goes by its name alone."""
+    """A successor below the same parent is given by its name alone."""
     parent = place.partition(":")[2].rpartition("/")[0]
     return to.removeprefix(f"{parent}/")
 
 
 def conversion_rows(conversions: Facts, places: Places) -> Iterator[tuple[str, ...]]:
-    """What the conversion rules carry over to the newest version, and where to if that is one place."""
+    """The places that the conversion rules carry over to the newest version, and their new place."""
     targets: dict[str, set[str]] = {}
     for conversion in conversions["conversions"]:
         carried = [rule for rule in conversion["rules"] if rule["op"] in {"copy", "map", "move", "rename"}]

@@ -20,7 +20,7 @@ def fixed_file(data: bytes, path: Path, example: Bad, folder: Path) -> FixedFile
     def again(file: Selected) -> list[Diagnostic]:
         return BENCH.lint(file.data.decode(), example, folder)
 
-    # What is broken may be anything; the parser tells.
+    # A broken text may be anything; the parser decides.
     kind = sniff(data, path)
     known = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
     return fix_file(Selected(path, data, kind if kind in known else Kind.BROKEN_XML), again, unsafe=True)

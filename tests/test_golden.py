@@ -1,4 +1,4 @@
-"""What people see of whole folders of ``fixtures/``; ``make golden`` writes it again."""
+"""The output for whole folders of ``fixtures/``; ``make golden`` writes it again."""
 
 from __future__ import annotations
 

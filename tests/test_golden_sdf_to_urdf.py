@@ -17,7 +17,7 @@ _KINDS = {"ball": Unsupported, "forest": Unsupported, "loops": Loops, "planes": 
 
 
 def _options(case: Path) -> Options:
-    """What the file ``options``, if there is one, says in lines ``name value``; a name alone is a switch."""
+    """The lines ``name value`` of the file ``options``, if it exists; a name alone is a switch."""
     path = case / "options"
     given: dict[str, Any] = {}
     for line in path.read_text().splitlines() if path.is_file() else ():

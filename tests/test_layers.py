@@ -37,7 +37,7 @@ BELOW = {
     "formats": {"source", "files"},
     "convert": {"source", "files", "formats", "xacro", "robot", "consumers", "lint"},
 }
-"""Layer → the layers that it may import besides itself."""
+"""Layer → the layers that it may import in addition to itself."""
 
 CIRCLES = {
     ("sdfcheck.source.document", "sdfcheck.source.element"): "a document and its elements are one type",

@@ -1,4 +1,4 @@
-"""What the manuals say that consumers refuse, against what the rules say of them."""
+"""The refusals that the manuals name, against those in the rules."""
 
 from __future__ import annotations
 

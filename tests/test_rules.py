@@ -18,7 +18,7 @@ from sdfcheck.lint.run import BUILT_IN
 from sdfcheck.lint.subjects import subjects
 from sdfcheck.source.document import Document
 
-# What reports something left out would report it in every snippet that shows something else.
+# A rule that reports an omission would report it in every snippet that shows something else.
 OF_ABSENCE = {"INR004"}
 INDEX = load_index()
 STRICT = {facts.code for facts in INDEX.facts if facts.default} - OF_ABSENCE

@@ -1,4 +1,4 @@
-"""A model that becomes URDF and SDF again is the robot that it was, but for what was told to be lost."""
+"""A model that becomes URDF and SDF again is the same robot, except for reported losses."""
 
 from __future__ import annotations
 

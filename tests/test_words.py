@@ -35,7 +35,7 @@ INSTEAD = {
     r"neighbours?|colours?|centres?|behaviours?": "US spelling",
     r"astray|slips?|folk|teller|barren|shelves": "a plain word",
 }
-"""What is not written → what is."""
+"""A word to avoid → its replacement."""
 WORDS = re.compile(rf"(?<![\w-])(?:{'|'.join(INSTEAD)})(?![\w-])", re.IGNORECASE)
 SUBJECT = re.compile(r"(?:\A|(?<=[.:] )|(?<=\n\n)|(?<=\n- )|(?<=\| ))(?:What|Who|Whoever) [a-z](?![^.]*\?)")
 """A sentence that begins with a clause: name the thing instead."""

@@ -1,4 +1,4 @@
-"""From SDF to URDF and back: what has changed in the robot, and which loss told of it."""
+"""From SDF to URDF and back: the changes in the robot, and the losses that report them."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ _TOLD_BY = (
     ("joint: (type|child|parent|pitch|mimic|pose in the child)", {LossKind.APPROXIMATED_JOINT}),
     ("joint: parent and child", {LossKind.REVERSED_JOINT}),
 )
-"""What a change looks like, and the losses that tell of such changes."""
+"""The form of a change, and the losses that report such changes."""
 
 
 def there_and_back(document: Document) -> tuple[list[Change], list[Loss]]:
     """The differences between a model and what it is after being URDF, and the losses of both ways.
 
-    Raises NotConvertible where the model is no tree.
+    Raises NotConvertible where the model is not a tree.
     """
     there = convert(document, Options(loops=Loops.CUT))
     back = urdf_to_sdf(read(there.text.encode(), Path("there.urdf")), BackOptions())
@@ -59,7 +59,7 @@ def there_and_back(document: Document) -> tuple[list[Change], list[Loss]]:
 
 
 def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
-    """The changes of which no loss has told."""
+    """The changes that no loss has reported."""
     for change in changes:
         if "/material/" in change.what and change.before == "none":
             continue  # the one color of URDF is written as all that SDFormat has

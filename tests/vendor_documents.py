@@ -71,7 +71,7 @@ class _Maker:
     def uses(self, tag: Tag, place: Place) -> Iterator[Case]:
         where = place.text.replace("/", ".")
         if tag.keys.text("mirror"):
-            return  # told by examples
+            return  # given by examples
         right = self.element(tag, place)
         yield self.case(tag, where, "", self.in_place(place, right))
         misspelt = right.replace(f"{tag.name}=", f"{tag.name}qq=", 1)
@@ -194,7 +194,7 @@ class _Maker:
         return f"<{tag.name}{attributes}>{inner}</{tag.name}>" if inner else f"<{tag.name}{attributes}/>"
 
     def joint(self, given: dict[str, str | None], kind: str = "planar", inner: str = "") -> str:
-        """What a joint of Drake's own types needs."""
+        """The elements that a joint of Drake's own types needs."""
         if not self.is_sdf:
             ends = '<parent link="a"/><child link="b"/>'
         else:

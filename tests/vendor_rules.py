@@ -20,7 +20,7 @@ CODES = {*_WRONG_USES, UNKNOWN_TYPE_OF_JOINT, REPEATED, OUT_OF_RANGE, MISSING_VA
 
 
 def reported(document: Document) -> list[Diagnostic]:
-    """What the rules about the vendor's own elements report."""
+    """The reports of the rules about the vendor's own elements."""
     index = load_index()
     facts = tuple(facts for facts in index.facts if facts.code in CODES)
     return lint_document(document, Dispatch(index, ActiveRules(facts, {})))

@@ -1,4 +1,4 @@
-"""Words that are none of those that one of Drake's elements can have."""
+"""Words that are not among the choices for one of Drake's elements."""
 
 from sdfcheck import (
     Diagnostic,
@@ -11,7 +11,7 @@ from sdfcheck import (
 
 
 def unknown_choice(rule: VendorRule, value: VendorValue) -> Diagnostic:
-    """That a value is none of the choices, and which one was probably meant."""
+    """The diagnostic of a value that is not one of the choices, and the one that was probably meant."""
     word, choices = value.text.strip(), value.slot.choices
     near = suggest(word, choices)
     rest = f"; did you mean `{near}`?" if near else f"; it is one of {named(choices, 'or')}"

@@ -4,7 +4,7 @@ from sdfcheck import Element, Root
 
 
 def unread(root: Root) -> tuple[Element, str] | None:
-    """What keeps Drake from reading an SDF file, and where; None where nothing does.
+    """The part that keeps Drake from reading an SDF file; None without one.
 
     That several models are too many is a matter of the format. A file that is included may hold a light.
     """

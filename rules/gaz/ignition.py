@@ -7,12 +7,14 @@ CLASS = re.compile(r"ignition::(gazebo(?=::|\Z))?")
 
 
 def new_file(name: str) -> str | None:
-    """What a plugin's file is called now: systems lose `lib` and `.so`, too; None if it is not Ignition's."""
+    """The present name of a plugin's file: systems lose `lib` and `.so`, too; None if it is not
+    Ignition's.
+    """
     found = FILE.fullmatch(name.strip())
     return f"gz-sim-{found[1]}" if found else None
 
 
 def new_class(name: str) -> str | None:
-    """What a class is called now; None if it is not Ignition's."""
+    """The present name of a class; None if it is not Ignition's."""
     new = CLASS.sub(lambda found: "gz::sim" if found[1] else "gz::", name, count=1)
     return new if CLASS.match(name) else None

@@ -124,7 +124,7 @@ def is_of_ignition(plugin: Plugin) -> bool:
 
 
 def _changes(plugin: Plugin) -> list[tuple[Value, str]]:
-    """What file and class are called now: one name in two spellings, to be changed together."""
+    """The present names of file and class: one name in two spellings, changed together."""
     renamed = ((plugin.filename_value, new_file), (plugin.name_value, new_class))
     found = [(value, rename(value.text)) for value, rename in renamed if value is not None]
     return [(value, new) for value, new in found if new is not None]

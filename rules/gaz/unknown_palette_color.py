@@ -95,7 +95,7 @@ class UnknownPaletteColor(Rule):
 
 
 def strange(part: GazeboBlock | Material) -> Iterator[Value]:
-    """The names that begin as those of the palette do, and are none of them."""
+    """The names that begin as those of the palette do, and are not in it."""
     for value in written(part):
         name = value.text.strip()
         if name[: len(PREFIX)].lower() == PREFIX.lower() and "$" not in name:

@@ -15,7 +15,7 @@ from sdfcheck import (
 )
 
 OTHERS = ("visual", "collision", "material", "robot")
-"""What else has a name that one may take for a reference."""
+"""Other parts whose name may be taken for a reference."""
 
 
 class UnreferencedExtension(Rule):

@@ -3,7 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import IN_VISUAL, REFUSES, Bad, Consumer, Diagnostic, Good, Material, Rule, Severity
 
 UNSET = frozenset({"", "__default__"})
-"""What the consumer takes for no URI: nothing, and the word for it."""
+"""The texts that the consumer does not take for a URI: an empty one, and the word for it."""
 SHAPE = "<geometry><box><size>1 1 1</size></box></geometry>"
 SCRIPT = f"{SHAPE}<material><script>{{}}<name>Gazebo/Red</name></script><diffuse>1 0 0 1</diffuse></material>"
 

@@ -72,7 +72,7 @@ class ImpossibleInertia(Rule):
 
 def _distinct(principal: Sequence[float]) -> list[str]:
     """The moments, smallest first, in as many digits as show by how much the largest is too large."""
-    # What is left of nothing once it was computed is nothing.
+    # Small rounding errors of a computed 0 count as 0.
     principal = [moment if abs(moment) > principal[2] * 1e-14 else 0.0 for moment in principal]
     excess = principal[2] - principal[1] - principal[0]
     for digits in range(6, 18):

@@ -1,4 +1,4 @@
-"""What the rules of this family ask of moments of inertia.
+"""Shared checks of the moments of inertia in this family.
 
 The hard conditions are those of libsdformat. The soft ones compare with homogeneous solids
 of the link's own primitive shapes; only traces are compared, which no rotation changes.
@@ -11,7 +11,7 @@ import math
 from sdfcheck import Consumer, Inertial, Reaction, accepts
 
 _FACTOR = 100.0
-"""More than this off a solid of the same mass and shape is no modeling choice any more."""
+"""More than this off a solid of the same mass and shape is not a modeling choice any more."""
 
 
 def is_remarkable(inertial: Inertial) -> bool:
@@ -49,7 +49,7 @@ def is_impossible(inertial: Inertial) -> bool:
 
 
 def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
-    """What libsdformat does about a link's impossible moments where it does not judge the link by itself.
+    """The reaction of libsdformat to a link's impossible moments where it does not judge the link by itself.
 
     In URDF it merges links that fixed joints tie together, and judges the sum of their moments.
     """

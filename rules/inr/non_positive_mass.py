@@ -76,7 +76,7 @@ class NonPositiveMass(Rule):
         mass = inertial.mass
         if mass.number == 0:
             return not inertial.is_urdf or has_moments_only(inertial)
-        # What is not a number at all is malformed.
+        # A text that is not a number is malformed.
         return mass.number < 0 or mass.text.lower() == "nan"
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:

@@ -1,4 +1,4 @@
-"""Directions of axes: which count, and which are none."""
+"""Directions of axes: valid ones, and those of no length."""
 
 from sdfcheck import Axis
 

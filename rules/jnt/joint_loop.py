@@ -87,7 +87,7 @@ class JointLoop(Rule):
 
 
 def _aside(root: Root) -> dict[Consumer, Reaction]:
-    """What becomes of a ring beside the root of a robot."""
+    """The effect of a ring beside the root of a robot."""
     if not root.is_urdf or not any(model.tree.roots for model in root.models):
         return {}
     return dict.fromkeys((Consumer.GAZEBO, Consumer.URDFDOM), warns("leaves out the links of the ring"))

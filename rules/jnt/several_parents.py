@@ -95,6 +95,6 @@ class SeveralParents(Rule):
             message,
             labels={first.child_value or first: "first a child here"},
             severity=Severity.ERROR if joint.is_urdf else None,
-            # What a joint holds to the world makes no loop with another one.
+            # A joint to the world makes no loop with another one.
             affects={Consumer.DRAKE: accepts("holds the link")} if is_held else {},
         )

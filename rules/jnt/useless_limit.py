@@ -71,7 +71,7 @@ def _useless(limit: Limit) -> list[Number]:
         return []
     lower, upper = limit.lower, limit.upper
     if limit.is_urdf:
-        # What is not written is 0 there, and whole turns exclude nothing.
+        # A bound that is not written is 0 there, and whole turns exclude nothing.
         if lower.is_given and upper.is_given and upper.number - lower.number > 2 * pi - ROUNDING:
             return []
         return [value for value in (lower, upper) if value.is_given and abs(value.number) > 0]

@@ -65,7 +65,7 @@ class ZeroLimit(Rule):
 
 
 def zeros(limit: Limit) -> dict[str, Number]:
-    """What is limited to 0."""
+    """The limits that are 0."""
     if limit.effort and limit.velocity:
         return {}
     limits = {"effort": limit.effort, "velocity": limit.velocity}

@@ -46,7 +46,7 @@ class ZeroRatio(Rule):
 
 
 def zeros(joint: Joint) -> dict[str, Number]:
-    """What is 0 of what couples the motions."""
+    """The factors of the coupling that are 0."""
     if joint.type == "gearbox":
         found = {"gearbox_ratio": joint.gearbox_ratio}
     else:

@@ -3,7 +3,7 @@
 from sdfcheck import Link
 
 LEAST = 1e-15
-"""What the mass and the moments of a body that moves must exceed."""
+"""The bounds that the mass and the moments of a body that moves must exceed."""
 
 
 def is_massless(link: Link) -> bool:

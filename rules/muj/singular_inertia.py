@@ -4,7 +4,7 @@ from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Inertia
 from sdfcheck_rules.muj.mass import is_massless
 
 LEAST = 1e-14
-"""What each principal moment (kg·m²) must reach, unless all are 0."""
+"""The least principal moment (kg·m²), unless all are 0."""
 MASS = '<link name="arm"><inertial><mass value="1"/>{}</inertial></link>'
 INERTIA = '<inertia ixx="{}" iyy="{}" izz="{}" ixy="0" ixz="0" iyz="0"/>'
 FIXED = '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>'

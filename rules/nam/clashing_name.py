@@ -85,7 +85,7 @@ class ClashingName(Rule):
                 continue
             is_custom = ":" in first.kind or ":" in later.kind
             makes_frame = (first.makes_frame or later.makes_frame) and not is_custom
-            # What is merged comes from a time in which nothing is renamed.
+            # A merged include comes from a time in which nothing is renamed.
             is_renamed = first.makes_frame and later.makes_frame and not later.is_merged
             is_renamed = is_renamed and root.is_older_than("1.7")
             message = f"{later.kind} `{later.name}` has the name of a {first.kind} in {later.parent.title}"

@@ -16,7 +16,7 @@ from sdfcheck import (
 )
 
 UNAWARE = (Consumer.DRAKE, Consumer.URDFDOM, Consumer.MUJOCO)
-"""Who does not read `<gazebo>` blocks."""
+"""The consumers that do not read `<gazebo>` blocks."""
 
 
 class DuplicateName(Rule):

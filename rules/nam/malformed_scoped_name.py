@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, Value
 
 _ENDS = frozenset("\"'<>: \t\r\n")
-"""What is around a name, or between its parts."""
+"""The characters around a name, or between its parts."""
 
 
 class MalformedScopedName(Rule):

@@ -1,4 +1,4 @@
-"""What makes a declaration of a prefix one that others can be compared with."""
+"""Conditions for comparing a declaration of a prefix with others."""
 
 from sdfcheck import PrefixDeclaration
 

@@ -58,5 +58,5 @@ class UnusedPrefix(Rule):
 
 
 def _unused(declaration: PrefixDeclaration) -> list[PrefixDeclaration]:
-    """What its element declares and nothing uses."""
+    """The declarations of an element that nothing uses."""
     return [each for each in declaration.beside if not each.is_used and is_sound(each)]

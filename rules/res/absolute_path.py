@@ -55,7 +55,7 @@ class AbsolutePath(Rule):
 
     @staticmethod
     def applies(named: Include | Resource) -> bool:
-        # What is included and not found is an error of its own.
+        # An include that is not found is an error of its own.
         return named.is_absolute and named.misspelling is None and named.obstacle is None
 
     def check(self, named: Include | Resource) -> Iterator[Diagnostic]:

@@ -90,7 +90,7 @@ class UnresolvedInclude(Rule):
             if include.needs_config:
                 yield from self.folder(include)
             elif include.is_missing:
-                # What is missing for a reason outside of the file is reported once.
+                # A part that is missing for a reason outside of the file is reported once.
                 is_outside = include.is_searched_for or (include.location and include.location.is_remote)
                 alike.setdefault(include.uri if is_outside else include, []).append(include)
         for includes in alike.values():

@@ -32,7 +32,7 @@ WORDS = {
     "TOO_LARGE": "`{part}` is too large for `{name}`",
     "TOO_SMALL": "`{part}` is too near to zero for `{name}`",
 }
-"""By the cause; whatever has no words of its own is no number."""
+"""By the cause; other types hold numbers."""
 
 
 TRUTHS = {

@@ -19,7 +19,7 @@ from sdfcheck import (
 )
 
 MANY = 8
-"""More choices than this are not worth a list beside a good guess."""
+"""More choices than this are not listed next to a good guess."""
 
 
 NOISY = (

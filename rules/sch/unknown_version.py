@@ -59,7 +59,7 @@ def known_versions(root: Root) -> tuple[str, ...]:
 
 
 def meant_version(text: str, *, is_urdf: bool) -> str:
-    """What a misspelled version seems to say; it need not exist."""
+    """The version that a misspelled one seems to mean; it need not exist."""
     if is_urdf:
         return text.strip() if "." in text else f"{text}.0"
     found = _MISSPELLED.match(text)

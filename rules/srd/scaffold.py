@@ -1,4 +1,4 @@
-"""A robot beside the examples."""
+"""A robot for the examples."""
 
 FILE = "arm.srdf"
 ROBOT = {

@@ -1,4 +1,4 @@
-"""What the examples of this family are in."""
+"""The document around the examples of this family."""
 
 FILE = "robot.sdf.xacro"
 

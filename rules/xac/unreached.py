@@ -9,7 +9,7 @@ _AFFECTS = dict.fromkeys(Consumer, warns("gets no robot description once xacro r
 
 
 def unless_reached(*, is_dormant: bool, help: str | None = None) -> Mapping[str, Any]:
-    """What a diagnostic has of its own if xacro does not stop for it, as it does not get there."""
+    """The words for a diagnostic where xacro does not stop, as it does not get there."""
     if not is_dormant:
         return {"help": help}
     advice = "xacro does not reach it with these arguments, and would stop here"

@@ -84,9 +84,9 @@ WRITTEN = {
     Kind.SECTION_END_IN_TEXT: ("]]&gt;", "write `]]&gt;`"),
     Kind.ODD_VERSION: ("1.0", "write `1.0`"),
 }
-"""What to write in place of the span where that is plain, and how to say so."""
+"""The replacement of the span where that is plain, and its title."""
 HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT, Kind.ODD_VERSION}
-"""What simulators read anyway, so that the file means the same after the fix."""
+"""Text that simulators read anyway, so that the file means the same after the fix."""
 
 
 TAKEN = frozenset(
@@ -99,7 +99,7 @@ TAKEN = frozenset(
     )
 )
 READ = accepts("reads it anyway")
-"""What tinyxml2, which the consumers use, makes of these."""
+"""The readings of tinyxml2, which the consumers use, of these."""
 
 
 class SyntaxError(Rule):  # noqa: A001 - the name of the defect

@@ -17,7 +17,7 @@ from sdfcheck.source.record import NamedTuple
 
 EXIT_CODES = {0, 1, 2}
 BUGS = ("internal error", "this is a bug in", "CNV030")
-"""What the program says where it has failed: also losses that nobody entered."""
+"""The program's own words for its failures: also losses that nobody entered."""
 
 _CONVERSIONS = (
     *(f"sdf-to-sdf --to {version}" for version in ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.12")),

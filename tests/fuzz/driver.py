@@ -35,7 +35,7 @@ def cases() -> st.SearchStrategy[Case]:
 
 
 class Fuzzer:
-    """What has been run, and what has failed; findings are kept in a folder, one of each mark."""
+    """The runs and the failures; findings are kept in a folder, one of each mark."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder

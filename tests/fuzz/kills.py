@@ -143,7 +143,7 @@ def _time(folder: Path, name: str, run_whole: Callable[[], None]) -> float:
 
 
 def _done(folder: Path, name: str, place: Path) -> Files:
-    """What an undisturbed run leaves, kept beside; the first call finds it in place."""
+    """The files after an undisturbed run, kept beside; the first call finds them in place."""
     kept = folder / f"{name}.whole"
     if not kept.exists():
         shutil.copytree(place, kept)

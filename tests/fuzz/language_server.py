@@ -116,7 +116,7 @@ class LanguageServer:
                 return message.get("result")
 
     def complaint(self) -> Failure | None:
-        """What the server has logged as its own failure since the last time."""
+        """The failures that the server has logged since the last time."""
         found, self._complaints = "\n".join(self._complaints), []
         return Failure(f"server: {found.strip().splitlines()[-1][:80]}", found) if found else None
 

@@ -19,7 +19,7 @@ from tests.fuzz.language_server import LanguageServer, converse
 SECONDS = 10
 """Processor time of one command; what the clock shows may be much more on a busy machine."""
 MEMORY = 1 << 30
-"""What a command may take beyond what the idle process has, in bytes."""
+"""The memory of a command beyond that of the idle process, in bytes."""
 AT_MOST = 600
 SERVER = "server"
 
@@ -85,7 +85,7 @@ def serve(connection: Connection) -> None:
         except EOFError:
             break
         with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
-            # A repository: otherwise all that lies beside the folder could be the project.
+            # A repository: otherwise all files beside the folder could be the project.
             file = Path(folder, "robot", f"file{text.suffix}")
             file.parent.mkdir()
             Path(folder, ".git").mkdir()

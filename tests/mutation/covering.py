@@ -68,7 +68,7 @@ def record(root: Path, tests: list[str], note: Path) -> None:
 
 
 def read(note: Path) -> Covering:
-    """What was recorded."""
+    """The coverage in a note."""
     known = json.loads(note.read_text())
     tests: dict[str, dict[int, tuple[str, ...]]] = defaultdict(dict)
     for path, lines in known["lines"].items():

@@ -21,7 +21,7 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class Opinion(NamedTuple):
-    """What libsdformat says of a file. ``accepted`` is None if it crashed or took too long."""
+    """The verdict of libsdformat on a file. ``accepted`` is None if it crashed or took too long."""
 
     accepted: bool | None
     messages: tuple[str, ...]

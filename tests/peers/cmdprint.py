@@ -1,4 +1,4 @@
-"""What libsdformat prints of files: converted to its own version, with defaults written out.
+"""The print of files by libsdformat: converted to its own version, with defaults written out.
 
 Loading the library takes longer than printing, and it may crash: one process loads it
 and forks for each file.
@@ -32,7 +32,9 @@ def version_of(name: str) -> str:
 
 
 def printed(name: str, jobs: Sequence[Job], results: Path) -> list[str]:
-    """What the library of that name prints of each file, empty for nothing; ``results`` is a folder to use."""
+    """The print of each file by the library of that name, empty for nothing; ``results`` is a
+    folder to use.
+    """
     outs = [results / f"{number}.txt" for number in range(len(jobs))]
     rows = [
         [str(job.path.absolute()), str(job.folder), str(out)] for job, out in zip(jobs, outs, strict=True)

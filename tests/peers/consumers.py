@@ -30,7 +30,7 @@ def _mujoco(paths: Sequence[Path]) -> dict[Path, bool]:
 
 
 def installed() -> Mapping[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]]:
-    """Reader → what tells which of some files it takes."""
+    """Consumer → the function that finds out which of some files it takes."""
     found: dict[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]] = {}
     if cmdcheck.library() is not None:
         found[Consumer.GAZEBO] = _gazebo

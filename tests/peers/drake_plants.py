@@ -26,7 +26,7 @@ def is_installed() -> bool:
 def facts(
     paths: Sequence[Path], *, packages: Mapping[str, Path] | None = None, timeout: float = 900
 ) -> dict[Path, Facts]:
-    """What is in the plants of files; those that Drake does not load have only ``error``."""
+    """The plants of files in Drake; those that Drake does not load have only ``error``."""
     roots = [f"--package={name}={folder}" for name, folder in (packages or {}).items()]
     command = [sys.executable, "-m", "tests.peers.drake_plants", *roots, *map(str, paths)]
     child = subprocess.run(

@@ -33,7 +33,7 @@ def poses(paths: Sequence[Path], *, timeout: float = 600) -> dict[Path, Frames]:
 
 
 def bodies(paths: Sequence[Path], *, timeout: float = 600) -> dict[Path, Bodies]:
-    """What the bodies of each file weigh; files that Drake does not load are left out."""
+    """The masses of the bodies in each file; files that Drake does not load are left out."""
     return _ask("--bodies", paths, timeout)
 
 
@@ -52,7 +52,7 @@ def _ask(what: str, paths: Sequence[Path], timeout: float) -> dict[Path, dict[st
         for name, answer in answers:
             if answer is not None:
                 found[Path(name)] = answer
-        # What has no answer ended the process: go on after it.
+        # A file without an answer ended the process: go on after it.
         waiting = waiting[len(answers) + 1 :]
     return found
 

@@ -1,4 +1,4 @@
-"""What sdfcheck says of files, in the shape that the comparisons need."""
+"""The findings of sdfcheck about files, in the shape that the comparisons need."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SHARED = Path(__file__).parents[3] / "shared"
 """Real files and the verdicts of other consumers; absent outside the workshop."""
 
 NOT_RUN, CRASHED = "(not run)", "(crashed)"
-"""What stands for a code where no rule has spoken."""
+"""The substitute for a code where no rule is involved."""
 
 
 class Finding(NamedTuple):

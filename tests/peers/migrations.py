@@ -28,7 +28,7 @@ def documents() -> Iterator[Document]:
 
 
 def trees(texts: Sequence[tuple[Document, str]], folder: Path) -> list[etree._Element | None]:
-    """What libsdformat prints of texts, each in the place of its document."""
+    """The print of texts by libsdformat, each in the place of its document."""
     jobs = []
     for number, (document, text) in enumerate(texts):
         file = folder / f"{number}.sdf"

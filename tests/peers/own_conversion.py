@@ -1,4 +1,4 @@
-"""What libsdformat makes of a URDF file, where its shared library is installed.
+"""The conversion of a URDF file by libsdformat, where its shared library is installed.
 
 It may crash, so each file has a process of its own.
 """

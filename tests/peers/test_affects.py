@@ -1,4 +1,4 @@
-"""What the rules say of consumers against the consumers themselves, on the rules' own examples."""
+"""The reactions in rules against the consumers themselves, on the rules' own examples."""
 
 from __future__ import annotations
 

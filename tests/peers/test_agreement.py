@@ -47,7 +47,7 @@ OF_OTHER_CONSUMERS = {
     "unknown-plugin-reference": "the plugin refuses it in the simulator",
     "unresolved-include": "the file is not part of the collection",
 }
-"""Errors that are none for one consumer, but for another: no false alarms."""
+"""Errors for one consumer that are not errors for another: no false alarms."""
 
 FORGIVEN = {
     "URI_LOOKUP": "remote includes, which nobody fetches here",

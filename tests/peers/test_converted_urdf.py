@@ -30,7 +30,7 @@ CORPUS = SHARED / "corpus"
 LEAST = 110
 LEAST_MERGED = 74
 UPRIGHT = 5e-3
-"""What is so near to upright (rad), urdfdom turns fully upright."""
+"""A pitch so near to upright (rad) is turned fully upright by urdfdom."""
 
 FOR_DRAKE = {"joint_parsing_test.urdf": "joints without limits: urdfdom refuses the file, and Drake takes it"}
 """Files that are converted for another consumer than urdfdom, and why."""
@@ -59,7 +59,7 @@ def sources() -> list[Path]:
 
 
 def convert(source: Path, folder: Path, version: str, *options: str) -> tuple[Path, dict[str, list[str]]]:
-    """What was written, and what was reported: code → messages."""
+    """The written text, and the reports: code → messages."""
     result, report = folder / f"{version}{''.join(options)}.sdf", folder / "report.json"
     arguments = [str(source), "-o", str(result), "--sdf-version", version, "--isolated", "--quiet", *options]
     code = main(["convert", "urdf-to-sdf", *arguments, "--output-format", f"json={report}"])
@@ -121,7 +121,7 @@ def test_libsdformat_accepts_the_results(converted: list[Converted]) -> None:
 # Drake
 
 NOT_SDFORMAT = {"valkyrie.urdf"}
-"""Robots whose <gazebo> blocks have elements that are not SDFormat's, where Drake wants only those."""
+"""Robots whose <gazebo> blocks have elements that are not SDFormat's, where Drake requires only those."""
 WEIGHTY_WORLD = {"Pendulum.urdf"}
 """Robots whose link `world` has a mass: for Drake it is the world anyway."""
 

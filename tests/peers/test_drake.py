@@ -1,4 +1,4 @@
-"""What we say of Drake's elements against Drake itself, and against files that it loads in silence."""
+"""The verdicts about Drake's elements against Drake itself, and against files that it loads in silence."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ARGUED = {
 """File → rules that rightly speak up: Drake warns, too, or holds a limit that no other consumer does."""
 
 LATER = {"massless-leaf", "unsupported-mesh-format"}
-"""What goes wrong only in the simulation, or where there is a scene graph: the verdicts are about loading."""
+"""Failures only in the simulation, or where there is a scene graph: the verdicts are about loading."""
 
 
 def disagreements(chosen: list[Case], folder: Path) -> list[str]:

@@ -132,7 +132,7 @@ def documented(heading: str, language: str, number: int = 0) -> str:
 
 
 def result(folder: Path, *command: str) -> dict[str, Any]:
-    """What a script in an editor has noted about two files in a folder."""
+    """The notes of a script in an editor about two files in a folder."""
     (folder / "m.sdf").write_text(MODEL)
     (folder / "w.sdf").write_text(WORLD)
     (folder / "sdfcheck.toml").touch()

@@ -22,7 +22,7 @@ def correct(*suffixes: str) -> list[Path]:
 
 
 def check_urdf(path: Path) -> str:
-    """What urdfdom says of a file; empty if it is content."""
+    """The error of urdfdom about a file; empty without one."""
     if shutil.which("check_urdf") is None:
         pytest.skip("check_urdf is not installed")
     child = subprocess.run(["check_urdf", path], capture_output=True, text=True, check=False)

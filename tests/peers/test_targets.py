@@ -25,7 +25,7 @@ UNASKED = {
     Consumer.GAZEBO: frozenset[str](),
     Consumer.DRAKE: frozenset({"DRK009", "RES001", "RES002", "SCH014", "URD007"}),
 }
-"""What the consumers were not asked: Drake read the files without shapes, and beside files that are not here."""
+"""Cases without a verdict: Drake read the files without shapes, and beside files that are not here."""
 
 
 def test_real_files() -> None:

@@ -30,7 +30,7 @@ pytestmark = [
 
 
 def ours(path: Path) -> dict[str, Value] | None:
-    """What our mechanism of a robot has, by libsdformat's keys; None if there is none."""
+    """Our mechanism of a robot, by libsdformat's keys; None without one."""
     document = Library().document(path)
     if document is None or document.root is None or not root_of(document).models:
         return None
@@ -102,7 +102,7 @@ def is_argued(key: str, value: Value) -> bool:
 
 
 def kept_apart(path: Path, folder: Path) -> Path:
-    """A copy in which all fixed joints are to be kept, lest libsdformat makes one link of what they join."""
+    """A copy in which all fixed joints are to be kept, so that libsdformat does not merge their links."""
     text = path.read_text(encoding="utf-8", errors="replace")
     document = Library().document(path)
     models = root_of(document).models if document is not None and document.root is not None else ()

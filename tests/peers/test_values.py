@@ -76,7 +76,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def theirs(program: Path, paths: Iterable[Path]) -> dict[Path, dict[str, Value]]:
-    """What libsdformat reads of each file that it takes; what crashes it, it does not take."""
+    """The values that libsdformat reads of each file that it takes without a crash."""
     command = [str(program), *map(str, paths)]
     lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     found: dict[Path, dict[str, Value]] = defaultdict(dict)
@@ -87,7 +87,7 @@ def theirs(program: Path, paths: Iterable[Path]) -> dict[Path, dict[str, Value]]
 
 
 class Ours:
-    """What our object model has of one file, under the same keys."""
+    """The values in our object model of one file, under the same keys."""
 
     def __init__(self, path: Path) -> None:
         document = Library().document(path)

@@ -22,7 +22,7 @@ CORPUS = SHARED / "corpus"
 
 
 class Verdict(NamedTuple):
-    """What a consumer says of a file: does it load, with how many warnings, which error comes first."""
+    """The verdict of a consumer on a file: does it load, with how many warnings, which error comes first."""
 
     path: Path
     accepted: bool

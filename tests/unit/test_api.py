@@ -1,4 +1,4 @@
-"""What programs can do with the package."""
+"""The package as programs use it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `<gazebo>` blocks hold is SDFormat: linted as such, for Gazebo alone, with names in the whole robot."""
+"""`<gazebo>` blocks hold SDFormat: linted as such, for Gazebo alone, with names in the whole robot."""
 
 from __future__ import annotations
 

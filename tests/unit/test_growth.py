@@ -19,7 +19,7 @@ LARGER = dict.fromkeys(
 STEEP = 1.15
 """Linear work adds 2 times as much from 2n to 4n as from n to 2n, quadratic work 4 times."""
 SLACK = 1000
-"""What is done once, such as looking into caches, may differ a little."""
+"""Work that is done once, such as looking into caches, may differ a little."""
 
 
 @pytest.mark.parametrize("name", DIMENSIONS)

@@ -22,7 +22,7 @@ def screen(text: str, width: int, height: int) -> list[str]:
 
 
 def cells(row: str, width: int) -> list[str]:
-    """What is in each cell of a row; the second cell of a wide character holds nothing."""
+    """The character in each cell of a row; the second cell of a wide character holds nothing."""
     first = _shown(row, width, 2).buffer[0]
     return [first[column].data for column in range(width)]
 

@@ -27,7 +27,7 @@ class Shell:
         return code
 
     def after(self, text: str, *arguments: str, name: str = "a.sdf") -> str:
-        """What becomes of a file."""
+        """The outcome for a file."""
         Path(name).write_bytes(text.encode())
         self(name, "--add-ignore", *arguments)
         return Path(name).read_bytes().decode()

@@ -1,4 +1,4 @@
-"""What every command takes that reads a description: arguments, places, variables."""
+"""The options of every command that reads a description: arguments, places, variables."""
 
 from __future__ import annotations
 

@@ -111,7 +111,7 @@ def test_init_knows_the_targets(tmp_path: Path, capsys: pytest.CaptureFixture[st
 
 
 def completed(words: str, number: int) -> list[str]:
-    """What bash is offered for the word of that number."""
+    """The words that bash is offered in the place of that number."""
     code = "from sdfcheck.cli.main import run; run()"
     environment = {
         **os.environ,

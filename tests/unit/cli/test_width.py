@@ -1,4 +1,4 @@
-"""What a terminal shows: at each width nothing wraps, and marks are below what they mark."""
+"""The width of the output on a terminal: nothing wraps, and marks are below the text that they mark."""
 
 from __future__ import annotations
 

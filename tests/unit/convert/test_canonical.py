@@ -31,7 +31,7 @@ def printed(
 
 
 def link(folder: Path, content: str, numbers: NumberStyle | None = None, version: str = "1.9") -> str:
-    """What becomes of a link's content, without indentation."""
+    """The rewritten content of a link, without indentation."""
     result = printed(folder, SDF.format(version, content), CanonicalStyle(numbers or NumberStyle()))
     inside = result.text.partition('<link name="a">')[2].rpartition("</link>")[0]
     return "".join(line.strip() for line in inside.splitlines())

@@ -1,4 +1,4 @@
-"""What changed in a robot, and what did not."""
+"""Changes in a robot, and the absence of them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a format's own parser takes can be converted."""
+"""A file that its format's own parser takes can be converted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What changed in the settings of a robot: sensors, plugins, materials, surfaces, custom data."""
+"""Changes in the settings of a robot: sensors, plugins, materials, surfaces, custom data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a conversion proves of sensors, plugins, materials and custom data."""
+"""The proof of a conversion about sensors, plugins, materials and custom data."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def converted() -> Conversion:
 
 
 def differences(done: Conversion, text: str) -> list[tuple[str, str, str]]:
-    """What is said of another text in the place of the result's."""
+    """The verdict on another text in the place of the result's."""
     model = root_of(read(text.encode(), Path("r.sdf"), Kind.SDF)).models[0]
     before = done.comparisons[0]
     result = mechanism_of(model, vendors=True)

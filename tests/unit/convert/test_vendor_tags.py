@@ -53,7 +53,7 @@ def flat(text: str) -> str:
 
 
 def faults(text: str, kind: Kind) -> list[object]:
-    """What the rules about Drake's elements find wrong in a result."""
+    """The diagnostics of the rules about Drake's elements in a result."""
     return list(reported(read(text.encode(), Path(f"r.{kind.value}"), kind)))
 
 

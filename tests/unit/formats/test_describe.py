@@ -1,4 +1,4 @@
-"""What is allowed where, for those who ask."""
+"""The descriptions of places in the formats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the walk over a document finds, as values; the words are tested with the rules."""
+"""The findings of the walk over a document, as values; the words are tested with the rules."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the walk finds in values."""
+"""The findings of the walk in values."""
 
 from __future__ import annotations
 

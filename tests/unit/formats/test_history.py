@@ -1,4 +1,4 @@
-"""What is known across versions and places."""
+"""Facts across versions and places."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Prefixes: declared, in scope, used, and spelt as "Namespaces in XML" wants them."""
+"""Prefixes: declared, in scope, used, and spelled as "Namespaces in XML" requires."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def document(text: str, kind: Kind | None = None) -> Document:
 
 
 def found(text: str, kind: Kind | None = None) -> list[Diagnostic]:
-    """What the rules about prefixes report."""
+    """The reports of the rules about prefixes."""
     return [d for d in reported(document(text, kind), "NS") if d.code in OF_PREFIXES]
 
 
@@ -50,7 +50,7 @@ def codes(text: str, kind: Kind | None = None) -> list[str]:
 
 
 def edits(diagnostic: Diagnostic) -> list[tuple[str, str]]:
-    """What the fix replaces, and with what."""
+    """The text that the fix replaces, and the new one."""
     assert diagnostic.fix is not None
     return [(edit.span.text, edit.text) for edit in diagnostic.fix.edits]
 
@@ -82,7 +82,7 @@ def test_other_documents_are_not_looked_at() -> None:
     assert [*declarations(other), *names(other), *prefixes(other)] == []
 
 
-# What is read
+# Reading
 
 
 def test_declarations_on_a_root_that_has_them_all() -> None:

@@ -1,4 +1,4 @@
-"""What goes together in composite elements."""
+"""Parts of composite elements that are used together."""
 
 from __future__ import annotations
 

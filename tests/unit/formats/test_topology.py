@@ -22,7 +22,7 @@ def surveyed(text: str) -> Survey:
 
 
 def displaced(text: str) -> list[tuple[str, list[str]]]:
-    """Custom elements and the titles of the standard ones in them that belong beside them."""
+    """Custom elements and the titles of the standard ones in them that could be beside them."""
     found = surveyed(text).displaced
     return [(custom.name, [each.element.title for each in elements]) for custom, elements in found.items()]
 

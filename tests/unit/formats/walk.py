@@ -1,4 +1,4 @@
-"""What the walk over a small document finds."""
+"""The findings of the walk over a small document."""
 
 from __future__ import annotations
 

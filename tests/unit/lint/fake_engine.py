@@ -46,7 +46,7 @@ class Dispatch:
 
 
 class Seen(NamedTuple):
-    """What the engine was given."""
+    """The files that the engine was given."""
 
     data: bytes
     path: Path

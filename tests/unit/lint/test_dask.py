@@ -56,7 +56,7 @@ def test_a_worker_that_dies_loses_its_portion(tmp_path: Path) -> None:
     command = [sys.executable, str(tmp_path / "script.py"), str(corpus)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     count, _, skipped = done.stdout.partition(" ")
-    # What another worker was given beside it may be lost, too.
+    # Another file that the worker was given may be lost, too.
     assert 5 <= int(count) <= 9
     assert str(corpus / "7.sdf") in skipped
     assert "KilledWorker: " in skipped

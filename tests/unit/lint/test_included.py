@@ -1,4 +1,4 @@
-"""Files that only includes lead to: linted once, told with the way there."""
+"""Files that only includes lead to: linted once, reported with the way there."""
 
 from __future__ import annotations
 

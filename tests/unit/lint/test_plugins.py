@@ -1,4 +1,4 @@
-"""Packs of strangers: how they are found, and what happens when they are faulty."""
+"""Packs from other authors: how they are found, and what happens when they are faulty."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ def rule(code: str, name: str) -> RuleFacts:
 RULES = (rule("AAA001", "first-flaw"), rule("AAA002", "second-flaw"), rule("BBB001", "third-flaw"))
 CODES = frozenset(facts.code for facts in RULES)
 FLAW = {"!": "AAA001", "?": "AAA002", "#": "BBB001"}
-"""In the texts below these characters stand for a diagnostic of a rule."""
+"""In the texts below these characters mean a diagnostic of a rule."""
 
 
 def comments(source: Source) -> list[Comment]:

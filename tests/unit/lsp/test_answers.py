@@ -1,4 +1,4 @@
-"""What the server knows of a place, without the protocol."""
+"""The answers of the server about a place, without the protocol."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def opened(text: str, path: Path = Path("there/m.sdf")) -> tuple[Workspace, Docu
 
 
 def offered(marked: str, name: str = "there/m.sdf") -> dict[str, Item]:
-    """What is offered at the ``|`` in a text."""
+    """The items that are offered at the ``|`` in a text."""
     offset = marked.index("|")
     workspace, document = opened(marked.replace("|", "", 1), Path(name))
     buffer = workspace.buffers[workspace.key(document.path)]

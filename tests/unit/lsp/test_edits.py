@@ -1,4 +1,4 @@
-"""Whatever is typed into real files, the server's state is that of a fresh reading, and nothing fails."""
+"""After any edits of real files, the server's state is that of a fresh reading, and nothing fails."""
 
 from __future__ import annotations
 

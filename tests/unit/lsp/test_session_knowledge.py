@@ -1,4 +1,4 @@
-"""Over stdio: hover, completion, and what editors show of a text beside it."""
+"""Over stdio: hover, completion, and the hints beside a text."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ async def test_links(session: Session, folder: Path) -> None:
 
 
 async def hints(text: Text) -> dict[str, str]:
-    """What is shown after which word."""
+    """The hints, by the word before them."""
     everything = types.Range(types.Position(0, 0), types.Position(text.text.count("\n"), 0))
     found = await text.client.text_document_inlay_hint_async(
         types.InlayHintParams(text.identifier, everything)

@@ -54,7 +54,7 @@ class Session:
         self.client.text_document_did_close(types.DidCloseTextDocumentParams(text.identifier))
 
     def pushed(self, path: Path) -> list[types.Diagnostic]:
-        """What was sent last for a file."""
+        """The last message about a file."""
         found = [params for params in self.published if params.uri == path.as_uri()]
         return list(found[-1].diagnostics) if found else []
 
@@ -171,7 +171,7 @@ class Text:
     async def diagnostics(
         self, test: Callable[[list[types.Diagnostic]], object] = bool
     ) -> list[types.Diagnostic]:
-        """What the client shows, once it is as expected."""
+        """The text that the client shows, once it is as expected."""
         end = time.monotonic() + PATIENCE
         while not test(found := await self._diagnostics()):
             assert time.monotonic() < end, found
@@ -188,7 +188,7 @@ class Text:
         return list(report.items)
 
     async def actions(self, where: types.Range, *kinds: str) -> list[types.CodeAction]:
-        """What is offered in a range, with the edits that the client has to ask for."""
+        """The actions that are offered in a range, with the edits that the client has to ask for."""
         found = await self.client.text_document_code_action_async(
             types.CodeActionParams(
                 self.identifier, where, types.CodeActionContext([], only=list(kinds) or None)
@@ -201,7 +201,7 @@ class Text:
         ]
 
     async def hover(self, mark: str, skip: int = 0) -> str:
-        """What is said of a place."""
+        """The hover text of a place."""
         found = await self.client.text_document_hover_async(types.HoverParams(**self.at(mark, skip)))
         if found is None:
             return ""
@@ -209,7 +209,7 @@ class Text:
         return found.contents.value
 
     async def completion(self, mark: str, skip: int = 0) -> dict[str, types.CompletionItem]:
-        """What is offered at a place, by its label."""
+        """The items that are offered at a place, by their labels."""
         found = await self.client.text_document_completion_async(
             types.CompletionParams(**self.at(mark, skip))
         )

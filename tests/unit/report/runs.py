@@ -87,7 +87,7 @@ def run(*diagnostics: Diagnostic, files: int = 1, **fields: Any) -> Run:
 
 
 def rich_diagnostic() -> Diagnostic:
-    """One with everything; characters of several bytes stand before the defect."""
+    """One with everything; characters of several bytes are before the defect."""
     call, _ = marked("«call»", "world.xacro")
     found = fixed(diagnostic("<é>\n\t<𐐀>«a»</𐐀>{b}\n", "here"), "c")
     affects = (("drake", refuses("aborts")), ("gazebo", warns("ignores it")))
@@ -95,12 +95,12 @@ def rich_diagnostic() -> Diagnostic:
 
 
 def parsed(format: OutputFormat, *diagnostics: Diagnostic, **fields: Any) -> Any:
-    """What a program reads in the report of a run."""
+    """The report of the run as a program reads it."""
     return json.loads(render(format, run(*diagnostics, **fields)))
 
 
 def shown(found: Diagnostic, **fields: Any) -> str:
-    """What is shown of one diagnostic, without its heading and the closing line."""
+    """The lines of one diagnostic, without its heading and the closing line."""
     text = render(OutputFormat.FULL, run(found, **fields))
     heading, body = text.split("\n", 1)
     assert heading == "error[NAM901]: name `a` is taken"

@@ -1,4 +1,4 @@
-"""Whatever a file holds and wherever the places lie, every format renders and none acts on a terminal."""
+"""For any content of a file and any places, every format renders and none acts on a terminal."""
 
 from __future__ import annotations
 

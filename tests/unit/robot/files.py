@@ -45,7 +45,7 @@ def document(folder: Path, text: str, **files: str) -> Document:
 
 
 def reported(document: Document, family: str = "RES") -> list[Diagnostic]:
-    """What the rules of a family report in a document."""
+    """The reports of the rules of a family in a document."""
     index = load_index()
     facts = tuple(facts for facts in index.facts if facts.family == family)
     return lint_document(document, Dispatch(index, ActiveRules(facts, {})))

@@ -1,4 +1,4 @@
-"""One mistake gives one diagnostic: what follows from a slip is not told of as well."""
+"""One mistake gives one diagnostic: its consequences are not reported as well."""
 
 from __future__ import annotations
 

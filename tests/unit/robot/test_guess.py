@@ -1,4 +1,4 @@
-"""What names that reach nothing were meant to be."""
+"""The intended names of references that are not resolved."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the graph knows of masses and moments beyond what is written."""
+"""The masses and moments in the graph that are not written in the text."""
 
 from __future__ import annotations
 

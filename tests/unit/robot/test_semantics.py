@@ -1,4 +1,4 @@
-"""SRDF beside a robot: its references and values are checked against the robot that has most of its names."""
+"""SRDF and its robot: its references and values are checked against the robot that has most of its names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the graph knows about names that reach nothing, joints across models, leaders and misspelled children."""
+"""Facts of the graph about unresolved names, joints across models, leaders and misspelled children."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What Drake does not support: where the rules about it look, and whom they tell."""
+"""Features that Drake does not support: where the rules look, and for which consumers they report."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ MASS = '<inertial><mass value="{}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz
 
 
 def reported(text: str, *codes: str, target: tuple[str, ...] = ()) -> list[sdfcheck.Diagnostic]:
-    """What rules report in a document; of all rules those that run by default."""
+    """The reports of rules in a document; of all rules those that run by default."""
     options = {"select": list(codes)} if codes else {"target": list(target)}
     found = sdfcheck.lint(text, isolated=True, **options).diagnostics  # type: ignore[arg-type]
     return [diagnostic for diagnostic in found if diagnostic.code.startswith("DRK")]

@@ -12,7 +12,7 @@ BOX = '<geometry><box size="1 1 1"/></geometry>'
 
 
 def reported(text: str) -> list[sdfcheck.Diagnostic]:
-    """What the rules about Gazebo report in a document."""
+    """The reports of the rules about Gazebo in a document."""
     return list(sdfcheck.lint(text, isolated=True, select=["GAZ"]).diagnostics)
 
 
@@ -21,7 +21,7 @@ def in_model(text: str, version: str = "1.9") -> list[sdfcheck.Diagnostic]:
 
 
 def changes(diagnostic: sdfcheck.Diagnostic) -> list[tuple[str, str]]:
-    """What the fix replaces, and by what."""
+    """The text that the fix replaces, and the new one."""
     assert diagnostic.fix is not None
     return [(edit.span.text, edit.text) for edit in diagnostic.fix.edits]
 

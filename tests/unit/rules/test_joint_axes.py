@@ -10,7 +10,7 @@ AXIS = "<axis><xyz>0 0 1</xyz></axis>"
 
 
 def reported(text: str) -> list[sdfcheck.Diagnostic]:
-    """What the rules about joints report in a document."""
+    """The reports of the rules about joints in a document."""
     return list(sdfcheck.lint(text, isolated=True, select=["JNT"]).diagnostics)
 
 

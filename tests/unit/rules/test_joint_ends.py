@@ -10,7 +10,7 @@ AXIS = "<axis><xyz>0 0 1</xyz></axis>"
 
 
 def reported(text: str) -> list[sdfcheck.Diagnostic]:
-    """What the rules about joints report in a document."""
+    """The reports of the rules about joints in a document."""
     return list(sdfcheck.lint(text, isolated=True, select=["JNT"]).diagnostics)
 
 
@@ -158,7 +158,7 @@ def test_ends_of_one_name_are_one_mistake() -> None:
 
 
 def chain(*leaders: str) -> list[sdfcheck.Diagnostic]:
-    """What is reported of joints j0, j1 … in a row, each with the mimic that is given (none: empty)."""
+    """The reports about joints j0, j1 … in a row, each with the mimic that is given (empty: without one)."""
     text, parent = "", "base"
     for number, mimic in enumerate(leaders):
         axis = f"<axis><xyz>0 0 1</xyz>{mimic}</axis>"

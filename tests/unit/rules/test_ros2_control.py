@@ -1,4 +1,4 @@
-"""What the rules about ros2_control report in whole robots, and what they leave alone."""
+"""The reports of the rules about ros2_control in whole robots, and the absence of them."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ def joint(name: str, parent: str, child: str, kind: str = "fixed", inside: str =
 
 
 def reported(text: str) -> list[sdfcheck.Diagnostic]:
-    """What is reported about a robot, but for the hint that its root has mass."""
+    """The reports about a robot, except for the hint that its root has mass."""
     found = sdfcheck.lint(f'<robot name="r">{text}</robot>', isolated=True, select=FAMILIES)
     return [diagnostic for diagnostic in found.diagnostics if diagnostic.name != "root-with-inertia"]
 

@@ -31,7 +31,7 @@ def document(text: str) -> Document:
 
 
 def check(found: Document) -> None:
-    """What holds for every document."""
+    """Properties of every document."""
     size = len(found.source.text)
     for problem in problems(found):
         assert 0 <= problem.span.start <= problem.span.end <= max(size, 1)

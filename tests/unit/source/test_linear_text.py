@@ -16,7 +16,7 @@ XACRO = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="a">{}</robot>'
 MACRO = XACRO.format('<xacro:macro name="m" params="{}"><link name="b"/></xacro:macro>')
 
 ATTACKS: dict[str, tuple[str, str, Callable[[int], str]]] = {
-    # Scanning: comments, sections and instructions without end, tags that are none.
+    # Scanning: comments, sections and instructions without end, and text that only looks like a tag.
     "unclosed comments": ("a.sdf", SDF, lambda n: "<!--" * n),
     "unclosed comments in URDF": ("a.urdf", URDF, lambda n: "<!--" * n),
     "unclosed sections": ("a.sdf", SDF, lambda n: "<![CDATA[" * n),
@@ -67,7 +67,7 @@ def test_time_grows_with_the_size(name: str) -> None:
 
     took(10)
     once, four_times = took(SIZE), took(4 * SIZE)
-    # What is quadratic takes 16 times as long, and minutes; what cannot be measured is fast enough.
+    # Quadratic work takes 16 times as long, and minutes; work too short to measure is fast enough.
     # On a busy machine a run may be slow by chance: then both are measured again.
     for _ in range(3):
         if four_times < 10 * max(once, 0.05):

@@ -1,4 +1,4 @@
-"""One slip, one defect, where a person would edit, and the rest of the text is read as it was meant."""
+"""One mistake, one defect, where a person would edit, and the rest of the text is read as it was meant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From elements to characters: exact, whatever stands between and around."""
+"""From elements to characters: exact, whatever is between and around."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What comes out of an expansion, and where its elements were written."""
+"""The result of an expansion, and where its elements were written."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files that want too much: each ends in a problem with a place."""
+"""Files that exceed the limits: each ends in a problem with a place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is left of a robot without the packages that are not found is checked, and judged as a part."""
+"""The part of a robot without the packages that are not found is checked, and judged as a part."""
 
 from __future__ import annotations
 

@@ -262,7 +262,7 @@ PLANTED: dict[str, tuple[str, ...]] = {
         '<xacro:wheel side="${k}"><origin/></xacro:wheel>',
     ),
 }
-"""What is wrong → the lines of a robot; that with an exclamation mark is the one to edit."""
+"""Mistake → the lines of a robot; that with an exclamation mark is the one to edit."""
 
 
 def planted(lines: tuple[str, ...]) -> tuple[str, int]:

@@ -1,4 +1,4 @@
-"""What xacro only warns about is a warning, and what it ignores does not hide or excuse anything."""
+"""A warning of xacro is a warning, and a part that it ignores does not hide or excuse anything."""
 
 from __future__ import annotations
 

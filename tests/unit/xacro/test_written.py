@@ -1,4 +1,4 @@
-"""What the text of a xacro library shows to be wrong, without being expanded."""
+"""Mistakes that the text of a xacro library shows, without being expanded."""
 
 from __future__ import annotations
 
