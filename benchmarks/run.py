@@ -189,9 +189,9 @@ def main() -> None:
         converted = list(conversions.timings(folder, options.factor))
     exponent = growth(results)
     if options.json:
-        told = {"results": [r._asdict() for r in results], "growth": exponent}
-        told["conversions"] = [one._asdict() for one in converted]
-        print(json.dumps(told, indent=1))
+        summary = {"results": [r._asdict() for r in results], "growth": exponent}
+        summary["conversions"] = [one._asdict() for one in converted]
+        print(json.dumps(summary, indent=1))
         return
     print("\n".join(table(results, version)))
     print("\n" + "\n".join(conversions.table(converted)))

@@ -1404,7 +1404,7 @@ def urd_delimiter_in_extension__delimited(block):
     return [value for value in named if value is not None and '::' in value.text]
 
 def URD017_applies(block):
-    return block.document.source.mentions('::') and bool(urd_delimiter_in_extension__delimited(block))
+    return block.document.source.contains('::') and bool(urd_delimiter_in_extension__delimited(block))
 
 def URD018_applies(mimic):
     return not mimic.joint.is_fixed and mimic.leader is not None and mimic.leader.is_fixed

@@ -48,12 +48,12 @@ def fix(  # noqa: PLR0913
         OSError: a file cannot be written.
     """
     from sdfcheck.files.overwrite import overwrite
-    from sdfcheck.lint.call import options_of, told_apart
+    from sdfcheck.lint.call import options_of, text_or_paths
     from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.fix.fixer import fix_files
     from sdfcheck.lint.session import run
 
-    text, paths = told_apart(what)
+    text, paths = text_or_paths(what)
     if text is not None:
         raise WrongUsage("only files are fixed: give a path")
     configuration = Configuration(config, isolated=isolated, trusted=trust_config)

@@ -34,7 +34,7 @@ def action() -> ModuleType:
         ("2.0rc1", "sdfcheck==2.0rc1"),
     ],
 )
-def test_what_is_installed(action: ModuleType, version: str, expected: str) -> None:
+def test_the_version_to_install(action: ModuleType, version: str, expected: str) -> None:
     assert action.requirement({"SDFCHECK_VERSION": version}, Path("here")) == expected
 
 

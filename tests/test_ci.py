@@ -39,7 +39,7 @@ def test_a_job_may_read_and_nothing_else() -> None:
     assert all(step["with"] == {"persist-credentials": False} for step in checkouts)
 
 
-def test_what_is_run_exists() -> None:
+def test_the_commands_that_run_exist() -> None:
     commands = "\n".join(step.get("run", "") for step in STEPS)
     targets = set(re.findall(r"make ([\w-]+)", commands))
     assert targets >= {"fuzz", "package"}
@@ -53,7 +53,7 @@ def test_a_tag_is_compared_with_what_is_there() -> None:
 
 
 @pytest.mark.parametrize("name", JOBS)
-def test_no_text_of_strangers_gets_into_a_shell(name: str) -> None:
+def test_no_text_of_others_gets_into_a_shell(name: str) -> None:
     known = {"matrix.platform", "github.run_number"}
     for step in JOBS[name]["steps"]:
         assert set(re.findall(r"\$\{\{ ([\w.]+) \}\}", step.get("run", ""))) <= known

@@ -41,15 +41,15 @@ def test_manuals_speak_of_consumers() -> None:
 
 
 @pytest.mark.parametrize("code", sorted(CLAIMING))
-def test_whoever_is_said_to_refuse_does_so_in_an_example(code: str, tmp_path: Path) -> None:
+def test_a_consumer_that_refuses_in_prose_does_so_in_an_example(code: str, tmp_path: Path) -> None:
     (rule,) = (rule for rule in RULES if rule.code == code)
-    told = {consumer for consumer in CLAIMING[code] if _is_in_the_table(rule, consumer)}
+    refused_by = {consumer for consumer in CLAIMING[code] if _is_in_the_table(rule, consumer)}
     for file in examples(tmp_path, [rule]):
         for row in verdicts(file, tuple(Consumer), Around(Configuration(isolated=True))):
             own = (reason.reaction for reason in row.reasons if reason.diagnostic.code == code)
             if any(map(_refuses, own)):
-                told.add(row.consumer)
-    assert CLAIMING[code] <= told
+                refused_by.add(row.consumer)
+    assert CLAIMING[code] <= refused_by
 
 
 def _is_in_the_table(rule: type[Rule], consumer: Consumer) -> bool:

@@ -64,7 +64,7 @@ def test_messages_are_in_house_style(trial: Trial) -> None:
 
 
 @pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
-def test_what_was_meant_can_be_written(trial: Trial, tmp_path: Path) -> None:
+def test_the_intended_name_can_be_written(trial: Trial, tmp_path: Path) -> None:
     example = trial.example
     assert isinstance(example, Bad)
     text, _, _ = unmark(fill(trial.rule.scaffold, example))
@@ -78,7 +78,9 @@ def test_what_was_meant_can_be_written(trial: Trial, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "trial", [trial for trial in TRIALS if trial.rule.applies is not Rule.applies], ids=repr
 )
-def test_what_a_condition_applies_to_is_reported(trial: Trial, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_part_that_a_condition_applies_to_is_reported(
+    trial: Trial, monkeypatch: pytest.MonkeyPatch
+) -> None:
     rule, example = trial.rule, trial.example
     facts = next(facts for facts in BENCH.facts if facts.code == rule.code)
     seen: list[object] = []

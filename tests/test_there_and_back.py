@@ -23,7 +23,7 @@ MODELS = [
 
 
 @pytest.mark.parametrize("path", MODELS, ids=lambda path: f"{path.parent.name}/{path.name}")
-def test_every_change_is_told(path: Path) -> None:
+def test_every_change_is_reported(path: Path) -> None:
     document = read(path.read_bytes(), path)
     document.library = Library()
     changes, losses = there_and_back(document)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from sdfcheck.cli.convert.command import COMMANDS as CONVERSIONS
 from sdfcheck.cli.main import COMMANDS, main
 from sdfcheck.convert.loss import LossKind
 from tests.test_rules import RULES
+from tests.test_style import CODE
 
 ROOT = Path(__file__).parents[1]
 PAGES = [
@@ -29,16 +31,26 @@ INSTEAD = {
     r"stands? (?:for|in|at|beside|without)": "be, mean, appear in",
     r"pass(?:es|ed)? over": "ignore",
     r"say for|at hand|besides|all the same": "leave it out, or: also, available, in addition, still",
-    r"(?<!if there )(?<!where there )(?:is|are) none": "is not one",
+    r"(?<!if there )(?<!where there )(?:is|are) (?-i:none)": "is not one",
     r"(?<!there )is no(?! longer\b| less\b| more\b| larger\b)": "is not a",
     r"labelled|licence|metres?|modelling|(?:normal|recogn|organ|initial)ised": "US spelling",
     r"neighbours?|colours?|centres?|behaviours?": "US spelling",
     r"astray|slips?|folk|teller|barren|shelves": "a plain word",
+    r"blame[sd]?|culprits?|whoever|lest|be it|let go|happens? to be": "a plain word",
+    r"as (?:it stands|they stand)|(?:is|are|was|were) met": "as it is, occurs",
 }
 """A word to avoid → its replacement."""
 WORDS = re.compile(rf"(?<![\w-])(?:{'|'.join(INSTEAD)})(?![\w-])", re.IGNORECASE)
 SUBJECT = re.compile(r"(?:\A|(?<=[.:] )|(?<=\n\n)|(?<=\n- )|(?<=\| ))(?:What|Who|Whoever) [a-z](?![^.]*\?)")
 """A sentence that begins with a clause: name the thing instead."""
+NAMES = re.compile(
+    r"(?:^|_)(?:tells?|told|blamed?|slips?|cure|mend(?:s|ed)?|mentions|folk|astray|whoever|colours?)(?:_|$)",
+    re.IGNORECASE,
+)
+"""Words that are not in the names of things, either."""
+CLAUSE = re.compile(r"_*(?:test_)?(?:what|who)_[a-z]")
+"""A name that is such a sentence."""
+GENERATED = {"conditions.py", "rule_index.py"}
 _FENCE = re.compile(r"^( *)```.*?^\1```$", re.MULTILINE | re.DOTALL)
 _CODE = re.compile(r"``[^`]+``|`[^`\n]*`")
 
@@ -109,12 +121,71 @@ def test_messages_use_plain_words(folder: str) -> None:
     found = [
         complaint
         for path in modules
-        if path.name not in {"conditions.py", "rule_index.py"}
+        if path.name not in GENERATED
         for number, text in sentences(path)
         for complaint in complaints(_CODE.sub("`…`", text), f"{path.relative_to(ROOT)}:{number}")
         if not SUBJECT.match(text)
     ]
     assert not found, "\n".join(found)
+
+
+def notes(path: Path) -> Iterator[tuple[int, str]]:
+    """The comments and docstrings of a module, each as one line a paragraph."""
+    with tokenize.open(path) as file:
+        for token in tokenize.generate_tokens(file.readline):
+            if token.type == tokenize.COMMENT:
+                yield token.start[0], token.string.lstrip("#: ")
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.Expr(value=ast.Constant(value=str() as text)):
+                yield node.lineno, "\n\n".join(" ".join(part.split()) for part in text.split("\n\n"))
+
+
+def names(path: Path) -> Iterator[tuple[int, str]]:
+    """The names that a module defines: of functions, classes, arguments and variables."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                yield node.lineno, name
+            case ast.arg(arg=name) | ast.Name(id=name, ctx=ast.Store()):
+                yield node.lineno, name
+            case ast.Attribute(attr=name, ctx=ast.Store()):
+                yield node.lineno, name
+
+
+@pytest.mark.parametrize("folder", CODE)
+def test_comments_and_docstrings_use_plain_words(folder: str) -> None:
+    found = [
+        complaint
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if path.name not in GENERATED
+        for number, text in notes(path)
+        for complaint in complaints(_CODE.sub("`…`", text), f"{path.relative_to(ROOT)}:{number}")
+    ]
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize("folder", CODE)
+def test_names_are_plain_words(folder: str) -> None:
+    found = [
+        f"{path.relative_to(ROOT)}:{number}: {name}"
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if path.name not in GENERATED
+        for number, name in names(path)
+        if NAMES.search(name) or CLAUSE.match(name)
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_comments_docstrings_and_names_are_read(tmp_path: Path) -> None:
+    module = tmp_path / "module.py"
+    module.write_text('def told(one):\n    """First.\n\n    Then,\n    more."""\n    one.slips = 1  # why\n')
+    assert [*notes(module)] == [(6, "why"), (2, "First.\n\nThen, more.")]
+    assert sorted(names(module)) == [(1, "one"), (1, "told"), (6, "slips")]
+    assert NAMES.search("_tell_all")
+    assert not NAMES.search("slipped")
+    assert CLAUSE.match("test_what_is_left")
+    assert not CLAUSE.match("test_whatever")
 
 
 def test_the_words_are_found() -> None:

@@ -14,7 +14,7 @@ from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options as BackOptions
 from sdfcheck.source.document import Document, read
 
-_TOLD_BY = (
+_REPORTED_BY = (
     (
         "link: .*/material(/.*)?",
         {LossKind.CHANGED_COLOR, LossKind.CHANGED_MATERIAL, LossKind.DROPPED_ELEMENT},
@@ -66,17 +66,17 @@ def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
         looks = change.part
         looks += f": {change.what}" if change.kind is ChangeKind.CHANGED else f" {change.kind.value}"
         kinds: set[LossKind] = set()
-        kinds = kinds.union(*(told for pattern, told in _TOLD_BY if re.fullmatch(pattern, looks)))
+        kinds = kinds.union(*(reported for pattern, reported in _REPORTED_BY if re.fullmatch(pattern, looks)))
         quoted = re.split("[`/]", change.what)
         names = {
             name
             for text in (change.name, change.before, *quoted)
             for name in (text, *re.split("::|__|/+", text))
         }
-        if not any(loss.kind in kinds and _mentions(loss, names - {""}) for loss in losses):
+        if not any(loss.kind in kinds and _names_any(loss, names - {""}) for loss in losses):
             yield f"{looks}: {change.name} {change.before} → {change.after}"
 
 
-def _mentions(loss: Loss, names: set[str]) -> bool:
+def _names_any(loss: Loss, names: set[str]) -> bool:
     words = set(re.split(r"[`:/]+", loss.message))
     return bool(words & names)

@@ -18,8 +18,8 @@ from sdfcheck import (
 class RelativeTopLevelPose(Rule):
     """The pose of a model at the top of the file is relative to a frame.
 
-    Around such a model there is nothing to be relative to. libsdformat refuses any
-    `relative_to` there, `world` too: whoever includes the model says where it goes.
+    Such a model has no frames around it. libsdformat refuses any `relative_to` there,
+    `world` too: the file that includes the model places it.
     """
 
     code = "FRM009"

@@ -18,8 +18,8 @@ from sdfcheck import (
 class ReplacedElement(Rule):
     """A custom element replaces a required standard one.
 
-    Custom elements may add information, and may not replace any: whoever gives
-    `<p:diameter>` must give `<radius>` anyway (custom-elements proposal). Consumers
+    Custom elements may add information, and may not replace any: a shape with
+    `<p:diameter>` must have `<radius>` as well (custom-elements proposal). Consumers
     that do not know the prefix take the default.
     """
 

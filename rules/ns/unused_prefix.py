@@ -51,10 +51,10 @@ class UnusedPrefix(Rule):
         removed = tuple(Edit(each.whole, "") for each in unused)
         prefixes = named([each.prefix for each in unused], most=5)
         if len(removed) == 1:
-            what, cure = f"prefix {prefixes} is", "remove the declaration"
+            what, title = f"prefix {prefixes} is", "remove the declaration"
         else:
-            what, cure = f"prefixes {prefixes} are", "remove the declarations"
-        yield self.diagnostic(declaration, f"{what} declared and not used", fix=make_fix(cure, removed))
+            what, title = f"prefixes {prefixes} are", "remove the declarations"
+        yield self.diagnostic(declaration, f"{what} declared and not used", fix=make_fix(title, removed))
 
 
 def _unused(declaration: PrefixDeclaration) -> list[PrefixDeclaration]:

@@ -115,7 +115,7 @@ class MissingFile(Rule):
 
     def file(self, uses: list[Resource]) -> Diagnostic:
         resource = uses[0]
-        near, has_kin = near_file(resource)
+        near, has_siblings = near_file(resource)
         message = f"{resource.what} `{resource.uri}` does not exist{used(len(uses))}"
         if near is not None:
             message += f", did you mean `{near}`?"
@@ -123,9 +123,9 @@ class MissingFile(Rule):
             resource.uri_value,
             message,
             fix=renamed(uses, near),
-            severity=Severity.ERROR if has_kin else Severity.WARNING,
+            severity=Severity.ERROR if has_siblings else Severity.WARNING,
             help=looked_for(resource),
-            affects=reactions(resource, REFUSES if has_kin else ELSEWHERE),
+            affects=reactions(resource, REFUSES if has_siblings else ELSEWHERE),
         )
 
     def together(self, uses: list[Resource], message: str, advice: str = "") -> Diagnostic:

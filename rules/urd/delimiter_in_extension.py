@@ -47,7 +47,7 @@ class DelimiterInExtension(Rule):
 
     @staticmethod
     def applies(block: GazeboBlock) -> bool:
-        return block.document.source.mentions("::") and bool(delimited(block))
+        return block.document.source.contains("::") and bool(delimited(block))
 
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
         for value in delimited(block):

@@ -41,7 +41,7 @@ class DisconnectedLink(Rule):
         Good(
             '<link name="gripper"/>'
             '<joint name="j" type="fixed"><parent link="base"/><child link="griper"/></joint>',
-            why="the joint is to blame",
+            why="the joint is at fault",
         ),
     )
 

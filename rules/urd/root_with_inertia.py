@@ -9,9 +9,9 @@ JOINT = '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint
 class RootWithInertia(Rule):
     """The root link has mass, which KDL drops.
 
-    robot_state_publisher and whatever else uses KDL prints a warning at every start.
-    Nothing is wrong with the robot: whoever wants silence adds an empty root link, and a
-    fixed joint to the old one. Taking the mass away breaks it for simulators.
+    robot_state_publisher and other users of KDL print a warning at every start. The robot
+    is correct. An empty root link, with a fixed joint to the old one, avoids the warning.
+    Taking the mass away breaks it for simulators.
     """
 
     code = "URD008"

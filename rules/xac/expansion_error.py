@@ -27,7 +27,7 @@ class ExpansionError(Rule):
     """xacro cannot expand the file.
 
     An expression fails, an included file is missing or malformed, a macro calls itself
-    without end, or a bound on time, memory or reach is met. The diagnostic is at
+    without end, or the expansion exceeds a limit (time, memory, files). The diagnostic is at
     the expression as it is written, and shows the macro calls and includes that lead
     there. A substitution argument without a value is a warning: the file may be sound,
     but it was not checked. So is what xacro does not stop for: a pattern that matches no

@@ -116,11 +116,11 @@ Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
 
 def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
     """Consumer → dialect → reaction, in full and as text: how an index holds it."""
-    told = {}
+    texts = {}
     for consumer, said in sorted(affects.items(), key=lambda item: item[0].value):
         reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
-        told[consumer.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
-    return told
+        texts[consumer.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
+    return texts
 
 
 def lines(affects: Mapping[str, Mapping[str, str]]) -> Iterable[str]:

@@ -44,8 +44,8 @@ def convert(
         return to_urdf(document, Options(model=model), verified=verify)
     if to == "sdf" and not model:
         return _to_sdf(document, _version(version), verify=verify)
-    what_for = "".join([f", version {version}" if version else "", f", model {model}" if model else ""])
-    raise WrongUsage(f"{document.path}: {document.kind.description} is not converted to `{to}`{what_for}")
+    conditions = "".join([f", version {version}" if version else "", f", model {model}" if model else ""])
+    raise WrongUsage(f"{document.path}: {document.kind.description} is not converted to `{to}`{conditions}")
 
 
 def _to_sdf(document: Document, version: Version, *, verify: bool) -> Conversion:

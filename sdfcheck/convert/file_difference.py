@@ -56,7 +56,7 @@ def placed_models(document: Document) -> dict[str, Placed]:
     if document.kind is Kind.URDF:
         model = root_of(document).models[0]
         robot = _as_sdf_has_it(mechanism_of(model, vendors=True))
-        return {robot.name: Placed(robot, of_urdf(model), *_stand(document))}
+        return {robot.name: Placed(robot, of_urdf(model), *_placement(document))}
     if needs_writing_out(document):
         document, _ = written_out(document)
     found: dict[str, Placed] = {}
@@ -134,7 +134,7 @@ def _as_sdf_has_it(robot: Mechanism) -> Mechanism:
     return Mechanism(robot.name, links, joints, robot.frames)
 
 
-def _stand(document: Document) -> tuple[Array, bool]:
+def _placement(document: Document) -> tuple[Array, bool]:
     """Where a URDF's extensions place the robot, and whether they fix it there."""
     assert document.root is not None
     blobs = [blob for blob in document.root.children("gazebo") if not blob.attributes.get("reference")]

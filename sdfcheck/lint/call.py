@@ -46,7 +46,7 @@ def lint(  # noqa: PLR0913
     Raises:
         sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
     """
-    text, paths = told_apart(what)
+    text, paths = text_or_paths(what)
     options = options_of(
         Configuration(config, isolated=isolated, trusted=trust_config),
         select=select,
@@ -87,7 +87,7 @@ def _run(paths: tuple[Path, ...], options: Options, executor: Executor | None) -
     return run_on(executor, paths, options)
 
 
-def told_apart(
+def text_or_paths(
     what: str | bytes | os.PathLike[str] | Iterable[os.PathLike[str]],
 ) -> tuple[bytes | None, tuple[Path, ...]]:
     """The text or the paths."""

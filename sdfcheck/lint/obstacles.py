@@ -15,19 +15,19 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
-OWN_READER: Mapping[Kind, Consumer] = {
+OWN_CONSUMER: Mapping[Kind, Consumer] = {
     Kind.SDF: Consumer.GAZEBO,
     Kind.URDF: Consumer.URDFDOM,
     Kind.XACRO: Consumer.URDFDOM,
 }
 
 
-def own_reader(document: Document) -> Consumer | None:
+def own_consumer(document: Document) -> Consumer | None:
     """Whose file it is."""
     root = document.root
     if document.kind is Kind.URDF and root is not None and root.has("drake:joint"):
         return Consumer.DRAKE
-    return OWN_READER.get(document.kind)
+    return OWN_CONSUMER.get(document.kind)
 
 
 def obstacles(

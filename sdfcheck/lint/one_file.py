@@ -154,12 +154,12 @@ def _silence(
         foreign=directives(foreign, rules).known,
         outward=result.outward,
     )
-    told = [
+    reported = [
         report._replace(severity=active.severities.get(report.code, report.severity))
         for report in (*own.malformed, *filtered.unused)
         if report.code in active.codes
     ]
-    return [*filtered.kept, *told], filtered.suppressed
+    return [*filtered.kept, *reported], filtered.suppressed
 
 
 def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
@@ -168,7 +168,7 @@ def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
         span.source
         for diagnostic in diagnostics
         for span in (diagnostic.span, *(origin.span for origin in diagnostic.origins))
-        if span.source.path != path and span.source.mentions("sdfcheck:")
+        if span.source.path != path and span.source.contains("sdfcheck:")
     }
     if not sources:
         return []

@@ -64,8 +64,8 @@ def reactions(
     if dialect == EXTENSION:
         known = reactions(facts, "sdf", special)
         return tuple((consumer, said) for consumer, said in known if consumer == Consumer.GAZEBO.value)
-    told = {consumer: by[dialect] for consumer, by in facts.affects.items() if dialect in by}
-    found = {consumer: Reaction.of(said) for consumer, said in told.items()}
+    written = {consumer: by[dialect] for consumer, by in facts.affects.items() if dialect in by}
+    found = {consumer: Reaction.of(said) for consumer, said in written.items()}
     found.update((consumer, said) for consumer, said in special if dialect in READS[Consumer(consumer)])
     return tuple(sorted(found.items(), key=lambda item: item[0]))
 

@@ -148,7 +148,7 @@ class Linter:
             settings = options.settings_for(file.path)
             active = book.active(settings, file.path)
             if active is not seen:
-                _tell_faults(book.faults(settings), notify)
+                _report_faults(book.faults(settings), notify)
             with _surviving(file.path, part.skipped, notify):
                 kept, silenced = lint_file(file, book, settings, self._caches)
                 part.files.append(file.path)
@@ -159,12 +159,12 @@ class Linter:
                     seen = active
         for document in self._caches.included(part.files):
             with _surviving(document.path, part.skipped, notify):
-                told = lint_included(document, book, options.configuration)
-                part.foreign[os.path.realpath(document.path)] = told
+                reported = lint_included(document, book, options.configuration)
+                part.foreign[os.path.realpath(document.path)] = reported
         return part._replace(suppressed=suppressed)
 
 
-def _tell_faults(faults: Sequence[Fault], notify: Notify | None) -> None:
+def _report_faults(faults: Sequence[Fault], notify: Notify | None) -> None:
     """Report the rules of plugins that could not be loaded."""
     if faults and notify is None:
         raise WrongUsage("; ".join(map(str, faults)))
@@ -180,10 +180,13 @@ def joined(parts: Sequence[Part]) -> Run:
     own = set(map(Disk().real, files)) if may_clash else set()
     foreign: dict[str, tuple[Sequence[Diagnostic], int]] = {}
     for part in parts:
-        foreign = {**{path: told for path, told in part.foreign.items() if path not in own}, **foreign}
+        foreign = {
+            **{path: reported for path, reported in part.foreign.items() if path not in own},
+            **foreign,
+        }
     diagnostics = [diagnostic for part in parts for diagnostic in part.diagnostics]
-    for told, _ in foreign.values():
-        diagnostics += told
+    for reported, _ in foreign.values():
+        diagnostics += reported
     rules = {code: facts for part in parts for code, facts in part.rules.items()}
     return Run(
         tuple(sorted(said_once(diagnostics), key=lambda diagnostic: diagnostic.sort_key)),
@@ -204,8 +207,8 @@ def _surviving(path: Path, skipped: list[tuple[Path, str]], notify: Notify | Non
     except Exception as error:
         if notify is None or os.environ.get("SDFCHECK_DEBUG"):
             raise InternalError(path, f"{type(error).__name__}: {error}") from error
-        told = " ".join(f"{type(error).__name__}: {error}".split())
-        notify(Notice(Level.FAILURE, f"{path}: internal error: {told} ({REPORT_IT})"))
+        reported = " ".join(f"{type(error).__name__}: {error}".split())
+        notify(Notice(Level.FAILURE, f"{path}: internal error: {reported} ({REPORT_IT})"))
         skipped.append((path, "met a bug"))
 
 
@@ -280,6 +283,6 @@ def _judge(file: DiscoveredFile, head: bytes, options: Options, notify: Notify) 
         return Selected(file.path, head, kind)
     if action is not Treatment.SKIP:
         level = {Treatment.NOTICE: Level.NOTE, Treatment.WARN: Level.WARNING}.get(action, Level.FAILURE)
-        cure = ", fetch it with `git lfs pull`" if kind is Kind.LFS_POINTER else ""
-        notify(Notice(level, f"{file.path}: looks like {kind.description}, not linted{cure}"))
+        advice = ", fetch it with `git lfs pull`" if kind is Kind.LFS_POINTER else ""
+        notify(Notice(level, f"{file.path}: looks like {kind.description}, not linted{advice}"))
     return kind

@@ -69,7 +69,7 @@ def _finder(path: str) -> Callable[..., Iterable[object]]:
 
 def is_extension(subject: object, document: Document) -> bool:
     """Is an object, element or problem of a URDF file in one of its ``<gazebo>`` blocks?"""
-    if document.kind is not Kind.URDF or not document.source.mentions("<gazebo"):
+    if document.kind is not Kind.URDF or not document.source.contains("<gazebo"):
         return False
     known: bool | None = getattr(subject, "is_extension", None)
     if known is not None:

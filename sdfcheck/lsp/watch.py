@@ -60,7 +60,7 @@ class Watch:
             self._polling.cancel()
 
     async def saved(self, path: Path) -> None:
-        """A text was written to its file: other readers of the file see it now."""
+        """A text was written to its file: documents that include the file see it now."""
         if path.name in _LAYOUT:
             await self.server.refreshed(self.server.robots.refresh)
 

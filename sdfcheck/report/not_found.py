@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 
 from sdfcheck.consumers.gazebo import STANDARD_MODELS
 from sdfcheck.lint.diagnostic import Diagnostic, Missing, MissingKind
@@ -46,7 +47,7 @@ def _kind(kind: MissingKind, lacking: dict[str, list[Diagnostic]], paths: Paths)
     noun = "addresses on the network" if kind is MissingKind.REMOTE and len(lacking) > 1 else ""
     number = f"{len(lacking)} {noun}" if noun else counted(len(lacking), kind.value)
     often = sorted(lacking, key=lambda name: (-_count(lacking[name]), name))
-    first = min((each for told in lacking.values() for each in told), key=lambda each: each.sort_key)
+    first = min(chain.from_iterable(lacking.values()), key=lambda each: each.sort_key)
     yield f"  {number} ({_uses(lacking)}): {visible(named(often, most=_SHOWN[kind]))}"
     yield f"      first needed at {visible(paths.place(first.span))}"
     yield f"      {_SETTINGS[kind]}"
@@ -56,5 +57,5 @@ def _uses(lacking: dict[str, list[Diagnostic]]) -> str:
     return f"needed {counted(sum(map(_count, lacking.values())), 'time')}"
 
 
-def _count(told: Sequence[Diagnostic]) -> int:
-    return sum(each.missing.uses for each in told if isinstance(each.missing, Missing))
+def _count(diagnostics: Sequence[Diagnostic]) -> int:
+    return sum(each.missing.uses for each in diagnostics if isinstance(each.missing, Missing))

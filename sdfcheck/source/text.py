@@ -27,14 +27,14 @@ class Source:
     mark excluded), so that offsets into it can be used for edits.
     """
 
-    __slots__ = ("_line_starts", "_mentions", "_real_path", "path", "text")
+    __slots__ = ("_contains", "_line_starts", "_real_path", "path", "text")
 
     def __init__(self, path: Path, text: str) -> None:
         self.path = path
         self.text = text
         self._line_starts: list[int] | None = None
         self._real_path = ""
-        self._mentions: dict[str, bool] = {}
+        self._contains: dict[str, bool] = {}
 
     def __reduce__(self) -> tuple[object, ...]:
         return Source, (self.path, self.text)
@@ -73,11 +73,11 @@ class Source:
             result._line_starts = [*known[:first], *new, *(each + shift for each in known[last:])]
         return result
 
-    def mentions(self, words: str) -> bool:
+    def contains(self, words: str) -> bool:
         """Does the text contain them? Searched once, however often it is asked."""
-        found = self._mentions.get(words)
+        found = self._contains.get(words)
         if found is None:
-            found = self._mentions[words] = words in self.text
+            found = self._contains[words] = words in self.text
         return found
 
     def position(self, offset: int) -> Position:

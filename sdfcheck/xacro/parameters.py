@@ -95,20 +95,20 @@ class Parameters:
         for at in range(size - 1, -1, -1):
             character, following = text[at], at + 1
             # More pieces are preferred to an end.
-            behind = ends[following]
-            if behind < 0 and self._is_over(following):
-                behind = following
+            past = ends[following]
+            if past < 0 and self._is_over(following):
+                past = following
             if character in quoted:
                 ends[at] = quoted[character][following]
             elif not character.isspace():
                 is_inside = (
                     following < size and text[following] not in "'\"" and not text[following].isspace()
                 )
-                ends[at] = ends[following] if is_inside else behind
+                ends[at] = ends[following] if is_inside else past
             if character == "\n":
                 continue
             for quote, found in quoted.items():
-                found[at] = behind if character == quote and behind >= 0 else found[following]
+                found[at] = past if character == quote and past >= 0 else found[following]
             for mark, found in closing.items():
                 found[at] = following if character == mark and self._is_over(following) else found[following]
 

@@ -40,7 +40,7 @@ def mutants() -> list[Mutant]:
     return [make(MODULE, CODE, number) for number in range(count(CODE))]
 
 
-def test_what_is_changed() -> None:
+def test_the_changes_to_the_code() -> None:
     assert {(mutant.before, mutant.after) for mutant in mutants()} == {
         ("if a < 3 and (not names):", "if not (a < 3 and (not names)):"),
         ("if a < 3 and (not names):", "if a < 3 or not names:"),
@@ -84,7 +84,7 @@ def test_survivors_are_read_from_a_report(tmp_path: Path) -> None:
     assert listed(report) == {"a/b.py: x = 1 → x = 2"}
 
 
-def test_what_makes_no_difference_has_a_reason() -> None:
+def test_mutants_that_make_no_difference_have_a_reason() -> None:
     keys = equivalent()
     assert all(key.count(" → ") == 1 and reason.strip() for key, reason in keys.items())
     assert all((ROOT / key.partition(":")[0]).exists() for key in keys)

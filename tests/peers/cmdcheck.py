@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 _NEWEST, _OLDEST = 20, 9
-_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+_COLOR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class Opinion(NamedTuple):
@@ -55,7 +55,7 @@ def check(path: Path, *, timeout: float = 120) -> Opinion:
 
 
 def _messages(text: str) -> Iterator[str]:
-    for line in _COLOUR.sub("", text).splitlines():
+    for line in _COLOR.sub("", text).splitlines():
         if line.strip() and line.strip() != "Valid.":
             yield line.strip()
 

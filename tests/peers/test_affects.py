@@ -33,12 +33,12 @@ ARGUED: dict[Consumer, dict[str, str]] = {
         "FRM008 INR008 JNT003 JNT009 JNT012 NAM006 NS012 RES007 RES008 RES009 SCH001 SCH002 SCH005 URD014": TWELVE,
         "NAM001": "two plugins of one name, which its checker alone refuses",
         "XML010": "the depth that tinyxml2 follows is the distribution's",
-        "RES002 RES003 RES010 RES012": "models are on its search path only if it is told",
+        "RES002 RES003 RES010 RES012": "models are on its search path only if it is expected",
         "JNT008": "a ring of links beside a root without mass",
     },
     Consumer.DRAKE: {
         "DRK009 DRK018 DRK022 MUJ001 MUJ002 RES001 RES004 RES006 RES013 URD006 URD007": f"{MISSING}; or: {REMOTE}",
-        "RES002": "models are on its search path only if it is told",
+        "RES002": "models are on its search path only if it is expected",
         "RES003 RES005": MISSING,
         "RES012": "an empty setting of an include crashes libsdformat, and Drake with some of them",
         "SCH006 XML002": NOT_ONE,
@@ -92,18 +92,18 @@ def write(file: Path, text: str, example: Bad | Good) -> Path:
 
 @pytest.mark.parametrize("consumer", CONSUMERS, ids=lambda consumer: consumer.value)
 def test_examples(consumer: Consumer, tmp_path: Path, request: pytest.FixtureRequest) -> None:
-    told = {}
+    expected = {}
     codes = examples(tmp_path, most=None if request.config.getoption("--all-examples") else 1)
     for file in codes:
         (row,) = verdicts(file, (consumer,), Around(Configuration(isolated=True)))
         if row.verdict is not Verdict.UNREAD:
-            told[file] = row.verdict is not Verdict.REJECT
-    taken = CONSUMERS[consumer](list(told))
+            expected[file] = row.verdict is not Verdict.REJECT
+    taken = CONSUMERS[consumer](list(expected))
     argued = {code for some in ARGUED[consumer] for code in some.split()}
     found = [
-        f"{file.parent.name}: told to be {'taken' if told[file] else 'refused'}, and is not"
+        f"{file.parent.name}: expected to be {'taken' if expected[file] else 'refused'}, and is not"
         for file, takes in taken.items()
-        if takes is not told[file] and codes[file] not in argued
+        if takes is not expected[file] and codes[file] not in argued
     ]
-    assert len(told) > 50
+    assert len(expected) > 50
     assert len(found) <= ALLOWED.get(consumer, 0), "\n".join(found)

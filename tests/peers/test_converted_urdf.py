@@ -84,7 +84,7 @@ def converted(tmp_path_factory: pytest.TempPathFactory) -> list[Converted]:
     return made
 
 
-def test_what_urdfdom_reads_converts_and_nothing_else(converted: list[Converted]) -> None:
+def test_only_values_that_urdfdom_reads_convert(converted: list[Converted]) -> None:
     if shutil.which("check_urdf") is None:
         pytest.skip("check_urdf is not installed")
     wrong, read_by_it = [], 0

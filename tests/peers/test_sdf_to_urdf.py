@@ -67,7 +67,7 @@ def conversions() -> list[tuple[Document, Conversion]]:
     return [(document, done) for document, done in outcomes() if isinstance(done, Conversion)]
 
 
-def test_what_is_refused_is_no_tree() -> None:
+def test_a_refused_model_is_not_a_tree() -> None:
     refused = {
         document.path.name: done.loss.message
         for document, done in outcomes()

@@ -138,7 +138,7 @@ def test_poses_that_are_not_numbers(pose: str, tab: chromium.Tab, tmp_path: Path
     assert "m" in panel(tab)
 
 
-def test_an_inertia_that_stands_for_infinity(tab: chromium.Tab, tmp_path: Path) -> None:
+def test_an_inertia_that_means_infinity(tab: chromium.Tab, tmp_path: Path) -> None:
     moments = "".join(f"<{name}>1e40</{name}>" for name in ("ixx", "iyy", "izz"))
     show(
         tab,

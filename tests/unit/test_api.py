@@ -111,7 +111,7 @@ def test_xacro_is_expanded() -> None:
         (lambda root: root.model(0), "the file has no model number 0; it has 0 models"),
     ],
 )
-def test_what_is_not_there_is_said(look: object, message: str) -> None:
+def test_a_missing_file_is_reported(look: object, message: str) -> None:
     with pytest.raises(sdfcheck.NotFound) as caught:
         look(sdfcheck.load(GARDEN))  # type: ignore[operator]
     assert str(caught.value) == message
@@ -167,7 +167,7 @@ def test_prefixes_need_no_declaration() -> None:
         ("<model><name>m</name></model>", "no robot description"),
     ],
 )
-def test_what_is_no_robot_is_refused(text: str, message: str) -> None:
+def test_a_text_that_is_not_a_robot_is_refused(text: str, message: str) -> None:
     with pytest.raises(sdfcheck.Unreadable, match=message):
         sdfcheck.parse(text, "a.sdf")
 
@@ -222,7 +222,7 @@ def test_converting_between_versions() -> None:
         ("sdf", {"version": "1.99"}, "`1.99` is not a version of SDFormat from 1.4 to 1.12"),
     ],
 )
-def test_what_cannot_be_converted_is_said(to: str, options: dict[str, str], message: str) -> None:
+def test_a_file_that_cannot_be_converted_is_reported(to: str, options: dict[str, str], message: str) -> None:
     with pytest.raises(sdfcheck.WrongUsage, match=message):
         sdfcheck.convert(ARM, to, **options)  # type: ignore[arg-type]
 

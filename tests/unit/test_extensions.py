@@ -82,7 +82,7 @@ def test_only_gazebo_is_concerned(content: str) -> None:
         assert concerned == ["gazebo"]
 
 
-def test_what_libsdformat_refuses_in_a_block_costs_the_robot(tmp_path: Path) -> None:
+def test_a_block_that_libsdformat_refuses_costs_the_robot(tmp_path: Path) -> None:
     text = ROBOT.replace("{}", '<gazebo reference="a"><sensor name="s" type="camra"/></gazebo>')
     path = tmp_path / "r.urdf"
     path.write_text(text)

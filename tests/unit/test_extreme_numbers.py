@@ -43,6 +43,6 @@ def test_no_number_breaks_a_command(
         file.write_text(text.replace("{0}", "{}").format(*given))
         for command in COMMANDS:
             main([*command, str(file)])
-            told = capsys.readouterr()
-            assert "internal error" not in told.err
-            assert "INT001" not in told.out
+            output = capsys.readouterr()
+            assert "internal error" not in output.err
+            assert "INT001" not in output.out

@@ -15,7 +15,7 @@ from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
-from sdfcheck.lint.obstacles import obstacles, own_reader
+from sdfcheck.lint.obstacles import obstacles, own_consumer
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.select import SILENT
 from sdfcheck.source.record import NamedTuple
@@ -125,7 +125,7 @@ class Reader:
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file))
         shown = [one for one in found if one.severity is Severity.ERROR or means_another_robot(one)]
-        stopping = obstacles(found, own_reader(document), ELSEWHERE)
+        stopping = obstacles(found, own_consumer(document), ELSEWHERE)
         return Input(file, document, shown, not stopping, found=found)
 
     def judge(self, given: Input, text: str, kind: Kind) -> list[Loss]:

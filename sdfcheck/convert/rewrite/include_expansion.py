@@ -60,7 +60,7 @@ class IncludeExpansion:
             elif part.name != "include":
                 self.expand(part, document, chain)
                 parts.append(part)
-            elif chain and self.keeps_models and _stands_alone(part):
+            elif chain and self.keeps_models and _is_complete(part):
                 parts.append(part)
             else:
                 parts += self._replaced(part, branch, document, (*chain, document))
@@ -149,7 +149,7 @@ def expanded(document: Document, to_sdf: ToSdf) -> tuple[Branch, IncludeExpansio
     return root, expansion
 
 
-def _stands_alone(include: Branch) -> bool:
+def _is_complete(include: Branch) -> bool:
     """Can an include be moved with what it is in? Without a pose it would be placed anew."""
     merges = include.attributes.get("merge", "").strip().lower() in {"true", "1"}
     return not merges and include.find("pose") is not None and include.find(PARAMETERS) is None

@@ -31,8 +31,8 @@ def carry_around(context: Context, node: Node, model: Element) -> None:
     written = ("link", "joint", "model", "include", "frame")
     last = next((child for child in reversed(list(model.children())) if child.name in written), None)
     comments = [child for child in model if isinstance(child, etree._Comment)]
-    behind = [] if last is None else [c for c in last.itersiblings() if isinstance(c, etree._Comment)]
-    node.children.extend(_taken(context, iter(behind)))
+    following = [] if last is None else [c for c in last.itersiblings() if isinstance(c, etree._Comment)]
+    node.children.extend(_taken(context, iter(following)))
     node.children[:0] = _taken(context, iter(comments))
 
 

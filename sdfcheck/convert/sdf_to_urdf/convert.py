@@ -137,10 +137,10 @@ def _write(context: Context) -> None:
     _add_root(context)
     for name in _in_order(context):
         add_link(context, name)
-        _tell_name(context, "link", name, context.links[name])
-        _tell_shift(context, name)
+        _report_name(context, "link", name, context.links[name])
+        _report_shift(context, name)
     for edge in context.made.edges:
-        _tell_name(context, "joint", edge.joint.name, context.joints[edge.joint.name])
+        _report_name(context, "joint", edge.joint.name, context.joints[edge.joint.name])
         add_edge(context, edge)
     _tie_tops(context)
     _leave_out(context)
@@ -177,7 +177,7 @@ def _add_root(context: Context) -> None:
         message = f"static {element.title} is tied to the link `{WORLD}` by a fixed joint"
         context.ledger.note(LossKind.APPROXIMATED_JOINT, at, message)
     elif len(made.tops) > (0 if made.has_world else 1):
-        _tell_forest(context)
+        _report_forest(context)
     if made.has_world or scope.is_static or len(made.tops) > 1:
         context.begins_in_world = True
         context.root.add("link", name=WORLD)
@@ -202,7 +202,7 @@ def _keep_place(context: Context, pose: Element | None) -> None:
     )
 
 
-def _tell_forest(context: Context) -> None:
+def _report_forest(context: Context) -> None:
     tops, policy = context.made.tops, context.options.forest
     some = ", ".join(f"`{name}`" for name in tops[:5]) + (" …" if len(tops) > 5 else "")
     message = f"no joint ties {some} to one robot"
@@ -251,7 +251,7 @@ def _leave_out(context: Context) -> None:
         context.ledger.lose(LossKind.APPROXIMATED_JOINT, joint.element, message, severity)
 
 
-def _tell_name(context: Context, kind: str, name: str, new: str) -> None:
+def _report_name(context: Context, kind: str, name: str, new: str) -> None:
     element = (context.robot.links if kind == "link" else context.robot.joints)[name].element
     scope, delimiter, _ = name.rpartition("::")
     name = f"{scope}{delimiter}{element.attributes.get('name', '')}"
@@ -260,7 +260,7 @@ def _tell_name(context: Context, kind: str, name: str, new: str) -> None:
         context.ledger.note(LossKind.RENAMED, element, message)
 
 
-def _tell_shift(context: Context, name: str) -> None:
+def _report_shift(context: Context, name: str) -> None:
     link, frame = context.robot.links[name], context.layout.frames[name]
     edge = context.made.carriers.get(name)
     if edge is None or is_same(frame, link.pose):

@@ -36,7 +36,7 @@ def add_edge(context: Context, edge: Edge) -> None:
         context.ledger.take(element.find(pitch), TEXT)
     carry_comments(context, context.root, element)
     if edge.is_reversed:
-        _tell_reversed(context, edge)
+        _report_reversed(context, edge)
     parent, child = context.link_name(edge.parent), context.link_name(edge.child)
     below = context.layout.joint_links.get(edge.child)
     carried = below[0] if below is not None else child
@@ -160,7 +160,7 @@ def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child
         made.append(node)
         enter_axis(context, joint, which)
     context.parts[joint.name] = names
-    _tell_split(context, joint, f"joints `{names[0]}` and `{names[1]}`", between)
+    _report_split(context, joint, f"joints `{names[0]}` and `{names[1]}`", between)
     return made[0]
 
 
@@ -188,7 +188,7 @@ def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: s
     )
     slide.add("limit", lower=number(reach[0]), upper=number(reach[1]), effort=unlimited, velocity=unlimited)
     slide.add("mimic", joint=name, multiplier=number(joint.pitch), offset="0")
-    _tell_split(context, joint, f"joint `{name}` and `{travel}`, which follows it", between)
+    _report_split(context, joint, f"joint `{name}` and `{travel}`, which follows it", between)
     return node
 
 
@@ -196,7 +196,7 @@ def _finite(value: float, unlimited: float) -> float:
     return value if math.isfinite(value) else math.copysign(unlimited, value)
 
 
-def _tell_split(context: Context, joint: Joint, by: str, between: str) -> None:
+def _report_split(context: Context, joint: Joint, by: str, between: str) -> None:
     message = (
         f"URDF has no {joint.kind} joint: {joint.element.title} is written as {by}, "
         f"with the massless link `{between}`"
@@ -241,7 +241,7 @@ def _add_for_drake(context: Context, edge: Edge, joint: Joint, parent: str, chil
     return node
 
 
-def _tell_reversed(context: Context, edge: Edge) -> None:
+def _report_reversed(context: Context, edge: Edge) -> None:
     message = (
         f"{edge.joint.element.title} goes the other way round, from `{edge.parent}` to `{edge.child}`: "
         "in a tree a link has one parent"

@@ -28,10 +28,10 @@ def enter_axis(context: Context, joint: Joint, which: int) -> None:
     ledger.take_parts(axis.find("limit"), "lower", "upper", "effort", "velocity")
     ledger.take_parts(axis.find("dynamics"), "damping", "friction")
     if joint.kind == "continuous" and (limit := axis.find("limit")) is not None:
-        _tell_useless(context, joint, limit)
+        _report_useless(context, joint, limit)
 
 
-def _tell_useless(context: Context, joint: Joint, limit: Element) -> None:
+def _report_useless(context: Context, joint: Joint, limit: Element) -> None:
     given = [name for name in ("lower", "upper") if abs(_number(limit, name)) < _ENDLESS]
     if given and joint.element.attributes.get("type", "").strip() == "continuous":
         message = (
@@ -61,12 +61,12 @@ def add_limit(context: Context, node: Node, joint: Joint, axis: Axis) -> None:
             "lower": number(max(axis.lower, -unlimited)),
             "upper": number(min(axis.upper, unlimited)),
         }
-        _tell_unlimited(context, joint, axis)
+        _report_unlimited(context, joint, axis)
     attributes.update((name, number(min(bound, unlimited))) for name, bound in bounds.items())
     node.add("limit", **attributes)
 
 
-def _tell_unlimited(context: Context, joint: Joint, axis: Axis) -> None:
+def _report_unlimited(context: Context, joint: Joint, axis: Axis) -> None:
     open_ends = [name for name in ("lower", "upper") if math.isinf(getattr(axis, name))]
     if open_ends:
         message = (

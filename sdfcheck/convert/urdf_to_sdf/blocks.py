@@ -35,7 +35,7 @@ def _settle_names(context: Context, entry: Element, made: Node, holder: Node) ->
         own = node.attributes.get("name", "")
         if "::" in own:
             node.attributes["name"] = legal(own)
-            _tell(context, entry, node, own)
+            _report(context, entry, node, own)
     own = made.attributes.get("name", "")
     if made.name not in _SINGLE or not own:
         return
@@ -49,10 +49,10 @@ def _settle_names(context: Context, entry: Element, made: Node, holder: Node) ->
         number += 1
         made.attributes["name"] = f"{own}_{number}"
     if number > 1:
-        _tell(context, entry, made, own)
+        _report(context, entry, made, own)
 
 
-def _tell(context: Context, entry: Element, node: Node, own: str) -> None:
+def _report(context: Context, entry: Element, node: Node, own: str) -> None:
     message = f"{node.name} `{own}` of a <gazebo> block is named `{node.attributes['name']}`"
     context.note(entry, LossKind.RENAMED, message)
 

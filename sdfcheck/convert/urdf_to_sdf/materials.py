@@ -38,7 +38,7 @@ class Materials:
             self.context.lose(used, LossKind.CHANGED_MATERIAL, text)
             return
         if found is not used and _says_something(used):
-            self._tell_other(used, found)
+            self._report_other(used, found)
         node = visual.add("material")
         color, texture = found.find("color"), found.find("texture")
         rgba = spaced(color.attributes.get("rgba", "")) if color is not None else ""
@@ -54,7 +54,7 @@ class Materials:
         if not node.children and not node.attributes:
             visual.children.remove(node)
 
-    def _tell_other(self, used: Element, found: Element) -> None:
+    def _report_other(self, used: Element, found: Element) -> None:
         """A material that is defined once more."""
         for name, attribute in (("color", "rgba"), ("texture", "filename")):
             part, first = used.find(name), found.find(name)

@@ -22,7 +22,7 @@ class Names:
             self.links[name] = self._settle(wished)
             # The root link `world` is the world itself, and only its shapes need a link.
             if self.links[name] != name and not (world_is_root and name == WORLD):
-                self._tell(
+                self._report(
                     f"link `{name}` is named `{self.links[name]}`",
                     loss_at(link.element, LossKind.RENAMED, ""),
                 )
@@ -36,7 +36,7 @@ class Names:
             self.joints[name] = self._settle(wished)
             if self.joints[name] != name:
                 text = f"joint `{name}` is named `{self.joints[name]}`"
-                self._tell(text, loss_at(joint.element, LossKind.RENAMED, ""))
+                self._report(text, loss_at(joint.element, LossKind.RENAMED, ""))
 
     def free(self, wished: str) -> str:
         """A name that nothing else has; it is taken from now on."""
@@ -57,7 +57,7 @@ class Names:
         self._taken.add(name)
         return name
 
-    def _tell(self, text: str, at: Loss) -> None:
+    def _report(self, text: str, at: Loss) -> None:
         self.losses.append(Loss(at.kind, at.span, text, Severity.WARNING, (), at.origins))
 
 

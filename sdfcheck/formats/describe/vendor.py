@@ -72,7 +72,7 @@ def _empty(table: _Table, name: str, what: str, tag: Tag) -> Description:
 
 
 def _tag(table: _Table, tag: Tag, outer: tuple[str, ...]) -> Description | None:
-    places = [place for place in tag.places if _stands_in(place, outer)]
+    places = [place for place in tag.places if _is_in(place, outer)]
     if not places and outer:
         return None
     is_attribute = any(place.carrier == "attribute" for place in places)
@@ -96,7 +96,7 @@ def _tag(table: _Table, tag: Tag, outer: tuple[str, ...]) -> Description | None:
     )
 
 
-def _stands_in(place: Place, outer: tuple[str, ...]) -> bool:
+def _is_in(place: Place, outer: tuple[str, ...]) -> bool:
     names = tuple(step.name for step in reversed(place.path))
     return not outer or names[-len(outer) :] == outer
 

@@ -72,7 +72,7 @@ def _shapes(surveyed: Survey) -> Iterator[object]:
         if len(geometry) < 2:
             continue
         # In a sonar it is the name of a shape.
-        if not _stands_in(geometry, "sonar"):
+        if not _is_in(geometry, "sonar"):
             yield from _shapes_of(geometry)
 
 
@@ -98,7 +98,7 @@ def _is_state(element: Element) -> bool:
     return any(ancestor.tag == "state" for ancestor in element.iterancestors())
 
 
-def _stands_in(element: Element, parent: str) -> bool:
+def _is_in(element: Element, parent: str) -> bool:
     return element.parent is not None and element.parent.name == parent
 
 

@@ -138,7 +138,7 @@ class Configuration:
     def _found_in(self, folder: Path) -> Settings | None:
         for name in NAMES:
             path = f"{folder}{os.sep}{name}"
-            if os.path.isfile(path) and (name != PYPROJECT or _mentions_us(path)):
+            if os.path.isfile(path) and (name != PYPROJECT or _configures_us(path)):
                 settings = load(Path(path))
                 if not self._trusted:
                     from sdfcheck.lint.config.trust import require_trust
@@ -158,7 +158,7 @@ def load(path: Path, root: Path | None = None) -> Settings:
     return Settings()._replace(**values, files=files)
 
 
-def _mentions_us(pyproject: str) -> bool:
+def _configures_us(pyproject: str) -> bool:
     """Whether a ``pyproject.toml`` configures sdfcheck; most do not, and need no parsing to find out."""
     path = Path(pyproject)
     if b"sdfcheck" not in _bytes(path):

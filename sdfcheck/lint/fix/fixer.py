@@ -139,9 +139,9 @@ def together(fixes: Sequence[Fix]) -> tuple[list[Edit], list[Fix]]:
 def _take(taken: list[tuple[int, int]], place: tuple[int, int]) -> bool:
     """Put a range among the others if it touches none; at one offset there is one edit."""
     at = bisect_left(taken, place)
-    behind = taken[at] if at < len(taken) else None
+    following = taken[at] if at < len(taken) else None
     before = taken[at - 1] if at else None
-    if behind is not None and (behind[0] < place[1] or behind[0] == place[0]):
+    if following is not None and (following[0] < place[1] or following[0] == place[0]):
         return False
     if before is not None and (before[1] > place[0] or before[0] == place[0]):
         return False

@@ -135,8 +135,19 @@ def from_record(record: Record) -> RuleFacts:
     code, name, family, severity, about, fixable, default, selects, explains, affects, module, looks_at = (
         record
     )
-    told = {consumer: dict(reactions) for consumer, reactions in affects}
+    by_consumer = {consumer: dict(reactions) for consumer, reactions in affects}
     severity = _SEVERITIES[severity]
     return RuleFacts(
-        code, name, family, severity, about, fixable, default, selects, explains, told, module, looks_at
+        code,
+        name,
+        family,
+        severity,
+        about,
+        fixable,
+        default,
+        selects,
+        explains,
+        by_consumer,
+        module,
+        looks_at,
     )

@@ -55,10 +55,10 @@ def suppress(
     kept = [diagnostic for diagnostic in diagnostics if not ranges.silence(diagnostic)]
     reaching = ranges.reaching(outward)
     unused = [
-        told
+        reported
         for number, directive in enumerate(own)
         if number not in reaching
-        for told in _unused(directive, ranges.used[number], active)
+        for reported in _unused(directive, ranges.used[number], active)
     ]
     return Filtered(tuple(kept), ranges.silenced, tuple(unused))
 
@@ -198,9 +198,9 @@ def _line_or_comment(span: Span) -> Span:
     start = span.start
     while start > 0 and text[start - 1] in " \t":
         start -= 1
-    behind = re.compile(r"[ \t]*(?:\r\n?|\n)").match(text, span.end)
-    if behind and (start == 0 or text[start - 1] in "\r\n"):
-        return span.source.span(start, behind.end())
+    rest = re.compile(r"[ \t]*(?:\r\n?|\n)").match(text, span.end)
+    if rest and (start == 0 or text[start - 1] in "\r\n"):
+        return span.source.span(start, rest.end())
     return span
 
 
@@ -208,8 +208,8 @@ def _with_comma(directive: Directive, word: Span) -> Span:
     """A word with the comma and spaces that part it from its neighbor."""
     text = word.source.text
     end = directive.place.end
-    behind = re.compile(r"\s*,\s*").match(text, word.end, end)
-    if behind:
-        return word.source.span(word.start, behind.end())
+    rest = re.compile(r"\s*,\s*").match(text, word.end, end)
+    if rest:
+        return word.source.span(word.start, rest.end())
     before = text[directive.place.start : word.start].rstrip(" \t\r\n,")
     return word.source.span(directive.place.start + len(before), word.end)

@@ -178,7 +178,7 @@ def _read(document: Document, found: Included, file: Path) -> Included:
         return found._replace(obstacle=Obstacle.BROKEN)
     if other.root.name not in {"sdf", "robot"}:
         return found._replace(obstacle=Obstacle.FOREIGN)
-    if other.root.name == "robot" and other.source.mentions("<xacro:"):
+    if other.root.name == "robot" and other.source.contains("<xacro:"):
         return found._replace(obstacle=Obstacle.XACRO)
     model = included_element(other)
     if model is None:

@@ -115,8 +115,8 @@ def _zero(robot: Mechanism, name: str) -> Array:
 def _steps(robot: Mechanism, joint: Joint, values: Positions, start: str) -> Array:
     """The poses of one end of a joint in the other, ``start``."""
     before = inverse(_zero(robot, joint.parent)) @ joint.pose
-    behind = inverse(joint.pose) @ _zero(robot, joint.child)
-    across = before @ motions(joint, values.get(joint.name)) @ behind
+    after = inverse(joint.pose) @ _zero(robot, joint.child)
+    across = before @ motions(joint, values.get(joint.name)) @ after
     return across if start == joint.parent else inverse(across)
 
 

@@ -20,12 +20,12 @@ def foreign_references(surveyed: Survey) -> dict[Element, Value | Element]:
     """The elements whose names cannot be unfolded, with what is in the way."""
     found: dict[Element, Value | Element] = {}
     for model in surveyed.index.get("model", ()):
-        if _stands_in_world(model):
+        if _is_in_world(model):
             found.update(_in_model(model))
     return found
 
 
-def _stands_in_world(element: Element) -> bool:
+def _is_in_world(element: Element) -> bool:
     parent = element.parent
     while parent is not None and parent.name == "model":
         parent = parent.parent

@@ -66,7 +66,7 @@ class PlacedTag:
 
     @property
     def unmet(self) -> Place | None:
-        """The place that it would have if a condition on the elements around it were met."""
+        """The place that it would have if a condition on the elements around it held."""
         return next(iter(self._fitting), None) if self.place is None else None
 
     @property

@@ -200,11 +200,11 @@ class Evidence:
 
     def place_before(self, number: int, indent: int | None) -> tuple[int, int]:
         """The line of spaces that a tag of this indentation has left before a token; else the token."""
-        before, behind = self.tokens[number - 1], self.tokens[number]
-        for line in _BLANK_LINE.finditer(self.text, before.end, behind.start):
+        before, after = self.tokens[number - 1], self.tokens[number]
+        for line in _BLANK_LINE.finditer(self.text, before.end, after.start):
             if indent and len(line[1].expandtabs()) == indent:
                 return line.span(1)
-        return first_line(behind, self.text) if behind.kind is TokenKind.TEXT else (behind.start, behind.end)
+        return first_line(after, self.text) if after.kind is TokenKind.TEXT else (after.start, after.end)
 
     def children(self, opened: int, number: int) -> Iterator[tuple[int, Token]]:
         """The tokens directly inside an element, up to token ``number``; of elements both tags."""
@@ -260,10 +260,10 @@ class Evidence:
         start tag is the other one. Where an element is empty, its start tag may lack a slash, and the
         token is the other place.
         """
-        before, behind = self.tokens[number - 1], self.tokens[number]
+        before, after = self.tokens[number - 1], self.tokens[number]
         name = name_range(element, self.text)
         if before is element:
-            return name, (behind.start, behind.end)
+            return name, (after.start, after.end)
         if before.kind is TokenKind.TEXT:
             content = self.text[before.start : before.end].rstrip()
             end = before.start + len(content)

@@ -57,7 +57,7 @@ class _Pairing:
             while self.number < len(self.tokens):
                 token = self.tokens[self.number]
                 if self.root is not None and not self.open:
-                    if self.is_behind_root(token):
+                    if self.is_after_root(token):
                         return self.result(token.start)
                 elif not self.take(token):
                     continue
@@ -180,7 +180,7 @@ class _Pairing:
         while self.open:
             self.close_unwritten(size)
 
-    def is_behind_root(self, token: Token) -> bool:
+    def is_after_root(self, token: Token) -> bool:
         """Is this something that must not be after the root element?"""
         assert self.root is not None
         if token.kind in {TokenKind.COMMENT, TokenKind.OTHER} or token.name in self.crossed:

@@ -29,7 +29,7 @@ _ARGUMENT = re.compile(
 _GLOB = re.compile(r"[*?\[]")
 
 
-class _Mention(NamedTuple):
+class _Filename(NamedTuple):
     """A file name as another file of the project writes it."""
 
     text: str
@@ -39,29 +39,29 @@ class _Mention(NamedTuple):
 class _Project:
     """The names in the xacro files of a project: those that occur, and those that are defined."""
 
-    __slots__ = ("mentions", "names", "patterns")
+    __slots__ = ("filenames", "names", "patterns")
 
     def __init__(self, packages: Packages) -> None:
-        self.mentions: dict[str, list[_Mention]] = {}
-        self.patterns: list[_Mention] = []
+        self.filenames: dict[str, list[_Filename]] = {}
+        self.patterns: list[_Filename] = []
         names: set[str] = set()
         for path in packages.files(".xacro", FILE_LIMIT):
             text = _text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
                 last = name.rpartition("/")[2]
                 if _GLOB.search(last):
-                    self.patterns.append(_Mention(name, path))
+                    self.patterns.append(_Filename(name, path))
                 else:
-                    self.mentions.setdefault(last, []).append(_Mention(name, path))
+                    self.filenames.setdefault(last, []).append(_Filename(name, path))
             names.update(_DEFINED.findall(text))
             for match in _PARAMETERS.finditer(text):
                 names.update(_WORD.findall(match[1] or match[2] or ""))
         self.names = frozenset(names)
 
-    def of(self, name: str) -> list[_Mention]:
+    def of(self, name: str) -> list[_Filename]:
         """The paths in include elements that may be those of a file of this name."""
         globs = [each for each in self.patterns if fnmatch(name, each.text.rpartition("/")[2])]
-        return [*self.mentions.get(name, ()), *globs]
+        return [*self.filenames.get(name, ()), *globs]
 
 
 def is_included(document: Document) -> bool:
@@ -75,9 +75,9 @@ def _is_included(document: Document) -> bool:
     packages = library.packages(document.path)
     own = library.disk.real(document.path)
     return any(
-        _leads(mention, own, packages, library)
-        for mention in _project(library, document).of(document.path.name)
-        if library.disk.real(mention.by) != own
+        _leads(filename, own, packages, library)
+        for filename in _project(library, document).of(document.path.name)
+        if library.disk.real(filename.by) != own
     )
 
 
@@ -87,16 +87,16 @@ def includers(document: Document) -> list[Path]:
         return []
     packages = library.packages(document.path)
     own = library.disk.real(document.path)
-    mentions = _project(library, document).of(document.path.name)
-    found = {each.by for each in mentions if library.disk.real(each.by) != own}
+    filenames = _project(library, document).of(document.path.name)
+    found = {each.by for each in filenames if library.disk.real(each.by) != own}
     return sorted(
-        by for by in found if any(_leads(each, own, packages, library) for each in mentions if each.by == by)
+        by for by in found if any(_leads(each, own, packages, library) for each in filenames if each.by == by)
     )
 
 
-def _leads(mention: _Mention, own: str, packages: Packages, library: Library) -> bool:
+def _leads(filename: _Filename, own: str, packages: Packages, library: Library) -> bool:
     """Whether a file name leads to a file; as far as it is not known, whether it may."""
-    text, folder = mention.text, mention.by.parent
+    text, folder = filename.text, filename.by.parent
     first = next(matches(text), None)
     found = FIND.match(first["command"] or "") if first is not None and first.start() == 0 else None
     if first is not None and found is not None:

@@ -89,7 +89,7 @@ def test_a_comment_that_is_there_grows(lint: Shell) -> None:
     "inside",
     ["stray <pose>0 0 0 0 0 0</pose>", "<static>false</static>\n    stray", "<!-- a -- b -->", "a <foo/>"],
 )
-def test_what_no_element_reaches_is_silenced_for_the_file(lint: Shell, inside: str) -> None:
+def test_findings_outside_of_elements_are_silenced_for_the_file(lint: Shell, inside: str) -> None:
     text = f'<?xml version="1.0"?>\n{model(inside)}'
     after = lint.after(text)
     first, second, rest = after.split("\n", 2)
@@ -105,7 +105,7 @@ def test_urdf_stays_free_of_colons_with_blanks(lint: Shell) -> None:
     assert "All clear" in lint.out
 
 
-def test_what_includes_bring_is_silenced_where_they_stand(lint: Shell) -> None:
+def test_findings_in_included_files_are_silenced_at_the_include(lint: Shell) -> None:
     Path("part").mkdir()
     Path("part/part.sdf").write_text('<sdf version="1.9"><model name="part"/></sdf>')
     text = model("<include>\n      <uri>part/part.sdf</uri>\n    </include>")

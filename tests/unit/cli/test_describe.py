@@ -41,9 +41,9 @@ def test_many_places_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["describe", "joint/@type", "--sdf-version", "1.4", "--output-format", "json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    (place,) = told["places"]
-    assert told["version"] == 1
+    output = json.loads(capsys.readouterr().out)
+    (place,) = output["places"]
+    assert output["version"] == 1
     assert place["what"] == "attribute"
     assert place["parents"] == [{"name": "joint", "multiplicity": "1"}]
     assert "fixed" not in place["choices"]

@@ -59,7 +59,7 @@ def test_an_argument_that_nothing_is_like_is_a_warning(robot: Path, capsys: Capt
     assert "warning: no file takes the argument `color`" in capsys.readouterr().err
 
 
-def test_what_an_unknown_file_may_take_is_not_asked_about(tmp_path: Path, capsys: Capture) -> None:
+def test_arguments_of_an_unknown_file_are_not_checked(tmp_path: Path, capsys: Capture) -> None:
     file = tmp_path / "robot.urdf.xacro"
     file.write_text(
         ROBOT.replace("<link", '<xacro:include filename="$(find nowhere_near)/a.xacro"/><link', 1)
@@ -168,14 +168,14 @@ def test_relative_places_hold_from_everywhere(
     assert main(["lint", "--isolated", file, *options]) == 0
 
 
-def test_what_the_workspace_has_installed_is_found(workspace: Path, capsys: Capture) -> None:
+def test_a_package_that_the_workspace_has_installed_is_found(workspace: Path, capsys: Capture) -> None:
     assert main(["expand", "--isolated", str(uses(workspace, "hand"))]) == 0
     assert '<link name="hand"/>' in capsys.readouterr().out
     assert main(["lint", "--isolated", str(uses(workspace, "hand"))]) == 0
 
 
 @pytest.mark.parametrize("link", ["install", "install/hand", "install/hand/share/hand/part.xacro"])
-def test_what_is_installed_does_not_lead_out_of_the_workspace(
+def test_an_installed_package_does_not_lead_out_of_the_workspace(
     workspace: Path, link: str, tmp_path_factory: pytest.TempPathFactory, capsys: Capture
 ) -> None:
     outside = tmp_path_factory.mktemp("outside") / "there"

@@ -48,7 +48,7 @@ def test_json(heavier: Path, capsys: pytest.CaptureFixture[str]) -> None:
     ]
 
 
-def test_what_cannot_be_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_values_that_cannot_be_compared(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["diff", str(ARM), str(tmp_path / "none.sdf"), "--isolated"]) == 2
     broken = tmp_path / "b.sdf"
     broken.write_text(

@@ -44,7 +44,7 @@ def test_packages_and_arguments_of_the_configuration(folder: Path, capfd: pytest
     assert '<robot name="r3">' in capfd.readouterr().out
 
 
-def test_what_fails_is_told_with_its_place(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_a_failure_is_reported_with_its_place(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["expand", "r.xacro", "name:=r"]) == 1
     out, err = capfd.readouterr()
     assert out == ""

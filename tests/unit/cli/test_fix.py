@@ -131,7 +131,7 @@ def test_nothing_to_fix_is_no_difference(lint: Shell) -> None:
     assert lint.err == "Nothing to fix.\n"
 
 
-def test_what_is_silenced_is_not_fixed(lint: Shell) -> None:
+def test_a_silenced_finding_is_not_fixed(lint: Shell) -> None:
     silent = '<sdf version="1.9"><!-- sdfcheck: ignore-file --><!-- -- --><world name="w"/></sdf>'
     Path("a.sdf").write_text(silent)
     assert lint("--fix", "a.sdf") == 0
@@ -166,7 +166,7 @@ def test_a_refusal_is_said_and_writes_nothing(lint: Shell) -> None:
     assert Path("a.sdf").read_bytes() == text
 
 
-def test_what_only_an_include_leads_to_is_not_fixed(lint: Shell) -> None:
+def test_a_file_that_only_an_include_leads_to_is_not_fixed(lint: Shell) -> None:
     Path("part.sdf").write_text('<sdf version="1.9"><model name="m"><link name="l"/><drake:x/></model></sdf>')
     Path("a.sdf").write_text(
         '<sdf version="1.9"><world name="w"><include><uri>part.sdf</uri></include></world></sdf>'

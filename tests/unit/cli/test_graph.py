@@ -36,7 +36,7 @@ def test_a_tree(capsys: pytest.CaptureFixture[str]) -> None:
     ]
 
 
-def test_colours_are_for_people(capsys: pytest.CaptureFixture[str]) -> None:
+def test_colors_are_for_people(capsys: pytest.CaptureFixture[str]) -> None:
     file = str(ROBOTS / "two_link_arm" / "model.sdf")
     main(["graph", "joints", file, "--isolated", "--color", "always"])
     assert "\x1b[" in capsys.readouterr().out

@@ -203,7 +203,7 @@ def test_colors(
     assert ("\x1b[" in shell.lint("odd.sdf", "--color", option).out) is colored
 
 
-def test_a_bug_is_one_line_and_tells_how_to_report_it(shell: Shell, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bug_is_one_line_and_says_how_to_report_it(shell: Shell, monkeypatch: pytest.MonkeyPatch) -> None:
     Path("crash.sdf").write_text(SDF.format("crash"))
     outcome = shell.lint("crash.sdf")
     assert outcome.code == 2

@@ -28,7 +28,7 @@ def python(code: str) -> set[str]:
     return set(done.stdout.split())
 
 
-def test_the_version_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_version_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"sdfcheck {__version__}\n"
 
@@ -66,7 +66,7 @@ def test_linting_a_clean_file_imports_nothing_heavy(tmp_path: Path) -> None:
     assert not HEAVY & loaded
 
 
-def test_a_reader_that_leaves_is_no_error(tmp_path: Path) -> None:
+def test_a_closed_pipe_is_not_an_error(tmp_path: Path) -> None:
     python = sys.executable
     done = subprocess.run(
         f"{python} -m sdfcheck rules --isolated | {python} -c 'pass'; exit ${{PIPESTATUS[0]}}",
@@ -81,7 +81,7 @@ def test_a_reader_that_leaves_is_no_error(tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no device that is always full")
 @pytest.mark.parametrize(("target", "says"), [(">/dev/full", "No space left"), (">&-", "stdout is closed")])
-def test_an_output_that_takes_nothing_is_told_of(target: str, says: str, tmp_path: Path) -> None:
+def test_an_output_that_takes_nothing_is_reported(target: str, says: str, tmp_path: Path) -> None:
     file = tmp_path / "a.sdf"
     file.write_text("<sdf/>")
     command = f'exec "{sys.executable}" -m sdfcheck lint --isolated "{file}" {target}'

@@ -176,7 +176,7 @@ COMMANDS = [
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_what_cannot_be_looked_at_as_a_whole_is_refused(
+def test_a_target_that_is_not_a_class_of_parts_is_refused(
     bomb: Path, command: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(command, bomb) == 2

@@ -39,7 +39,7 @@ def test_an_included_model_is_written_out(capsys: pytest.CaptureFixture[str]) ->
     assert 'degrees="true"' in out
 
 
-def test_what_is_left_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_rest_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "w.sdf"
     file.write_text(
         '<sdf version="1.9"><world name="w"><include><uri>model://x</uri></include></world></sdf>',
@@ -49,6 +49,6 @@ def test_what_is_left_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert "the include stays: `model://x` brings nothing" in capsys.readouterr().err
 
 
-def test_what_the_version_cannot_say(capsys: pytest.CaptureFixture[str]) -> None:
+def test_features_that_the_version_lacks(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["print", str(ROBOTS / "two_link_arm" / "model.sdf"), "--isolated", "--degrees"]) == 2
     assert "1.6 has no poses in degrees" in capsys.readouterr().err

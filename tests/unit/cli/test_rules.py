@@ -37,24 +37,24 @@ def pack(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     Path("sdfcheck.toml").write_text(f'plugins = ["{folder.name}"]')
 
 
-def told(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+def output(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
     trusting = [] if "--isolated" in arguments else ["--trust-config"]
     assert main([*arguments, *trusting]) == 0
     return capsys.readouterr().out
 
 
 def test_rules_are_listed_with_those_of_plugins_and_the_engine(capsys: pytest.CaptureFixture[str]) -> None:
-    lines = told(capsys, "rules").splitlines()
+    lines = output(capsys, "rules").splitlines()
     codes = [line.split()[0] for line in lines]
     assert codes == sorted(codes)
     assert {"XYZ001", "SUP001", "SUP002", "INT001"} <= set(codes)
     (line,) = (line for line in lines if line.startswith("XYZ001"))
     assert line.split() == ["XYZ001", "odd-flaw", "warning", "safe", "fix", "A", "flaw", "is", "`odd`."]
-    assert "XYZ001" not in told(capsys, "rules", "--isolated")
+    assert "XYZ001" not in output(capsys, "rules", "--isolated")
 
 
 def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixture[str]) -> None:
-    listed = json.loads(told(capsys, "rules", "XYZ", "--output-format", "json"))
+    listed = json.loads(output(capsys, "rules", "XYZ", "--output-format", "json"))
     assert listed["version"] == 1
     assert listed["rules"] == [
         {
@@ -73,7 +73,7 @@ def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixtur
 
 @pytest.mark.parametrize("selector", ["XYZ001", "odd-flaw", "XYZ"])
 def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) -> None:
-    text = told(capsys, "rule", selector)
+    text = output(capsys, "rule", selector)
     assert text.startswith("# odd-flaw (XYZ001)\n\n**warning** · on by default · safe fix\n\nA flaw")
     assert "A flaw is `odd`.\n\nIt matters.\n\n" in text
     assert "```xml\n<model odd/>\n```\n\n" in text
@@ -82,20 +82,20 @@ def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) 
 
 
 def test_an_explanation_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
-    (page,) = json.loads(told(capsys, "rule", "odd-flaw", "--output-format", "json"))["rules"]
+    (page,) = json.loads(output(capsys, "rule", "odd-flaw", "--output-format", "json"))["rules"]
     assert page["documentation"] == "A flaw is `odd`.\n\nIt matters."
     assert [(bad["text"], bad["files"]) for bad in page["bad"]] == [("<model odd/>", {}), ("<a/>", {})]
     assert page["good"] == [{"name": "robot.sdf", "text": "<model/>", "files": {}, "why": "even"}]
 
 
 def test_a_terminal_gets_a_laid_out_page(capsys: pytest.CaptureFixture[str]) -> None:
-    text = told(capsys, "rule", "odd-flaw", "--color", "always")
+    text = output(capsys, "rule", "odd-flaw", "--color", "always")
     assert "\x1b[" in text
     assert "```" not in text
 
 
 def test_the_engines_own_rules_are_explained(capsys: pytest.CaptureFixture[str]) -> None:
-    text = told(capsys, "rule", "SUP001", "INT001")
+    text = output(capsys, "rule", "SUP001", "INT001")
     assert "# unused-suppression (SUP001)" in text
     assert "# internal-error (INT001)" in text
     assert "Turn it off" not in text

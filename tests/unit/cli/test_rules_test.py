@@ -146,7 +146,7 @@ def test_a_failing_check_is_named_with_its_place(capsys: pytest.CaptureFixture[s
     )
 
 
-def test_what_cannot_be_tested_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_rule_that_cannot_be_tested_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["rules", "--test", "gone"]) == 2
     assert main(["rules", "--test", "./gone"]) == 2
     pack()

@@ -22,7 +22,7 @@ def test_to_stdout_and_to_a_file(form: str, tmp_path: Path, capsys: pytest.Captu
     assert etree.QName(root).localname == {"xsd": "schema", "rng": "grammar"}[form]
 
 
-def test_what_cannot_be_done(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_impossible_requests(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["schema", "--sdf-version", "2.0"]) == 2
     assert main(["schema", "-o", str(tmp_path / "none" / "sdf.xsd")]) == 2
     assert "cannot write" in capsys.readouterr().err

@@ -26,7 +26,7 @@ def lint(capsys: pytest.CaptureFixture[str], text: str, *options: str) -> tuple[
     return code, capsys.readouterr().out
 
 
-def test_what_is_not_on_this_computer_fails_no_run_unless_asked(capsys: pytest.CaptureFixture[str]) -> None:
+def test_files_not_on_this_computer_fail_no_run_unless_asked(capsys: pytest.CaptureFixture[str]) -> None:
     code, out = lint(capsys, INCLUDING)
     assert code == 0
     assert "1 model (needed 1 time): `nowhere_at_all`" in out

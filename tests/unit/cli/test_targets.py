@@ -39,19 +39,21 @@ def test_reasons(capsys: pytest.CaptureFixture[str]) -> None:
     ("file", "consumer", "code"),
     [(SOUND, "gazebo", 0), (SOUND, "urdfdom", 1), (BROKEN, "urdfdom", 1)],
 )
-def test_one_reader_decides(file: str, consumer: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_consumer_decides(
+    file: str, consumer: str, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["targets", file, "--isolated", "--target", consumer]) == code
     assert capsys.readouterr().out.startswith(consumer)
 
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", BROKEN, "--isolated", "--output-format", "json"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert [row["consumer"] for row in told["consumers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
-    reason = told["consumers"][1]["reasons"][0]
+    output = json.loads(capsys.readouterr().out)
+    assert [row["consumer"] for row in output["consumers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
+    reason = output["consumers"][1]["reasons"][0]
     assert (reason["code"], reason["verdict"], reason["line"]) == ("INR001", "reject", 5)
 
 
-def test_what_cannot_be_done(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_impossible_requests(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", str(tmp_path / "none.sdf")]) == 2
     assert "no such file" in capsys.readouterr().err

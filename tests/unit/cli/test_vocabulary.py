@@ -72,7 +72,7 @@ def test_a_result_can_go_to_a_file(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", COMMAND_OF)
-def test_whoever_colors_or_reads_a_configuration_has_the_options_for_it(name: str) -> None:
+def test_commands_with_colors_or_a_configuration_have_the_options_for_it(name: str) -> None:
     spelled = {spelling for option in options(COMMAND_OF[name]) for spelling in option.opts}
     assert len(spelled & {"--config", "--isolated", "--trust-config"}) in {0, 3}
     assert len(spelled & {"--package", "--package-path", "--model-path", "--env"}) in {0, 4}

@@ -38,7 +38,7 @@ def link(folder: Path, content: str, numbers: NumberStyle | None = None, version
 
 
 @pytest.mark.parametrize("name", ["two_link_arm/model.sdf", "diff_drive/model.sdf"])
-def test_what_is_canonical_stays(name: str) -> None:
+def test_a_canonical_text_stays(name: str) -> None:
     document = opened(ROBOTS / name)
     assert canonical(document, CanonicalStyle()).text == document.source.text
 
@@ -122,7 +122,7 @@ def test_urdf(tmp_path: Path) -> None:
     assert '<mu1 value="1.0"/>' in text
 
 
-def test_what_is_not_well_formed_is_mended(tmp_path: Path) -> None:
+def test_a_text_that_is_not_well_formed_is_repaired(tmp_path: Path) -> None:
     text = printed(tmp_path, SDF.format("1.9", "<drake:thing a='1 & 2'/>")).text
     assert '<drake:thing a="1 &amp; 2"/>' in text
 
@@ -135,7 +135,7 @@ def test_what_is_not_well_formed_is_mended(tmp_path: Path) -> None:
         SDF.format("1.9", "") + "<sdf version='1.9'/>",
     ],
 )
-def test_what_is_broken_is_refused(tmp_path: Path, text: str) -> None:
+def test_a_broken_text_is_refused(tmp_path: Path, text: str) -> None:
     with pytest.raises(WrongUsage, match=r"main\.sdf:1:\d+: the text is broken here"):
         printed(tmp_path, text)
 
@@ -244,7 +244,7 @@ def test_an_included_file_of_another_version(tmp_path: Path) -> None:
     assert "<include>" not in text
 
 
-def test_what_cannot_be_expanded_stays(tmp_path: Path) -> None:
+def test_an_include_that_cannot_be_expanded_stays(tmp_path: Path) -> None:
     result = expanded(tmp_path, world("<include><uri>model://nowhere</uri></include>"))
     assert "<uri>model://nowhere</uri>" in result.text
     (note,) = result.notes

@@ -105,7 +105,7 @@ def test_one_edit_is_one_change(tmp_path: Path, old: str, new: str, expected: tu
     assert edited(tmp_path, old, new) == [expected]
 
 
-def test_a_moved_joint_does_not_move_what_is_behind_it(tmp_path: Path) -> None:
+def test_a_moved_joint_does_not_move_the_parts_after_it(tmp_path: Path) -> None:
     found = edited(
         tmp_path,
         "<origin xyz='0 0 1'/><parent link='base'/>",
@@ -115,7 +115,7 @@ def test_a_moved_joint_does_not_move_what_is_behind_it(tmp_path: Path) -> None:
     assert found == [("link", "fore", "pose in `base`", "0 0 1 0 0 0", "0 0 3 0 0 0")]
 
 
-def test_what_is_new_and_what_is_gone(tmp_path: Path) -> None:
+def test_new_and_removed_findings(tmp_path: Path) -> None:
     found = changes(tmp_path, ARM, ARM.replace("</model>", LINK.format("lamp") + "</model>"))
     assert [(change.kind, change.part, change.name) for change in found] == [
         (ChangeKind.ADDED, "link", "lamp")
@@ -126,7 +126,7 @@ def test_what_is_new_and_what_is_gone(tmp_path: Path) -> None:
     ]
 
 
-def test_new_names_are_told_as_such(tmp_path: Path) -> None:
+def test_new_names_are_reported_as_such(tmp_path: Path) -> None:
     found = changes(
         tmp_path, ARM, ARM.replace("'base'", "'foot'").replace(">base<", ">foot<").replace("elbow", "knee")
     )

@@ -66,7 +66,7 @@ def test_it_contradicts_a_result_that_is_another_robot() -> None:
     assert {one.name for one in found} == {"arm", "hand"}
 
 
-def test_what_it_cannot_read_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_part_that_it_cannot_read_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*arguments: object, **options: object) -> None:
         raise ValueError("no such thing")
 

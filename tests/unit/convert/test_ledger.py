@@ -179,7 +179,7 @@ def test_stray_text_and_second_elements_are_losses() -> None:
         ),
     ],
 )
-def test_what_another_one_hides_is_a_loss(inside: str, lost: str) -> None:
+def test_a_tag_that_another_one_hides_is_a_loss(inside: str, lost: str) -> None:
     done = convert(document_of(f'<sdf version="1.9"><model name="m">{inside}</model></sdf>', ".sdf"))
     assert any(loss.message.endswith(lost) for loss in done.losses), done.losses
 
@@ -203,7 +203,7 @@ class TestLedger:
         with pytest.raises(AssertionError, match="model `m` in `sdf`"):
             ledger.close(root)
 
-    def test_what_has_no_word_is_a_loss(self) -> None:
+    def test_a_value_without_a_word_is_a_loss(self) -> None:
         ledger, root = self.of('<sdf version="1.12" a="1" b:c="2"><!-- x --><light name="l"/></sdf>')
         ledger.take(root)
         ledger.close(root)
@@ -214,7 +214,7 @@ class TestLedger:
             "URDF has no light `l` in `sdf`",
         ]
 
-    def test_what_is_said_to_be_copied_must_be_there(self) -> None:
+    def test_data_entered_as_copied_must_exist(self) -> None:
         ledger, root = self.of('<sdf version="1.12"><a:b c:d="1"/></sdf>')
         ledger.copy(next(root.children()))
         _, same = self.of('<sdf version="1.12"><model name="m"><a:b c:d="1"/></model></sdf>')

@@ -84,7 +84,7 @@ def test_robots_stay_the_same_in_every_version(path: Path, version: Version) -> 
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_what_is_not_changed_stays_to_the_byte(case: Path) -> None:
+def test_unchanged_text_stays_to_the_byte(case: Path) -> None:
     document = opened(case / "input.sdf")
     assert Draft(document).text() == document.source.text
     version = Version.parse(document.version or "")
@@ -92,7 +92,7 @@ def test_what_is_not_changed_stays_to_the_byte(case: Path) -> None:
     assert version < LOWEST or sdf_to_sdf(document, version).text == document.source.text
 
 
-def test_what_the_target_lacks_can_be_kept() -> None:
+def test_parts_that_the_target_lacks_can_be_kept() -> None:
     text = (
         '<sdf version="1.9"><model name="m"><link name="a"><enable_wind>1</enable_wind></link></model></sdf>'
     )
@@ -130,7 +130,7 @@ def test_lines_end_as_in_the_source() -> None:
     assert migrate(text, target(case)).text == expected
 
 
-def test_what_is_newer_than_both_versions_stays_on_the_way_up() -> None:
+def test_a_name_newer_than_both_versions_stays_on_the_way_up() -> None:
     text = (
         '<sdf version="1.6"><model name="m"><link name="a"><inertial><fluid_added_mass/></inertial>'
         "</link></model></sdf>"
@@ -152,7 +152,7 @@ def test_an_include_of_what_is_not_there_stays_as_it_is() -> None:
         migrate(nested, Version(1, 4))
 
 
-def test_what_includes_itself_is_not_written_out(tmp_path: Path) -> None:
+def test_a_file_that_includes_itself_is_not_written_out(tmp_path: Path) -> None:
     file = tmp_path / "m.sdf"
     include = '<include merge="true"><uri>m.sdf</uri></include>'
     file.write_text(f'<sdf version="1.9"><model name="m"><link name="a"/>{include}</model></sdf>')
@@ -160,7 +160,7 @@ def test_what_includes_itself_is_not_written_out(tmp_path: Path) -> None:
         sdf_to_sdf(opened(file), Version(1, 8))
 
 
-def test_a_second_model_at_the_top_is_told_of() -> None:
+def test_a_second_model_at_the_top_is_reported() -> None:
     text = '<sdf version="1.7"><model name="a"><link name="l"/></model><model name="b"><link name="l"/></model></sdf>'
     done = migrate(text, Version(1, 8))
     assert done.text == text.replace("1.7", "1.8")

@@ -89,7 +89,7 @@ def test_a_second_parent_is_reversed() -> None:
     assert LossKind.REVERSED_JOINT in _kinds(done)
 
 
-def test_a_loop_is_cut_and_told() -> None:
+def test_a_loop_is_cut_and_reported() -> None:
     links = _LINKS + f'<link name="c"><pose>1 0 0 0 0 0</pose>{_BODY}</link>'
     joints = _joint("revolute", _axis()) + _joint("revolute", _axis(), ("b", "c"), "k")
     closing = _joint("revolute", _axis(), ("a", "c"), "l")
@@ -108,7 +108,7 @@ def test_ball_joints_and_forests_follow_the_policy() -> None:
             _convert(model, Options(ball=Unsupported.ERROR, forest=Unsupported.ERROR))
 
 
-def test_what_urdf_cannot_hold_is_told() -> None:
+def test_parts_that_urdf_cannot_hold_are_reported() -> None:
     shape = "<geometry><ellipsoid><radii>1 2 3</radii></ellipsoid></geometry>"
     done = _convert(f'<link name="a"><visual name="v">{shape}</visual></link>')
     assert {LossKind.UNSUPPORTED_GEOMETRY, LossKind.CHANGED_DEFAULT} <= _kinds(done)
@@ -177,14 +177,14 @@ def test_authors_numbers_stay() -> None:
     assert '<origin xyz="0.10 0 1e-3" rpy="0 0 3.14159"/>' in _convert(f'<link name="a">{visual}</link>').text
 
 
-def test_comments_have_a_place_or_are_told() -> None:
+def test_comments_have_a_place_or_are_reported() -> None:
     model = f'<!-- 1 --><link name="a"><!-- 2 -->{_BODY}<gravity><!-- 3 -->1</gravity></link>'
     model += '<enable_wind>0</enable_wind><link name="b"><battery name="b"/><inertial><density><!-- 4 -->1</density>'
     model += "</inertial></link>" + _joint("fixed", "<!-- 5 -->")
     done = _convert(model)
-    told = [loss.message for loss in done.losses if loss.kind is LossKind.DROPPED_COMMENT]
+    reported = [loss.message for loss in done.losses if loss.kind is LossKind.DROPPED_COMMENT]
     for number in range(1, 6):
-        assert f"<!-- {number} -->" in done.text or any(f"`{number}`" in message for message in told)
+        assert f"<!-- {number} -->" in done.text or any(f"`{number}`" in message for message in reported)
 
 
 def test_line_ends_stay() -> None:

@@ -78,7 +78,7 @@ def test_one_changed_setting_is_noticed(written: str, other: str, expected: tupl
     assert differences(done, done.text.replace(written, other)) == [expected]
 
 
-def test_what_is_reported_as_lost_need_not_be_there() -> None:
+def test_a_part_reported_as_lost_need_not_exist() -> None:
     text = ROBOT.replace("<shop:price>", '<shop:price where="x">').replace(
         "</collision>", "<drake:nonsense/></collision>"
     )

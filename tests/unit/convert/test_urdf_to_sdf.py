@@ -81,7 +81,7 @@ def verified(done: Conversion, text: str) -> Verification:
     return Comparison(before.source, result, before.correspondence).verify()
 
 
-def test_what_is_no_number_is_not_equal_to_it() -> None:
+def test_a_text_that_is_not_a_number_is_not_equal_to_one() -> None:
     done = convert(ARM)
     robot = done.comparisons[0].source
     for pose in (robot.links["rod"].pose, robot.joints["swing"].pose):
@@ -167,7 +167,7 @@ def test_a_link_without_mass_stays() -> None:
         ('<link name="a"><visual><geometry><box/></geometry></visual></link>', "the box has no size"),
     ],
 )
-def test_what_cannot_be_converted_is_refused_with_its_place(body: str, reason: str) -> None:
+def test_a_robot_that_cannot_be_converted_is_refused_with_its_place(body: str, reason: str) -> None:
     with pytest.raises(NotConvertible, match=reason) as caught:
         convert(f'<robot name="r">{body}</robot>')
     assert caught.value.loss.kind is LossKind.NOT_CONVERTIBLE

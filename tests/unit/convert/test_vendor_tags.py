@@ -160,7 +160,7 @@ def test_members_of_groups_follow_links_that_are_merged() -> None:
     assert any("`b` is now `a`" in loss.message for loss in done.losses)
 
 
-def test_what_drake_takes_as_friction_stays_where_gazebo_has_another() -> None:
+def test_the_friction_of_drake_stays_where_gazebo_has_another() -> None:
     block = '<gazebo reference="a"><mu1>0.2</mu1><mu2>0.2</mu2></gazebo>'
     done = to_sdf(urdf(block, a=collision('<box size="1 1 1"/>')))
     assert "<drake:mu_static>1</drake:mu_static><drake:mu_dynamic>1</drake:mu_dynamic>" in flat(done.text)
@@ -280,7 +280,7 @@ def test_sdf_becomes_urdf(source: str, result: str) -> None:
     assert faults(written, Kind.URDF) == []
 
 
-def test_what_drake_has_in_sdf_only_comes_back() -> None:
+def test_tags_that_drake_has_in_sdf_only_come_back() -> None:
     properties = "<drake:deformable_properties><drake:mass_density>5</drake:mass_density></drake:deformable_properties>"
     there = to_urdf(sdf(a=properties))
     assert f'<gazebo reference="a">{properties}</gazebo>' in there

@@ -103,7 +103,7 @@ def test_a_custom_attribute_that_is_not_in_the_result_is_reported() -> None:
         ledger.prove(result)
 
 
-def test_what_is_beside_an_included_model_is_nobodys_loss(
+def test_a_part_beside_an_included_model_is_not_a_loss(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     other = (

@@ -62,7 +62,7 @@ def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
         write_atomically(tmp_path / "none" / "a.sdf", "text")
 
 
-def test_what_is_left_of_rounding_is_zero() -> None:
+def test_a_rounding_error_is_zero() -> None:
     assert settled(-1.29e-32) == 0
     assert settled(-1.29e-32, 1e-18) == -1.29e-32
     assert settled(3e-14) == 3e-14

@@ -97,7 +97,7 @@ def test_out_of_range(place: str, text: str, refused: bool) -> None:
     assert (reading.outcome, reading.refused) == (Outcome.OUT_OF_RANGE, refused)
 
 
-def test_what_is_taken_instead_of_a_size_out_of_range() -> None:
+def test_the_replacement_of_a_size_out_of_range() -> None:
     radius = schema(Version(1, 12)).at("cylinder_shape:cylinder/radius")
     assert radius is not None
     assert radius.range is not None

@@ -51,7 +51,7 @@ def test_choices_and_what_replaced_them() -> None:
     assert "`ray` is now called `lidar`" in kind.notes
 
 
-def test_what_is_gone_is_told_of_with_its_successor() -> None:
+def test_a_removed_name_is_reported_with_its_successor() -> None:
     gone = only("joint/axis/use_parent_model_frame")
     assert (gone.format, gone.until, gone.successor) == ("SDFormat 1.6", "1.6", "axis/xyz/@expressed_in")
 
@@ -121,7 +121,7 @@ def test_parts_of_drakes_elements() -> None:
         ("urdf:", "there is no element without a name"),
     ],
 )
-def test_what_is_not_there(question: str, says: str) -> None:
+def test_absent_names(question: str, says: str) -> None:
     with pytest.raises(UnknownPlace) as caught:
         describe(question)
     assert str(caught.value) == says

@@ -33,7 +33,7 @@ def test_misplaced_elements_know_where_they_belong(text: str, places: tuple[str,
     assert misplaced[0].ignored
 
 
-def test_what_includes_say_is_read_in_older_versions_too() -> None:
+def test_children_of_includes_are_read_in_older_versions_too() -> None:
     include = (
         "<include><uri>model://sun</uri><name>s</name><pose>0 0 1 0 0 0</pose><static>true</static></include>"
     )
@@ -41,7 +41,7 @@ def test_what_includes_say_is_read_in_older_versions_too() -> None:
     assert [each for each in found(world) if isinstance(each, problems.TooNewElement)] == []
 
 
-def test_includes_are_followed_wherever_they_stand() -> None:
+def test_includes_are_followed_wherever_they_are() -> None:
     problem = only(found('<sdf version="1.9"><include/></sdf>'), problems.MisplacedElement)
     assert not problem.ignored
     assert problem.places == ("model", "world")
@@ -58,7 +58,7 @@ def test_workflows_of_pbr_are_a_closed_list() -> None:
     assert only_in_link(text, problems.UnknownElement).refused
 
 
-def test_too_new_elements_are_told_once_with_all_uses() -> None:
+def test_too_new_elements_are_reported_once_with_all_uses() -> None:
     shapes = "".join(
         f'<visual name="{name}"><geometry><capsule><radius>1</radius><length>1</length></capsule></geometry>'
         "</visual>"
@@ -69,7 +69,7 @@ def test_too_new_elements_are_told_once_with_all_uses() -> None:
     assert (str(problem.since), problem.declaration.text) == ("1.8", "1.7")
 
 
-def test_what_is_too_new_is_looked_into() -> None:
+def test_a_too_new_element_is_looked_into() -> None:
     text = '<visual name="v"><geometry><capsule><radius>wide</radius></capsule></geometry></visual>'
     kinds = {type(p).__name__ for p in in_link(text, "1.7")}
     assert kinds == {"TooNewElement", "MalformedValue", "MissingElement"}
@@ -78,10 +78,10 @@ def test_what_is_too_new_is_looked_into() -> None:
 def test_too_new_is_also_what_came_and_went() -> None:
     axis = "<axis><xyz>0 0 1</xyz><use_parent_model_frame>1</use_parent_model_frame></axis>"
     model = f'<link name="a"/><link name="b"/><joint name="j" type="revolute">{axis}</joint>'
-    told = found(f'<sdf version="1.4"><model name="m">{model}</model></sdf>')
-    (problem,) = (each for each in told if isinstance(each, problems.TooNewElement))
+    problems_found = found(f'<sdf version="1.4"><model name="m">{model}</model></sdf>')
+    (problem,) = (each for each in problems_found if isinstance(each, problems.TooNewElement))
     assert (problem.element.name, str(problem.since)) == ("use_parent_model_frame", "1.5")
-    assert not any(isinstance(each, problems.MisplacedElement) for each in told)
+    assert not any(isinstance(each, problems.MisplacedElement) for each in problems_found)
 
 
 def test_too_new_attributes() -> None:

@@ -64,7 +64,7 @@ def test_degrees_and_quaternions() -> None:
     assert in_link(pose.format("false")) == []
 
 
-def test_what_the_newest_version_accepts_is_accepted() -> None:
+def test_a_value_that_the_newest_version_accepts_is_accepted() -> None:
     camera = "<sensor name='s' type='camera'><camera><horizontal_fov>3</horizontal_fov></camera></sensor>"
     assert in_link(camera, "1.4") == []
 

@@ -40,7 +40,7 @@ def codes(body: str, tmp_path: Path, *, params: str = "") -> list[tuple[str, str
         (f'<link name="a"><visual>{SHAPE}<origin xyz="0 0"/></visual></link>', ("SCH013", "0 0")),
     ],
 )
-def test_what_is_written_is_checked(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
+def test_the_result_is_checked(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
     assert expected in codes(body, tmp_path, params="n")
 
 
@@ -56,12 +56,12 @@ def test_what_is_written_is_checked(body: str, expected: tuple[str, str], tmp_pa
         '<mass value="${n}"/>',
     ],
 )
-def test_what_xacro_puts_in_is_not_judged(body: str, tmp_path: Path) -> None:
+def test_content_that_xacro_inserts_is_not_judged(body: str, tmp_path: Path) -> None:
     calls = '<xacro:macro name="weight"><mass value="1"/></xacro:macro>'
     assert not codes(body + calls, tmp_path, params="n *shape")
 
 
-def test_what_is_expanded_is_checked_there_alone(tmp_path: Path) -> None:
+def test_expanded_text_is_checked_there_alone(tmp_path: Path) -> None:
     path = tmp_path / "robot.urdf.xacro"
     macro = '<xacro:macro name="m" params="n"><link name="${n}" tpye="x"/></xacro:macro>'
     path.write_text(
@@ -71,7 +71,7 @@ def test_what_is_expanded_is_checked_there_alone(tmp_path: Path) -> None:
     assert len(found) == 1
 
 
-def test_a_library_is_told_once(tmp_path: Path) -> None:
+def test_a_library_is_reported_once(tmp_path: Path) -> None:
     macro = '<xacro:macro name="m" params="n"><link name="${n}" tpye="x"/></xacro:macro>'
     (tmp_path / "library.xacro").write_text(f"{HEAD}{macro}</robot>")
     (tmp_path / "robot.urdf.xacro").write_text(

@@ -119,7 +119,7 @@ def test_uses_of_an_undeclared_prefix_are_gathered() -> None:
     assert prefix.insertion.start == prefix.insertion.end == len('<sdf version="1.12"')
 
 
-def test_each_prefix_is_told_once() -> None:
+def test_each_prefix_is_reported_once() -> None:
     assert [d.span.text for d in found(inside("<p:a/><q:a/><p:b/>"))] == ["p", "q"]
 
 
@@ -146,7 +146,7 @@ def test_a_sibling_before_the_declaration_is_out_of_scope() -> None:
     assert [label.span.text for label in diagnostic.labels] == ["xmlns:p"]
 
 
-def test_the_root_without_attributes_takes_a_declaration_behind_its_name() -> None:
+def test_the_root_without_attributes_takes_a_declaration_after_its_name() -> None:
     assert prefixes(document("<sdf><p:a/></sdf>"))[0].insertion.start == 4
 
 
@@ -175,7 +175,7 @@ def test_a_declaration_below_the_root_can_move_there() -> None:
     assert edits(diagnostic) == [("", ' xmlns:p="u"'), ('\n  xmlns:p="u"', "")]
 
 
-def test_declarations_that_agree_are_told_together() -> None:
+def test_declarations_that_agree_are_reported_together() -> None:
     diagnostic = only(inside('<a xmlns:p="u" p:b="1"/><c xmlns:p="u" p:b="1"/>'), BELOW)
     assert [text for text, _ in edits(diagnostic)] == ["", ' xmlns:p="u"', ' xmlns:p="u"']
 
@@ -197,14 +197,14 @@ def test_an_unused_prefix() -> None:
     assert edits(diagnostic) == [(' xmlns:p="u"', "")]
 
 
-def test_unused_prefixes_are_told_once_for_each_element() -> None:
+def test_unused_prefixes_are_reported_once_for_each_element() -> None:
     root, inner = found('<sdf xmlns:p="u" xmlns:q="v"><b xmlns:r="w"/></sdf>')
     assert "`p` and `q`" in root.message
     assert "`r`" in inner.message
     assert edits(root) == [(' xmlns:p="u"', ""), (' xmlns:q="v"', "")]
 
 
-def test_what_a_xacro_file_declares_may_be_for_others() -> None:
+def test_a_declaration_in_a_xacro_file_may_be_for_others() -> None:
     assert found('<robot xmlns:p="u"/>', Kind.XACRO) == []
 
 
@@ -281,7 +281,7 @@ def element(draw: st.DrawFn, inner: st.SearchStrategy[str]) -> str:
 
 
 @given(st.recursive(st.builds("<{}/>".format, NAMES), element, max_leaves=8))
-def test_places_lie_in_the_text_and_no_problem_is_told_twice(content: str) -> None:
+def test_places_lie_in_the_text_and_no_problem_is_reported_twice(content: str) -> None:
     text = f"<sdf>{content}</sdf>"
     diagnostics = found(text)
     assert len({(d.code, d.span) for d in diagnostics}) == len(diagnostics)

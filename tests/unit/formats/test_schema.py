@@ -81,7 +81,7 @@ def test_only_the_exact_texts_of_versions_are_known(text: str) -> None:
         ("world/state/model_state/link_state/pose", "1.12", "1.12"),
     ],
 )
-def test_elements_stand_in_their_versions_only(path: str, since: str, until: str) -> None:
+def test_elements_exist_in_their_versions_only(path: str, since: str, until: str) -> None:
     there = [text for text in ALL if place(text, path) is not None]
     assert there == ALL[ALL.index(since) : ALL.index(until) + 1]
 
@@ -105,7 +105,7 @@ def test_a_place_may_come_back() -> None:
         ("model/include", "merge", "1.9"),
     ],
 )
-def test_attributes_stand_from_their_version_on(path: str, attribute: str, since: str) -> None:
+def test_attributes_exist_from_their_version_on(path: str, attribute: str, since: str) -> None:
     there = [text for text in ALL if (found := place(text, path)) and attribute in found.attributes]
     assert there == ALL[ALL.index(since) :]
 
@@ -127,7 +127,7 @@ def test_a_use_has_a_multiplicity_of_its_own() -> None:
     assert (noise.multiplicity, noise.own_multiplicity) == ("0", "1")
 
 
-def test_what_is_required() -> None:
+def test_required_parts() -> None:
     joint = known("1.9", "model/joint")
     assert joint.required_children == ("parent", "child")
     assert joint.required_attributes == ("name", "type")

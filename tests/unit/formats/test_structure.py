@@ -78,7 +78,7 @@ def test_lights_of_old_files_need_a_name_too(version: str) -> None:
     assert in_link('<light name="l" type="point"/>', version) == []
 
 
-def test_what_the_table_asks_for_is_told_by_the_walk() -> None:
+def test_the_walk_reports_violations_of_the_table() -> None:
     assert in_link('<light type="point"/>', "1.6") == []
 
 

@@ -86,7 +86,7 @@ def test_numbers(text: str) -> None:
         ("1e", Cause.NOT_A_NUMBER),
     ],
 )
-def test_what_urdfdom_refuses_as_a_number(text: str, cause: Cause) -> None:
+def test_numbers_that_urdfdom_refuses(text: str, cause: Cause) -> None:
     assert not LOWER.accepts(text)
     reading = read(LOWER, text)
     assert reading.outcome is Outcome.MALFORMED
@@ -110,7 +110,7 @@ def test_vectors(text: str) -> None:
         ("0 x 0", "x"),
     ],
 )
-def test_what_is_to_blame_in_a_vector(text: str, part: str) -> None:
+def test_the_part_at_fault_in_a_vector(text: str, part: str) -> None:
     reading = read(XYZ, text)
     assert reading.outcome is Outcome.MALFORMED
     assert text[reading.start : reading.end] == part

@@ -35,7 +35,7 @@ def only(text: str, kind: type[T]) -> T:
     return found[0]  # type: ignore[return-value]
 
 
-def test_the_index_lists_what_stands_where_it_may() -> None:
+def test_the_index_lists_elements_in_their_places() -> None:
     surveyed = walk(
         '<robot name="r"><link name="a"/><material name="m"><color rgba="1 1 1 1"/></material>'
         f'<link name="b"><visual>{SHAPE}<material name="m"/></visual></link>'
@@ -64,7 +64,7 @@ def test_a_declared_prefix_of_xacro_alone_is_nothing() -> None:
     assert surveyed.root is not None
 
 
-def test_unknown_elements_are_told_once_for_each_place() -> None:
+def test_unknown_elements_are_reported_once_for_each_place() -> None:
     problem = only(
         ROBOT.format(f"<visual>{SHAPE}<x/></visual><visual>{SHAPE}<x/></visual>"),
         urdf_problems.UnknownUrdfElement,
@@ -87,7 +87,7 @@ def test_a_misspelt_attribute_is_not_missing_as_well() -> None:
     assert (problem.value.attribute, problem.suggestion, problem.needed) == ("raduis", "radius", True)
 
 
-def test_what_is_there_already_is_not_suggested() -> None:
+def test_an_existing_part_is_not_suggested() -> None:
     text = JOINT.format('<limit effort="1" velocity="1" k_velocity="1"/>')
     assert only(text, urdf_problems.UnknownUrdfAttribute).suggestion is None
 
@@ -137,7 +137,7 @@ def test_versions() -> None:
     assert walk(ROBOT.replace('"r"', '"r" version="1.1"').format(quaternion)).problems == []
 
 
-def test_what_rules_look_at_is_not_reported_twice() -> None:
+def test_subjects_of_rules_are_not_reported_twice() -> None:
     inertial = '<inertial><mass value="1"/><inertia ixx="1"/></inertial><inertial/>'
     assert [type(p) for p in walk(ROBOT.format(inertial)).problems] == [problems.RepeatedElement]
     assert (
@@ -149,8 +149,8 @@ def test_what_rules_look_at_is_not_reported_twice() -> None:
 def test_dynamics_need_one_of_two_attributes() -> None:
     assert only(JOINT.format("<dynamics/>"), problems.MissingAttribute).attribute == "damping"
     assert walk(JOINT.format('<dynamics friction="1"/>')).problems == []
-    slip = walk(JOINT.format('<dynamics dampng="1"/>')).problems
-    assert [type(problem) for problem in slip] == [urdf_problems.UnknownUrdfAttribute]
+    misspelled = walk(JOINT.format('<dynamics dampng="1"/>')).problems
+    assert [type(problem) for problem in misspelled] == [urdf_problems.UnknownUrdfAttribute]
 
 
 @pytest.mark.parametrize(
@@ -173,7 +173,7 @@ def test_sound_settings_in_gazebo() -> None:
     assert walk(text).problems == []
 
 
-def test_expressions_are_told_once_and_not_as_bad_numbers() -> None:
+def test_expressions_are_reported_once_and_not_as_bad_numbers() -> None:
     text = ROBOT.format(
         '<!-- ${no} --><visual><geometry><sphere radius="${r}"/></geometry></visual><visual name="$(arg v)"/>'
     )

@@ -216,7 +216,7 @@ def test_ranges(kind: str, text: str, part: str) -> None:
 
 
 @pytest.mark.parametrize(("text", "part"), [("2 0 0 1", "2"), ("-0.1 0 0 1", "-0.1"), ("0 0 255", "255")])
-def test_parts_of_a_colour_lie_between_0_and_1(text: str, part: str) -> None:
+def test_parts_of_a_color_lie_between_0_and_1(text: str, part: str) -> None:
     reading = read("color", text)
     assert (reading.outcome, reading.refused) == (Outcome.OUT_OF_RANGE, True)
     assert text[reading.start : reading.end] == part
@@ -240,7 +240,7 @@ def test_an_open_range_excludes_its_end() -> None:
         ("color", "3 or 4 numbers from 0 to 1"),
     ],
 )
-def test_what_was_expected_is_told_in_words(kind: str, words: str) -> None:
+def test_the_expected_type_is_given_in_words(kind: str, words: str) -> None:
     assert read(kind, "x").expected == words
 
 

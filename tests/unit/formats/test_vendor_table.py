@@ -49,5 +49,5 @@ def test_right_uses_are_silent(case: Case) -> None:
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.code], ids=lambda case: case.name)
-def test_wrong_uses_are_told(case: Case) -> None:
+def test_wrong_uses_are_reported(case: Case) -> None:
     assert found(case) == [case.code], case.text

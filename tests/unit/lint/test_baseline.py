@@ -21,7 +21,7 @@ def lint(*arguments: str) -> int:
     return main(["lint", "--isolated", "--baseline", "known.json", *arguments])
 
 
-def test_what_is_known_is_not_reported(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_known_finding_is_not_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert lint("--write-baseline") == 0
     assert capsys.readouterr().err == "known.json holds 1 finding.\n"
     assert read(Path("known.json")) == {("worlds/a.sdf", "XML002"): 1}
@@ -41,7 +41,7 @@ def test_more_than_is_known_is_reported(capsys: pytest.CaptureFixture[str]) -> N
     assert out.count("worlds/b.sdf") == 1
 
 
-def test_what_is_gone_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_removed_part_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
     lint("--write-baseline")
     Path("worlds/a.sdf").write_text(ONE.replace("<!-- -- -->", ""))
     capsys.readouterr()
@@ -52,7 +52,7 @@ def test_what_is_gone_is_told(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     "text", ["", "[]", "{}", '{"version": 2, "findings": {}}', '{"version": 1, "findings": 3}']
 )
-def test_what_is_no_baseline_is_said(text: str) -> None:
+def test_a_file_that_is_not_a_baseline_is_reported(text: str) -> None:
     Path("known.json").write_text(text)
     with pytest.raises(WrongUsage, match="baseline"):
         read(Path("known.json"))

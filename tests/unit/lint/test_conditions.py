@@ -117,7 +117,7 @@ def test_a_condition_is_copied_with_what_it_uses(pack: Path) -> None:
     assert text.partition("# mypy: ignore-errors\n\n")[2] == EXPECTED.removeprefix("\n")
 
 
-def test_what_is_written_runs_without_the_rule(pack: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_written_condition_runs_without_the_rule(pack: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     limit = type("Limit", (), {"name": "limit"})()
     written = conditions(pack)
     for name in ("odd_limit", "words"):
@@ -167,7 +167,7 @@ def test_an_indexed_pack_is_asked_by_the_module(pack: Path) -> None:
         ("    @staticmethod\n", "    @classmethod\n", "`applies` of XYZ001 is to be a static method"),
     ],
 )
-def test_what_cannot_be_copied_is_refused(
+def test_a_condition_that_cannot_be_copied_is_refused(
     pack: Path, old: str, new: str, says: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     changed(pack, old, new)

@@ -215,7 +215,7 @@ def test_patterns_read_as_in_a_gitignore(tmp_path: Path, glob: str, path: str, m
     assert Pattern(tmp_path, glob).matches(tmp_path / path) is matches
 
 
-def test_what_settings_say_about_a_file(tmp_path: Path) -> None:
+def test_settings_of_a_file(tmp_path: Path) -> None:
     settings = load(write(tmp_path / "sdfcheck.toml", EVERYTHING))
     assert settings.excludes(tmp_path / "third_party/x.sdf")
     assert not settings.excludes(tmp_path / "x.sdf")

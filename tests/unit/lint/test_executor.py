@@ -52,7 +52,7 @@ def test_texts_go_through_an_executor(folder: Path) -> None:
         assert sdfcheck.lint([], isolated=True, executor=executor).files == ()
 
 
-def test_what_a_broken_executor_has_left_is_linted_here(folder: Path) -> None:
+def test_the_rest_of_a_broken_executor_is_linted_here(folder: Path) -> None:
     expected = sdfcheck.lint(folder, isolated=True)
     with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as executor:
         with pytest.raises(BrokenExecutor):

@@ -58,7 +58,7 @@ def test_the_chain_is_that_of_the_call_at_fault(tmp_path: Path, expander: Expand
     assert [origin.span.begin.line for d in found for origin in d.origins] == [4]
 
 
-def test_an_expression_is_not_mended(tmp_path: Path, expander: Expander) -> None:
+def test_an_expression_is_not_fixed(tmp_path: Path, expander: Expander) -> None:
     text = f'{HEAD}<model name="${{\'m\'}}"><link name="a"/><color>red</color></model></sdf>'
     for diagnostic in lint(expander, tmp_path / "r.sdf.xacro", text):
         if diagnostic.fix is not None:
@@ -101,7 +101,7 @@ def test_robots_and_libraries(text: str, robot: bool) -> None:
     assert is_robot(read(text.encode(), Path("a.xacro"), Kind.XACRO)) is robot
 
 
-def test_what_a_file_includes_is_seen(tmp_path: Path) -> None:
+def test_the_includes_of_a_file_are_seen(tmp_path: Path) -> None:
     (tmp_path / ".git").mkdir()
     (tmp_path / "lib.xacro").write_text(
         '<robot xmlns:xacro="x"><xacro:property name="size" value="1"/>'
@@ -118,7 +118,7 @@ def test_what_a_file_includes_is_seen(tmp_path: Path) -> None:
     assert [type(problem).__name__ for problem in problems(document)] == ["WrongMacroArguments"]
 
 
-def test_a_cycle_of_includes_is_told_without_expanding(tmp_path: Path) -> None:
+def test_a_cycle_of_includes_is_reported_without_expanding(tmp_path: Path) -> None:
     for name, other in (("a", "b"), ("b", "a")):
         (tmp_path / f"{name}.xacro").write_text(
             f'<robot name="{name}" xmlns:xacro="x"><xacro:include filename="{other}.xacro"/></robot>'

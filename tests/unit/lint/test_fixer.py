@@ -78,7 +78,7 @@ def test_more_insertions_at_one_place_than_rounds() -> None:
     assert all(word in body(result) for word in words)
 
 
-def test_what_two_fixes_want_alike_is_done_once() -> None:
+def test_an_edit_that_two_fixes_share_is_done_once() -> None:
     source = Source(PATH, "abc")
     shared = Edit(source.span(0, 0), "+")
     first = Fix("t", (shared, Edit(source.span(1, 2), "B")))

@@ -15,11 +15,11 @@ SOURCE = Source(Path("leg.xacro"), "abcdefghij" * 5)
 def said(at: int, origin: int, message: str = "bad", code: str = "A001", fix: str = "") -> Diagnostic:
     span = SOURCE.span(at, at + 2)
     origins = (Origin(SOURCE.span(origin, origin + 1), "in macro `m`, called here"),)
-    cure = Fix("fix_files", (Edit(span, fix),)) if fix else None
-    return Diagnostic(code, "name", Severity.ERROR, message, span, fix=cure, origins=origins)
+    repair = Fix("fix_files", (Edit(span, fix),)) if fix else None
+    return Diagnostic(code, "name", Severity.ERROR, message, span, fix=repair, origins=origins)
 
 
-def test_calls_are_counted_and_the_first_stands_for_all() -> None:
+def test_calls_are_counted_and_the_first_represents_all() -> None:
     (one,) = fold([said(0, 20, "left is bad"), said(0, 30, "right is bad"), said(0, 40, "third is bad")])
     assert one.message == "left is bad (in 3 expansions)"
     assert one.origins[0].span.start == 20

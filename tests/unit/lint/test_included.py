@@ -34,7 +34,7 @@ def of_arm(result: Run) -> list[Diagnostic]:
     return [d for d in result.diagnostics if d.span.source.path.name == "arm.sdf"]
 
 
-def test_its_errors_are_told_once_with_the_first_way_there() -> None:
+def test_its_errors_are_reported_once_with_the_first_way_there() -> None:
     (diagnostic,) = of_arm(lint("one.sdf", "two.sdf"))
     assert diagnostic.severity is Severity.ERROR
     assert [(o.span.source.path.name, o.span.text) for o in diagnostic.origins] == [
@@ -44,7 +44,7 @@ def test_its_errors_are_told_once_with_the_first_way_there() -> None:
 
 
 @pytest.mark.parametrize("paths", [("one.sdf", "parts/arm.sdf"), ("parts", "one.sdf"), (".",)])
-def test_a_file_of_the_run_is_told_there_alone(paths: tuple[str, ...]) -> None:
+def test_a_file_of_the_run_is_reported_there_alone(paths: tuple[str, ...]) -> None:
     found = of_arm(lint(*paths))
     assert {d.severity for d in found} == {Severity.ERROR, Severity.WARNING}
     assert all(d.origins == () for d in found)
@@ -105,7 +105,7 @@ def test_a_model_without_links_may_be_included_as_static(
 
 
 @pytest.mark.parametrize("file", ["one.sdf", "parts/arm.sdf"])
-def test_it_can_be_silenced_where_it_is_included_and_where_it_stands(folder: Path, file: str) -> None:
+def test_it_can_be_silenced_where_it_is_included_and_where_it_is(folder: Path, file: str) -> None:
     text = (folder / file).read_text()
     mark = "<include>" if file == "one.sdf" else "<static>"
     (folder / file).write_text(text.replace(mark, f"<!-- sdfcheck: ignore[malformed-value] -->{mark}"))

@@ -8,7 +8,7 @@ import pytest
 
 from sdfcheck.consumers.reaction import REFUSES, Reaction, accepts, warns
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.obstacles import OWN_READER, obstacles
+from sdfcheck.lint.obstacles import OWN_CONSUMER, obstacles
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
@@ -20,11 +20,11 @@ def stops(
     elsewhere: frozenset[str] = frozenset(),
 ) -> bool:
     span = Source(Path("r"), "<robot/>").span(0, 0)
-    told = tuple(affects.items())
+    reactions = tuple(affects.items())
     return bool(
         obstacles(
-            [Diagnostic("XYZ001", "odd-flaw", severity, "odd", span, affects=told)],
-            OWN_READER.get(kind),
+            [Diagnostic("XYZ001", "odd-flaw", severity, "odd", span, affects=reactions)],
+            OWN_CONSUMER.get(kind),
             elsewhere,
         )
     )
@@ -40,7 +40,7 @@ def stops(
         ({"urdfdom": warns("drops the rest of the link")}, False, False),
     ],
 )
-def test_the_own_reader_decides(affects: dict[str, Reaction], urdf: bool, sdf: bool) -> None:
+def test_the_own_consumer_decides(affects: dict[str, Reaction], urdf: bool, sdf: bool) -> None:
     assert stops(affects, Kind.URDF) is urdf
     assert stops(affects, Kind.SDF) is sdf
 

@@ -37,10 +37,10 @@ def test_the_result_is_the_same(
     monkeypatch.setattr(processes, "COPIES", copies)
     options = Options(Configuration(isolated=True))
     notices: list[Notice] = []
-    told: list[int] = []
+    counts: list[int] = []
 
     def progress(done: int, of: int, path: Path) -> None:
-        told.append(done)
+        counts.append(done)
 
     many = parallel.run_in_parallel(paths, options, progress=progress, notify=notices.append)
     expected: list[Notice] = []
@@ -48,7 +48,7 @@ def test_the_result_is_the_same(
     assert shape(many) == shape(one)
     assert many._replace(diagnostics=()) == one._replace(diagnostics=())
     assert notices == expected
-    assert told == sorted(told)
+    assert counts == sorted(counts)
     assert {d.code for d in one.diagnostics} >= {"NS001", "SCH011", "XAC004"}
 
 

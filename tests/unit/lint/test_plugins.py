@@ -174,7 +174,7 @@ def test_a_check_that_fails_is_one_diagnostic_in_each_file(run: Run, body: str, 
     assert "bug" not in failure
 
 
-def test_what_rules_print_is_not_in_the_report(capsys: pytest.CaptureFixture[str]) -> None:
+def test_prints_of_rules_are_not_in_the_report(capsys: pytest.CaptureFixture[str]) -> None:
     pack(
         rules="print('imported')\n"
         + HEAD.replace("        name =", "        print('called')\n        name =")

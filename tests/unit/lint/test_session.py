@@ -200,11 +200,11 @@ def test_stdin_goes_by_its_name(seen: list[Seen]) -> None:
     assert seen[-1] == Seen(b"<robot>!</robot>", Path("<stdin>"), Kind.URDF)
 
 
-def test_progress_is_told_before_each_file(seen: list[Seen]) -> None:
+def test_progress_is_reported_before_each_file(seen: list[Seen]) -> None:
     plant(a_sdf=SDF, b_sdf=SDF)
-    told: list[tuple[int, int, Path]] = []
-    run([Path()], Options(Configuration()), progress=lambda *where: told.append(where))
-    assert told == [(0, 2, Path("a.sdf")), (1, 2, Path("b.sdf"))]
+    calls: list[tuple[int, int, Path]] = []
+    run([Path()], Options(Configuration()), progress=lambda *where: calls.append(where))
+    assert calls == [(0, 2, Path("a.sdf")), (1, 2, Path("b.sdf"))]
 
 
 def test_a_bug_names_the_file(seen: list[Seen]) -> None:

@@ -69,7 +69,7 @@ def silence(text: str, active: frozenset[str] = CODES) -> tuple[str, Filtered]:
         ("<!-- sdfcheck is fine --><a !>", "!"),
     ],
 )
-def test_what_is_silenced(text: str, kept: str) -> None:
+def test_the_silenced_findings(text: str, kept: str) -> None:
     left, result = silence(text)
     assert left == kept
     assert result.suppressed == len(diagnostics(Source(Path("a"), text))) - len(kept)
@@ -177,7 +177,7 @@ def test_words_for_rules_that_did_not_run_are_not_judged() -> None:
         ("<!-- sdfcheck: ignore[AAA001; AAA002] -->", "AAA001; AAA002", "unknown rule"),
     ],
 )
-def test_what_is_not_understood_is_reported(text: str, place: str, message: str) -> None:
+def test_unknown_settings_are_reported(text: str, place: str, message: str) -> None:
     source = Source(Path("a.sdf"), text + "<a/>")
     (report,) = directives(comments(source), RULES).malformed
     assert (report.code, report.span.text) == (MalformedSuppression.code, place)
@@ -203,7 +203,7 @@ def test_directives_of_other_files_silence_and_are_not_judged() -> None:
         ("<!-- sdfcheck: ignore-file[AAA] --><a></a><include></include>", 0),
     ],
 )
-def test_what_includes_bring_out_is_seen_elsewhere(text: str, unused: int) -> None:
+def test_problems_that_only_includes_show_are_seen_elsewhere(text: str, unused: int) -> None:
     source = Source(Path("a.sdf"), text)
     include = source.span(text.index("<include>"), text.index("</include>"))
     result = suppress([], directives(comments(source), RULES).known, CODES, outward=[include])

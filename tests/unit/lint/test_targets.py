@@ -21,14 +21,14 @@ TEXTURED = (
 )
 
 
-def told(text: str, name: str, folder: Path, *consumers: Consumer) -> dict[str, str]:
+def judged(text: str, name: str, folder: Path, *consumers: Consumer) -> dict[str, str]:
     file = folder / name
     file.write_text(text, encoding="utf-8")
     rows = verdicts(file, consumers or tuple(Consumer), Around(Configuration(isolated=True)))
     return {row.consumer.value: row.verdict.value for row in rows}
 
 
-def test_what_rules_say_of_readers_is_well_formed() -> None:
+def test_the_reactions_of_rules_are_well_formed() -> None:
     for facts in load_index().facts:
         for consumer, reactions in facts.affects.items():
             assert reactions.keys() <= set(READS[Consumer(consumer)]), facts.code
@@ -44,13 +44,13 @@ def test_a_pack_s_rules_say_it_in_short() -> None:
         Consumer.GAZEBO: warns("ignores it"),
         Consumer.DRAKE: {"urdf": REFUSES, "sdf": warns("ignores it")},
     }
-    told = by_dialect(affects)
-    assert told == {
+    judged = by_dialect(affects)
+    assert judged == {
         "drake": {"sdf": "warn: ignores it", "urdf": "reject: refuses the file"},
         "gazebo": {"sdf": "warn: ignores it", "urdf": "warn: ignores it"},
         "urdfdom": {"urdf": "reject: refuses the file"},
     }
-    assert list(lines(told)) == [
+    assert list(lines(judged)) == [
         "drake, SDF: ignores it",
         "drake, URDF: refuses the file",
         "gazebo: ignores it",
@@ -60,12 +60,14 @@ def test_a_pack_s_rules_say_it_in_short() -> None:
 
 def test_a_sound_file(tmp_path: Path) -> None:
     text = f'<robot name="r"><link name="base">{INERTIAL}</link></robot>'
-    assert told(text, "r.urdf", tmp_path) == dict.fromkeys(("drake", "gazebo", "mujoco", "urdfdom"), "accept")
+    assert judged(text, "r.urdf", tmp_path) == dict.fromkeys(
+        ("drake", "gazebo", "mujoco", "urdfdom"), "accept"
+    )
 
 
 def test_a_format_that_is_not_theirs(tmp_path: Path) -> None:
     text = '<sdf version="1.9"><model name="m"><static>true</static><link name="l"/></model></sdf>'
-    assert told(text, "m.sdf", tmp_path) == {
+    assert judged(text, "m.sdf", tmp_path) == {
         "drake": "accept",
         "gazebo": "accept",
         "mujoco": "not read",
@@ -73,34 +75,34 @@ def test_a_format_that_is_not_theirs(tmp_path: Path) -> None:
     }
 
 
-def test_readers_differ(tmp_path: Path) -> None:
+def test_consumers_differ(tmp_path: Path) -> None:
     text = (
         '<sdf version="1.9"><model name="m"><static>true</static><link name="l"><foo/></link></model></sdf>'
     )
-    assert told(text, "m.sdf", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
+    assert judged(text, "m.sdf", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
         "drake": "reject",
         "gazebo": "warn",
     }
 
 
-def test_what_is_off_by_default_counts(tmp_path: Path) -> None:
+def test_rules_off_by_default_count(tmp_path: Path) -> None:
     text = (
         '<sdf version="1.9"><model name="m"><static>true</static><link name="l"/>'
         '<plugin name="a" filename="libgazebo_ros_imu.so"/></model></sdf>'
     )
-    assert told(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "warn"}
+    assert judged(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "warn"}
 
 
 def test_an_undeclared_prefix_is_no_reason(tmp_path: Path) -> None:
     text = (
         '<sdf version="1.9"><model name="m"><static>true</static><link name="l"><p:a/></link></model></sdf>'
     )
-    assert told(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "accept"}
+    assert judged(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "accept"}
 
 
 def test_drake_goes_by_the_name_of_the_file(tmp_path: Path) -> None:
     text = '<sdf version="1.9"><world name="w"/></sdf>'
-    assert told(text, "w.world", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
+    assert judged(text, "w.world", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
         "drake": "not read",
         "gazebo": "accept",
     }
@@ -117,8 +119,8 @@ def test_the_dialect_decides(tmp_path: Path) -> None:
         '<sdf version="1.9"><model name="m"><link name="base"/><link name="arm"/>'
         '<joint name="arm" type="fixed"><parent>base</parent><child>arm</child></joint></model></sdf>'
     )
-    assert told(sdf, "m.sdf", tmp_path, Consumer.DRAKE) == {"drake": "reject"}
-    assert told(TWO_NAMES, "r.urdf", tmp_path) == {
+    assert judged(sdf, "m.sdf", tmp_path, Consumer.DRAKE) == {"drake": "reject"}
+    assert judged(TWO_NAMES, "r.urdf", tmp_path) == {
         "drake": "accept",
         "gazebo": "reject",
         "mujoco": "accept",
@@ -148,8 +150,10 @@ def test_a_target_leaves_out_what_it_takes(consumer: str, codes: set[str], tmp_p
         ),
     ],
 )
-def test_what_some_readers_of_urdf_take(inside: str, refusing: set[str], tmp_path: Path) -> None:
-    verdict = told(f'<robot name="r">{inside}</robot>', "r.urdf", tmp_path)
+def test_elements_that_only_some_consumers_of_urdf_take(
+    inside: str, refusing: set[str], tmp_path: Path
+) -> None:
+    verdict = judged(f'<robot name="r">{inside}</robot>', "r.urdf", tmp_path)
     assert {consumer for consumer, word in verdict.items() if word == "reject"} == refusing
 
 
@@ -176,7 +180,7 @@ def test_gazebo_judges_links_once_merged(
 ) -> None:
     parts = (BODY.format("a", *base), BODY.format("b", *link), HELD.format(joint))
     text = f'<robot name="r">{"".join(parts)}</robot>'
-    assert told(text, "r.urdf", tmp_path, Consumer.GAZEBO) == {"gazebo": verdict}
+    assert judged(text, "r.urdf", tmp_path, Consumer.GAZEBO) == {"gazebo": verdict}
 
 
 def severities(text: str, folder: Path, *targets: str, **given: object) -> dict[str, str]:
@@ -187,7 +191,7 @@ def severities(text: str, folder: Path, *targets: str, **given: object) -> dict[
     return {found.code: found.severity.value for found in done.diagnostics}
 
 
-def test_what_a_target_refuses_is_an_error(tmp_path: Path) -> None:
+def test_a_file_that_a_target_refuses_is_an_error(tmp_path: Path) -> None:
     text = '<robot name="r"><link name="base"/></robot>'
     assert severities(text, tmp_path)["URD013"] == "info"
     assert severities(text, tmp_path, "gazebo")["URD013"] == "error"
@@ -195,7 +199,7 @@ def test_what_a_target_refuses_is_an_error(tmp_path: Path) -> None:
     assert "URD013" not in severities(text, tmp_path, "urdfdom")
 
 
-def test_what_a_target_reads_in_another_way_keeps_its_severity(tmp_path: Path) -> None:
+def test_a_value_that_a_target_reads_in_another_way_keeps_its_severity(tmp_path: Path) -> None:
     text = (
         f'<robot name="r"><link name="a">{INERTIAL}</link><link name="b">{INERTIAL}</link>'
         '<joint name="j" type="continuous"><parent link="a"/><child link="b"/>'

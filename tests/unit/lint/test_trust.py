@@ -125,7 +125,7 @@ def test_the_search_stays_in_the_repository(text: str) -> None:
     assert "leads out of" in refusal(text)
 
 
-def test_what_stays_in_the_repository_needs_no_consent(repository: Path) -> None:
+def test_a_path_in_the_repository_needs_no_consent(repository: Path) -> None:
     text = (
         'model-paths = ["models"]\npackage-paths = ["."]\noutput-format = ["concise"]\n[packages]\na = "a"\n'
     )

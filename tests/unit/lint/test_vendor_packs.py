@@ -85,7 +85,7 @@ def test_the_table_is_held_against_the_document(places: dict[str, str], message:
     assert any(message in text for text in found), found
 
 
-def test_what_is_ignored_is_a_warning() -> None:
+def test_an_ignored_part_is_a_warning() -> None:
     (found,) = lint(MODEL.format("", "", 'flatland:custom_attr_int="50"', "", ""))
     assert found.severity is Severity.WARNING
 
@@ -116,7 +116,7 @@ def test_without_the_pack_its_prefix_is_free() -> None:
         ("", "no line `vendor`"),
     ],
 )
-def test_a_faulty_table_is_told_by_its_line(tmp_path: Path, table: str, reason: str) -> None:
+def test_a_faulty_table_is_reported_with_its_line(tmp_path: Path, table: str, reason: str) -> None:
     (tmp_path / "x.vendor.txt").write_text(table)
     with pytest.raises(PackError) as error:
         load_index((tmp_path,))

@@ -71,7 +71,7 @@ def offered(marked: str, name: str = "there/m.sdf") -> dict[str, Item]:
     return {item.label: item for item in complete(workspace, buffer, offset).items}
 
 
-def told(text: str, mark: str, skip: int = 0, path: str = "there/m.sdf") -> str:
+def hover_text(text: str, mark: str, skip: int = 0, path: str = "there/m.sdf") -> str:
     """The hover at the beginning of a piece of text."""
     _, document = opened(text, Path(path))
     found = hover(document, text.index(mark) + skip)
@@ -123,7 +123,7 @@ def test_only_what_the_version_has_is_offered() -> None:
         ('<sdf version="1.12"><model name="m"></|', {"model"}),
     ],
 )
-def test_what_fits_is_offered(marked: str, labels: set[str]) -> None:
+def test_names_that_fit_are_offered(marked: str, labels: set[str]) -> None:
     assert labels <= offered(marked).keys()
 
 
@@ -153,23 +153,23 @@ def test_nothing_is_offered_in_comments() -> None:
 
 
 def test_hover_knows_poses_and_masses() -> None:
-    text = told(SDF, '"hand"', 2)
+    text = hover_text(SDF, '"hand"', 2)
     assert "1 1 0" in text
     assert "90" in text
-    assert "2 kg" in told(SDF, '"arm"', 2)
-    assert "1 link hangs on it" in told(SDF, '"arm"', 2)
-    assert "revolute: `arm` → `hand`" in told(SDF, '"j"', 1)
+    assert "2 kg" in hover_text(SDF, '"arm"', 2)
+    assert "1 link hangs on it" in hover_text(SDF, '"arm"', 2)
+    assert "revolute: `arm` → `hand`" in hover_text(SDF, '"j"', 1)
 
 
 def test_hover_knows_the_format() -> None:
-    assert "in rad" in told(SDF, "<lower>", 2)
-    assert "required" in told(SDF, "type=", 1)
-    assert "urdfdom" not in told(URDF, "<sphere", 2, "there/m.urdf")
-    assert "URDF" in told(URDF, "<sphere", 2, "there/m.urdf")
+    assert "in rad" in hover_text(SDF, "<lower>", 2)
+    assert "required" in hover_text(SDF, "type=", 1)
+    assert "urdfdom" not in hover_text(URDF, "<sphere", 2, "there/m.urdf")
+    assert "URDF" in hover_text(URDF, "<sphere", 2, "there/m.urdf")
 
 
 def test_hover_knows_properties_of_xacro() -> None:
-    assert "0.5" in told(XACRO, "size * 2", 1, "there/m.xacro")
+    assert "0.5" in hover_text(XACRO, "size * 2", 1, "there/m.xacro")
 
 
 def test_references_of_all_kinds() -> None:

@@ -103,7 +103,7 @@ def test_an_old_reading_is_let_go_at_once(name: str) -> None:
     "name",
     ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "rover/rover.urdf.xacro", "workcell/workcell.world"],
 )
-def test_edits_leave_nothing_behind(name: str) -> None:
+def test_edits_leave_no_rest(name: str) -> None:
     path = ROBOTS / name
     text = path.read_text()
     workspace = Workspace()

@@ -58,7 +58,7 @@ async def test_a_diagnostic_has_all_that_clients_show(session: Session, folder: 
     assert related.location == types.Location(text.uri, text.range('"arm"', 1, 3))
 
 
-async def test_what_is_old_is_struck_through(session: Session, folder: Path) -> None:
+async def test_old_names_are_struck_through(session: Session, folder: Path) -> None:
     gps = '<link name="arm"><sensor name="s" type="navsat"><gps/></sensor></link>'
     text = session.open(folder / "m.sdf", MODEL.replace("hnd", "hand").replace('<link name="arm"/>', gps))
     (found,) = await text.diagnostics()
@@ -79,7 +79,7 @@ async def test_typing_brings_new_diagnostics(session: Session, folder: Path) -> 
     await text.diagnostics(lambda found: not found)
 
 
-async def test_what_was_overtaken_is_not_sent(session: Session, folder: Path) -> None:
+async def test_an_overtaken_result_is_not_sent(session: Session, folder: Path) -> None:
     text = session.open(folder / "m.sdf", MODEL)
     await text.diagnostics()
     for number in range(40):

@@ -133,7 +133,7 @@ async def test_the_definition_of_an_include_is_its_file(session: Session, folder
     assert there.range.start == types.Position(2, 16)
 
 
-async def test_what_is_named_is_highlighted(session: Session, folder: Path) -> None:
+async def test_the_named_part_is_highlighted(session: Session, folder: Path) -> None:
     text = session.open(folder / "m.sdf", MODEL)
     lights = await session.client.text_document_document_highlight_async(
         types.DocumentHighlightParams(**text.at("<child>hand", 8))

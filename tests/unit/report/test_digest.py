@@ -59,7 +59,7 @@ def test_infos_are_counted_and_not_shown() -> None:
         assert errors == "Found 1 info in 1 file (infos are shown with --min-severity info).\n"
 
 
-def test_what_is_not_on_this_computer_is_one_block() -> None:
+def test_files_not_on_this_computer_are_one_block() -> None:
     text = full(
         missing(MissingKind.PACKAGE, "arm_description", 3),
         missing(MissingKind.MODEL, "sun"),

@@ -33,7 +33,7 @@ def test_texts_between_elements_keep_their_place() -> None:
 
 
 @pytest.mark.parametrize("text", ["<a><b></a>", "<a>1 < 2</a>", "no element", "<a>\n  <b/>\n</a>", ""])
-def test_what_cannot_or_need_not_be_laid_out_is_left_alone(text: str) -> None:
+def test_an_example_that_cannot_or_need_not_be_laid_out_is_left_alone(text: str) -> None:
     assert laid_out(text).rstrip("\n") == text
 
 

@@ -83,7 +83,7 @@ def test_the_rule_is_named_on_a_line_of_its_own_where_there_is_no_room() -> None
     assert "sdfcheck rule" not in shown(wordy)
 
 
-def test_what_a_file_holds_never_acts_on_the_terminal() -> None:
+def test_the_content_of_a_file_never_acts_on_the_terminal() -> None:
     evil = "\x1b[31m\x9b2J\x07\u202e\u200b\ud800"
     found = diagnostic(f"<a {evil}«b»/>", path=f"{evil}.sdf", message=f"{evil}\nname", help=evil)
     for kind in (OutputFormat.FULL, OutputFormat.CONCISE):

@@ -68,7 +68,7 @@ def test_safe_fixes_come_first() -> None:
     ]
 
 
-def test_what_is_not_on_this_computer_is_apart() -> None:
+def test_files_not_on_this_computer_are_apart() -> None:
     lacking = diagnostic("«a»", missing=Missing(MissingKind.PACKAGE, "my_robot"))
     shown = data(lacking)
     assert shown["findings"][0]["missing"] is True
@@ -191,7 +191,7 @@ def test_long_lines_are_cut_around_a_change() -> None:
     assert texts[6] == "c" * 80 + "…"
 
 
-def test_what_acts_is_spelled_out() -> None:
+def test_control_characters_are_spelled_out() -> None:
     ((_, pieces),) = hunks_of("\x1b[31m«\u202e»", "\x9b")
     assert [text for _, text in pieces] == ["␛[31m", "<U+202E>", "<U+009B>"]
 

@@ -82,7 +82,7 @@ def test_repeated_findings_are_one_row() -> None:
     assert "| error | name `a0` is taken (and 8 more) |" in render(OutputFormat.MARKDOWN, run(*found))
 
 
-def test_what_is_not_on_this_computer_is_apart() -> None:
+def test_files_not_on_this_computer_are_apart() -> None:
     lacking = diagnostic("«a»", missing=Missing(MissingKind.PACKAGE, "<b>"))
     text = render(OutputFormat.MARKDOWN, run(lacking))
     assert "### " not in text

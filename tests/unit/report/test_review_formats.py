@@ -27,7 +27,7 @@ def test_github_gets_no_columns_over_several_lines() -> None:
     )
 
 
-def test_github_gets_the_gravest_first_and_is_told_of_the_rest() -> None:
+def test_github_gets_the_gravest_first_and_a_count_of_the_rest() -> None:
     found = [
         diagnostic("«a»", severity=severity, message=f"{number}")
         for number, severity in enumerate([Severity.INFO, Severity.WARNING, Severity.ERROR] * 4)

@@ -39,7 +39,7 @@ def test_pages_are_written_and_then_up_to_date(docs: Path, capsys: pytest.Captur
     assert "(docs/rules/README.md#ns)" in readme
 
 
-def test_what_is_stale_or_left_over_is_told(docs: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_stale_and_leftover_entries_are_reported(docs: Path, capsys: pytest.CaptureFixture[str]) -> None:
     main([])
     gone, old = RULE_PAGES / "internal-error.md", RULE_PAGES / "never-was.md"
     gone.unlink()

@@ -16,7 +16,7 @@ def joint(child: str, kind: str = "fixed", inside: str = "") -> str:
     return f'<joint name="to_{child}" type="{kind}">{ends}{inside}</joint>'
 
 
-def told(text: str) -> list[tuple[str, str, str]]:
+def reported(text: str) -> list[tuple[str, str, str]]:
     """The code, severity and text of what is more than information."""
     run = sdfcheck.lint(text, isolated=True, name="robot")
     shown = [each for each in run.diagnostics if each.severity is not sdfcheck.Severity.INFO]
@@ -49,32 +49,32 @@ def told(text: str) -> list[tuple[str, str, str]]:
         ),
     ],
 )
-def test_a_slip_in_sdf_is_told_once(inside: str, expected: tuple[str, str, str]) -> None:
+def test_a_mistake_in_sdf_is_reported_once(inside: str, expected: tuple[str, str, str]) -> None:
     text = f'<sdf version="1.9"><model name="m"><link name="base">{MASS}</link>{inside}</model></sdf>'
-    assert told(text) == [expected]
+    assert reported(text) == [expected]
 
 
-def test_what_is_static_by_a_slip_needs_no_mass() -> None:
+def test_a_model_that_a_mistake_makes_static_needs_no_mass() -> None:
     link = f'<link name="l"><visual name="v">{SPHERE}</visual></link>'
     text = f'<sdf version="1.9"><model name="m"><static>ture</static>{link}</model></sdf>'
-    assert told(text) == [("SCH011", "error", "ture")]
+    assert reported(text) == [("SCH011", "error", "ture")]
 
 
-def test_a_slip_in_the_name_of_the_version_is_told() -> None:
+def test_a_misspelled_version_attribute_is_reported() -> None:
     text = f'<sdf versiun="1.9"><model name="m"><link name="base">{MASS}</link></model></sdf>'
-    assert told(text) == [("NS001", "error", "versiun")]
+    assert reported(text) == [("NS001", "error", "versiun")]
 
 
-def test_a_name_that_is_missed_twice_is_told_once() -> None:
+def test_a_name_that_is_missed_twice_is_reported_once() -> None:
     ends = joint("arm") + joint("arm").replace("to_arm", "again")
     text = f'<sdf version="1.9"><model name="m"><link name="base">{MASS}</link>{ends}</model></sdf>'
-    assert told(text) == [("JNT001", "error", "arm")]
+    assert reported(text) == [("JNT001", "error", "arm")]
 
 
-def test_a_slip_beside_a_double_is_told_too() -> None:
+def test_a_misspelling_beside_a_double_is_reported_too() -> None:
     links = f'<link name="base">{MASS}</link>' * 2 + f'<link name="arm">{MASS}</link>'
     text = f'<sdf version="1.9"><model name="m">{links}{joint("Arm")}</model></sdf>'
-    assert [code for code, _, _ in told(text)] == ["NAM001", "JNT001"]
+    assert [code for code, _, _ in reported(text)] == ["NAM001", "JNT001"]
 
 
 BACK = '<joint name="k" type="fixed"><parent link="arm"/><child link="base"/></joint>'
@@ -96,5 +96,5 @@ ENDS = '<parent link="base"/><child link="arm"/>'
         ),
     ],
 )
-def test_a_slip_in_urdf_is_told_once(inside: str, expected: tuple[str, str, str]) -> None:
-    assert told(f'<robot name="r"><link name="base"/>{inside}</robot>') == [expected]
+def test_a_mistake_in_urdf_is_reported_once(inside: str, expected: tuple[str, str, str]) -> None:
+    assert reported(f'<robot name="r"><link name="base"/>{inside}</robot>') == [expected]

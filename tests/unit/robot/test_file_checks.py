@@ -75,7 +75,7 @@ def test_no_files_or_found_ones(tmp_path: Path, text: str) -> None:
     assert kinds(tmp_path, text) == []
 
 
-def test_what_is_lacked_as_a_whole_is_told_once(tmp_path: Path) -> None:
+def test_an_absent_whole_is_reported_once(tmp_path: Path) -> None:
     shapes = "".join(
         f'<visual name="{n}">{MESH.format(uri)}</visual>'
         for n, uri in enumerate(["gone/a.dae", "gone/b.dae", "model://lost/a.dae", "model://lost/b.dae"])

@@ -62,7 +62,7 @@ def test_unknown_frames(text: str, role: str) -> None:
         '<frame name="f" attached_to="::base"/>',
     ],
 )
-def test_what_is_no_reference_or_a_sound_one(text: str) -> None:
+def test_a_value_that_is_not_a_reference_or_a_sound_one(text: str) -> None:
     assert unresolved(model(text)) == []
 
 
@@ -95,7 +95,7 @@ def test_references_know_what_they_name() -> None:
         ('<frame name="frame1" attached_to="frame2"/>', "is not a frame of model `m`"),
     ],
 )
-def test_what_was_meant(text: str, says: str) -> None:
+def test_the_intended_name(text: str, says: str) -> None:
     (diagnostic,) = reported(model(text), "FRM001")
     assert diagnostic.message.endswith(says)
 
@@ -113,7 +113,7 @@ def test_what_was_meant(text: str, says: str) -> None:
         ),
     ],
 )
-def test_a_ring_is_told_once(text: str, names: tuple[str, ...]) -> None:
+def test_a_ring_is_reported_once(text: str, names: tuple[str, ...]) -> None:
     (ring,) = root(model(text)).rings
     assert ring.names == names
 

@@ -86,7 +86,7 @@ def test_urdf() -> None:
     assert "   └─ link b (j)  0 0 1 0 0 0\n" in tree(draw(text, GraphKind.POSES))
 
 
-def test_several_roots_are_told_apart() -> None:
+def test_several_roots_are_distinguished() -> None:
     text = '<world name="v"><model name="m"><link name="l"/></model></world><world name="w"/>'
     assert tree(draw(text, GraphKind.JOINTS)) == "link v::m::l\n"
 

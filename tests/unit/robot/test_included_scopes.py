@@ -34,7 +34,7 @@ def test_a_urdf_gives_its_links_and_joints(tmp_path: Path) -> None:
     assert [name for name in ("r::a", "r::b", "r::j") if scope.resolve(name) is None] == []
 
 
-def test_what_could_not_be_read_may_hold_anything(tmp_path: Path) -> None:
+def test_an_include_that_could_not_be_read_may_hold_anything(tmp_path: Path) -> None:
     named, merged = (
         root_of(document(tmp_path, MODEL.format(nested("gone.sdf", "x", merge)))).scopes[0]
         for merge in ("0", "1")

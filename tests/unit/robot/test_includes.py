@@ -28,7 +28,7 @@ def kinds(found: Document) -> list[type]:
     return [type(problem) for problem in problems(found)]
 
 
-def test_what_an_include_brings(tmp_path: Path) -> None:
+def test_the_content_of_an_include(tmp_path: Path) -> None:
     brought = first(document(tmp_path, WORLD.format(include("arm.sdf"))))
     assert brought.model is not None
     assert (brought.kind, brought.name, brought.obstacle) == ("model", "arm", None)
@@ -80,7 +80,7 @@ def test_each_file_is_read_once(tmp_path: Path) -> None:
         ("old", "RES007"),
     ],
 )
-def test_what_leads_nowhere(tmp_path: Path, uri: str, code: str) -> None:
+def test_uris_that_lead_nowhere(tmp_path: Path, uri: str, code: str) -> None:
     write(tmp_path, {"folder/arm.sdf": ARM, "old/manifest.xml": CONFIG, "old/model.sdf": ARM})
     assert codes(document(tmp_path, WORLD.format(include(uri)))) == [code]
 
@@ -90,7 +90,7 @@ def test_an_absolute_path_is_one_problem_only_where_it_leads_somewhere(tmp_path:
     assert codes(document(tmp_path, WORLD.format(include(str(tmp_path / "no.sdf"))))) == ["RES002"]
 
 
-def test_what_is_elsewhere_is_told_once(tmp_path: Path) -> None:
+def test_findings_elsewhere_are_reported_once(tmp_path: Path) -> None:
     (diagnostic,) = reported(document(tmp_path, WORLD.format(include("model://lost_arm") * 3)))
     assert diagnostic.message.endswith("(3 includes)")
 
@@ -111,13 +111,13 @@ def test_files_that_hold_nothing_to_include(tmp_path: Path, text: str, obstacle:
 
 
 @pytest.mark.parametrize("text", ["", "<", "\x00\x01", "no markup"])
-def test_files_that_are_no_xml_are_told_there(tmp_path: Path, text: str) -> None:
+def test_files_that_are_not_xml_are_reported_there(tmp_path: Path, text: str) -> None:
     found = document(tmp_path, WORLD.format(include("other.sdf")), other=text)
     assert codes(found) == []
     assert first(found).obstacle is Obstacle.BROKEN
 
 
-def test_what_has_no_end_is_not_read(tmp_path: Path) -> None:
+def test_a_file_without_end_is_not_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     with (tmp_path / "huge.sdf").open("wb") as file:
         file.truncate(257 * 1024 * 1024)
@@ -153,11 +153,11 @@ def test_a_file_that_includes_itself(tmp_path: Path) -> None:
     assert cycle(found) == ["main.sdf"]
 
 
-def test_a_ring_is_told_in_its_first_file(tmp_path: Path) -> None:
+def test_a_ring_is_reported_in_its_first_file(tmp_path: Path) -> None:
     ring = {name: MODEL.format(include(f"{to}.sdf", "<name>x</name>")) for name, to in ("ab", "bc", "ca")}
     write(tmp_path, {f"{name}.sdf": text for name, text in ring.items()})
-    told = {name: cycle(opened(tmp_path / f"{name}.sdf")) for name in ring}
-    assert told == {"a": ["a.sdf", "b.sdf", "c.sdf"], "b": None, "c": None}
+    cycles = {name: cycle(opened(tmp_path / f"{name}.sdf")) for name in ring}
+    assert cycles == {"a": ["a.sdf", "b.sdf", "c.sdf"], "b": None, "c": None}
 
 
 def test_the_way_to_a_ring_is_none(tmp_path: Path) -> None:
@@ -182,7 +182,9 @@ SHELL = MODEL.format('<model name="n"><link name="l"/></model><frame name="f"/>'
         (GRIPPER, "model", ("link `l`", "gripper `g`")),
     ],
 )
-def test_what_a_world_cannot_merge(tmp_path: Path, text: str, kind: str, parts: tuple[str, ...]) -> None:
+def test_parts_that_a_world_cannot_merge(
+    tmp_path: Path, text: str, kind: str, parts: tuple[str, ...]
+) -> None:
     found = document(tmp_path, WORLD.format(include("other.sdf", merge="true")), other=text)
     (merged,) = root_of(found).includes
     assert merged.found.kind == kind
@@ -191,7 +193,7 @@ def test_what_a_world_cannot_merge(tmp_path: Path, text: str, kind: str, parts: 
 
 
 @pytest.mark.parametrize(("outer", "text"), [(WORLD, SHELL), (MODEL, ARM), (MODEL, GRIPPER)])
-def test_what_merges(tmp_path: Path, outer: str, text: str) -> None:
+def test_parts_that_merge(tmp_path: Path, outer: str, text: str) -> None:
     assert codes(document(tmp_path, outer.format(include("other.sdf", merge="1")), other=text)) == []
 
 

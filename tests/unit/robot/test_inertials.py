@@ -78,7 +78,7 @@ def test_the_trace_of_the_solids_of_a_link(inside: str, trace: float | None) -> 
 
 
 @pytest.mark.parametrize(("static", "may_be"), [("true", True), ("ture", True), ("0", False), ("", False)])
-def test_what_may_be_static(static: str, may_be: bool) -> None:
+def test_parts_that_may_be_static(static: str, may_be: bool) -> None:
     assert inertial("<inertial/>", f"<static>{static}</static>").link.may_be_static is may_be
 
 

@@ -19,5 +19,5 @@ MATERIAL = '<material name="n{0}"><color rgba="1 1 1 1"/></material>'
 def test_a_robot_full_of_unknown_names(part: str, tmp_path: Path) -> None:
     path = tmp_path / "r.urdf"
     path.write_text('<robot name="r">' + "".join(map(part.format, range(3000))) + "</robot>")
-    told = [d for d in sdfcheck.lint(path, isolated=True).diagnostics if d.code in {"JNT001", "URD006"}]
-    assert len(told) == 3000
+    reported = [d for d in sdfcheck.lint(path, isolated=True).diagnostics if d.code in {"JNT001", "URD006"}]
+    assert len(reported) == 3000

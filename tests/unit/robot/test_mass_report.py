@@ -92,7 +92,7 @@ def test_a_folder_is_no_mesh(tmp_path: Path) -> None:
     assert "mesh `cube.stl` is a folder, not a file" in model.links[0].note
 
 
-def test_what_cannot_be_computed_is_told(tmp_path: Path) -> None:
+def test_a_value_that_cannot_be_computed_is_reported(tmp_path: Path) -> None:
     links = f'<link name="a"><inertial auto="true"/></link><link name="b">{POINT.format(2)}</link>'
     report = measured(tmp_path, f'<model name="m">{links}</model>')
     unknown = report.models[0].links[0]
@@ -124,7 +124,7 @@ def test_includes_are_followed(tmp_path: Path) -> None:
     assert report.total.center == pytest.approx([0, 3, 0])
 
 
-def test_an_include_that_is_missing_is_told(tmp_path: Path) -> None:
+def test_an_include_that_is_missing_is_reported(tmp_path: Path) -> None:
     report = measured(tmp_path, '<world name="w"><include><uri>nowhere.sdf</uri></include></world>')
     assert report.total is None
     assert not report.is_complete

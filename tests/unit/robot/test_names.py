@@ -78,7 +78,7 @@ def test_clashes_of_kinds(text: str, version: str, severity: str, renamed: bool)
     assert ("renames it" in diagnostic.message) is renamed
 
 
-def test_what_only_one_may_be_at_the_root_is_not_reported_twice() -> None:
+def test_a_second_root_element_is_not_reported_twice() -> None:
     assert found('<model name="a"/><model name="a"/>') == []
     assert [each.name for each in found('<world name="a"/><world name="a"/>')] == ["duplicate-name"]
 

@@ -98,7 +98,7 @@ def test_sound_entries(tmp_path: Path, entries: str) -> None:
         (f'<visual element_id="base::skin" action="modify">{BOX.format("1")}</visual>', WrongComponentCount),
     ],
 )  # fmt: skip
-def test_what_is_added_has_to_fit_the_format(tmp_path: Path, entry: str, kind: type) -> None:
+def test_an_addition_has_to_fit_the_format(tmp_path: Path, entry: str, kind: type) -> None:
     found = list(problems(document(tmp_path, with_parameters(entry))))
     assert kind in {type(problem) for problem in found}
     assert not any(isinstance(problem, InvalidParameter) for problem in found)
@@ -133,8 +133,8 @@ def test_ids_reach_into_included_and_merged_models(tmp_path: Path) -> None:
 def test_of_an_unknown_model_only_the_entries_themselves_are_judged(tmp_path: Path) -> None:
     entries = '<link element_id="x" action="remove"/><link element_id="y" action="burn"/>'
     found = document(tmp_path, with_parameters(entries, "nowhere.sdf"))
-    told = [problem.fault for problem in problems(found) if isinstance(problem, InvalidParameter)]
-    assert told == [Fault.UNKNOWN_ACTION]
+    faults = [problem.fault for problem in problems(found) if isinstance(problem, InvalidParameter)]
+    assert faults == [Fault.UNKNOWN_ACTION]
 
 
 def names(folder: Path, entries: str) -> set[str]:

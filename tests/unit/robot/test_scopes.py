@@ -76,7 +76,7 @@ def test_the_first_of_one_name_counts() -> None:
     assert scope.nodes["a"].kind == "link"
 
 
-def test_what_cannot_be_read_may_hold_anything(tmp_path: Path) -> None:
+def test_a_part_that_cannot_be_read_may_hold_anything(tmp_path: Path) -> None:
     file = tmp_path / "model.sdf"
     file.write_text(
         '<sdf version="1.12"><model name="m"><link name="a"/>'

@@ -8,7 +8,7 @@ import sdfcheck
 from sdfcheck.robot.parts.solids import Solid
 
 
-def test_what_is_before_the_shape_in_sdf_is_not_the_shape() -> None:
+def test_an_element_before_the_shape_in_sdf_is_not_the_shape() -> None:
     text = (
         '<sdf version="1.9" xmlns:x="urn:x"><model name="m"><link name="l">'
         '<visual name="a"><geometry><x:y/><box><size>1 2 3</size></box></geometry></visual>'
@@ -39,7 +39,7 @@ def solid_of(shape: str) -> Solid | None:
     return visual.geometry.solid
 
 
-def test_what_has_no_volume_is_no_solid() -> None:
+def test_a_shape_without_volume_is_not_a_solid() -> None:
     assert solid_of("<box><size>0 1 1</size></box>") is None
     assert solid_of("<sphere><radius>-1</radius></sphere>") is None
     assert solid_of("<box><size>2 1 1</size></box>") is not None

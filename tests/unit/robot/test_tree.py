@@ -147,7 +147,7 @@ KEPT = '<gazebo reference="j"><{0}>true</{0}></gazebo>'
         ),
     ],
 )
-def test_what_is_merged_by_fixed_joints(text: str, tops: list[str], with_mass: list[str]) -> None:
+def test_links_that_fixed_joints_merge(text: str, tops: list[str], with_mass: list[str]) -> None:
     lumping = robot(text).lumping
     assert names(lumping.tops) == tops
     assert sorted(names(lumping.with_mass)) == with_mass

@@ -63,7 +63,7 @@ def test_the_environment_names_model_folders(
     )
 
 
-def test_not_found_tells_what_was_tried_and_what_is_near(tmp_path: Path) -> None:
+def test_not_found_names_the_tries_and_the_near_names(tmp_path: Path) -> None:
     write(tmp_path, {"main.sdf": MODEL, "arm/meshes/Arm.dae": ""})
     location = locate(opened(tmp_path / "main.sdf"), "model://arm/meshes/arm.DAE")
     assert location.path is None

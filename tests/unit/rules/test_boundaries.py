@@ -96,7 +96,7 @@ def test_a_second_document_is_called_so() -> None:
     assert "a second document begins after the root element" in found
 
 
-def test_what_a_configuration_names_is_suggested_where_it_may_be_meant(tmp_path: Path) -> None:
+def test_names_in_a_configuration_are_suggested_where_they_may_be_meant(tmp_path: Path) -> None:
     (tmp_path / "model.sdf").write_text(SDF.format(""))
     config = tmp_path / "model.config"
     config.write_text('<model><name>m</name><version>1</version><sdf version="1.12">modl.sdf</sdf></model>')

@@ -171,7 +171,7 @@ def test_automatic_inertias_of_meshes() -> None:
     assert reported(in_sdf(link.format("a.obj").replace("true", "false")), "DRK015") == []
 
 
-def test_what_is_ignored_at_the_top_matters_where_the_file_is_read() -> None:
+def test_a_part_ignored_at_the_top_matters_where_the_file_is_read() -> None:
     light = '<light name="sun" type="directional"/>'
     alone = reported(f'<sdf version="1.12">{light}</sdf>', "DRK012", "DRK015")
     assert [d.code for d in alone] == ["DRK015"]

@@ -153,7 +153,7 @@ def test_materials() -> None:
     assert robot("", block) == []
 
 
-def test_what_only_classic_reads_is_counted() -> None:
+def test_elements_that_only_classic_reads_are_counted() -> None:
     text = '<sdf version="1.6"><world name="w"><plugin name="a" filename="libgazebo_ros_init.so"/>{}</world></sdf>'
     again = '<plugin name="b" filename="libgazebo_ros_init.so"/><audio><device>default</device></audio>'
     assert {one.message for one in reported(text.format(again))} == {

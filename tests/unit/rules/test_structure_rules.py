@@ -121,7 +121,7 @@ def test_sensors_in_blocks_of_urdf_have_settings_too(kind: str, count: int) -> N
     assert len(messages(f'<robot name="r"><link name="l"/>{block}</robot>', "SCH018")) == count
 
 
-def test_a_model_without_root_is_told_by_the_name_of_its_file(tmp_path: Path) -> None:
+def test_a_model_without_root_is_known_by_the_name_of_its_file(tmp_path: Path) -> None:
     path = tmp_path / "a.sdf"
     path.write_text('<model name="m"><link name="a"/></model>')
     (diagnostic,) = sdfcheck.lint(path, isolated=True).diagnostics

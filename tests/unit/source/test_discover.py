@@ -169,7 +169,7 @@ def test_missing_path_is_wrong_usage(tmp_path: Path) -> None:
         discover([tmp_path / "gone.sdf"])
 
 
-def test_what_is_no_file_is_skipped_with_the_reason(tmp_path: Path) -> None:
+def test_a_path_that_is_not_a_file_is_skipped_with_the_reason(tmp_path: Path) -> None:
     plant(tmp_path, "a.sdf")
     os.mkfifo(tmp_path / "pipe.sdf")
     (tmp_path / "zero.urdf").symlink_to("/dev/zero")

@@ -153,7 +153,7 @@ def test_any_bytes_are_read(data: bytes) -> None:
 
 
 @given(MARKUP)
-def test_what_is_written_anew_is_well_formed(text: str) -> None:
+def test_rewritten_text_is_well_formed(text: str) -> None:
     found = document(f"<sdf>{text}</sdf>")
     written = found.scan.wellformed
     if written:
@@ -180,7 +180,7 @@ def test_a_file_of_nul_bytes() -> None:
     assert isinstance(problem, UnrecognizedDocument)
 
 
-def test_a_fault_that_only_the_parser_knows_is_told_in_its_words() -> None:
+def test_a_fault_that_only_the_parser_knows_is_reported_in_its_words() -> None:
     found = document("<sdf/>")
     parser = etree.XMLParser()
     with pytest.raises(etree.XMLSyntaxError):
@@ -202,7 +202,7 @@ def test_a_fault_that_only_the_parser_knows_is_told_in_its_words() -> None:
         ("", "a.sdf", Kind.EMPTY),
     ],
 )
-def test_the_kind_is_told_from_the_text(text: str, name: str, kind: Kind) -> None:
+def test_the_kind_is_recognized_by_the_text(text: str, name: str, kind: Kind) -> None:
     given = Kind.XACRO if kind is Kind.XACRO else None
     assert read(text.encode(), Path(name), given).kind is kind
 
@@ -225,7 +225,7 @@ def test_the_kind_is_told_from_the_text(text: str, name: str, kind: Kind) -> Non
         ),
     ],
 )
-def test_what_is_no_robot_description_has_this_problem_only(
+def test_a_text_that_is_not_a_robot_description_has_this_problem_only(
     text: str, looks_like: str, root: str | None, suggestion: str | None, place: str
 ) -> None:
     (problem,) = problems(document(text))
@@ -267,6 +267,6 @@ def test_doubt_is_where_the_text_was_guessed_at() -> None:
 
 
 @pytest.mark.parametrize("text", ["<a><p:b/></a><c/>", "<a><p:b/></a><a/>", "<p:a/></b>", "<a><p:b/></a> c"])
-def test_what_follows_the_root_is_told_of_also_behind_an_undeclared_prefix(text: str) -> None:
+def test_text_after_the_root_is_reported_also_after_an_undeclared_prefix(text: str) -> None:
     found = read(text.encode(), Path("model.sdf"))
     assert any(isinstance(each, ContentAfterRoot | SyntaxDefect) for each in found.problems)

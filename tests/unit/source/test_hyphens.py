@@ -36,7 +36,7 @@ def test_runs_of_hyphens_are_spaced_out(text: str, spaced: str, runs: list[list[
         "<a><![CDATA[<!-- -- -->]]></a>",
     ],
 )
-def test_what_is_sound_or_doubtful_is_left_alone(text: str) -> None:
+def test_a_sound_or_doubtful_value_is_left_alone(text: str) -> None:
     assert without_hyphens(Source(Path("a.sdf"), text)) is None
 
 

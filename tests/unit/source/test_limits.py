@@ -30,7 +30,7 @@ def names(result: Scan) -> list[str]:
     return [element.tag for element in etree.fromstring(result.wellformed.encode()).iter(etree.Element)]
 
 
-def test_nesting_past_the_limit_is_told_once_and_left_out() -> None:
+def test_nesting_past_the_limit_is_reported_once_and_left_out() -> None:
     deep = "<a>" * 300 + "<b/>" + "</a>" * 300
     result = scanned(deep)
     (problem,) = result.problems
@@ -140,7 +140,9 @@ def test_time_grows_with_size_only(piece: str) -> None:
     ],
 )
 @pytest.mark.parametrize("comment", ["", " a -- b "])
-def test_attributes_past_the_limit_are_told_once_and_left_out(attributes: list[str], comment: str) -> None:
+def test_attributes_past_the_limit_are_reported_once_and_left_out(
+    attributes: list[str], comment: str
+) -> None:
     found = document(f"<sdf version='1.9'><!--{comment}--><model {' '.join(attributes)}/></sdf>")
     (problem,) = (each for each in problems(found) if isinstance(each, SyntaxDefect))
     assert problem.kind is SyntaxKind.TOO_MANY

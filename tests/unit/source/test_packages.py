@@ -26,7 +26,7 @@ def test_packages_go_by_the_name_in_their_file(tmp_path: Path) -> None:
     assert packages.names == ["arm_description"]
 
 
-def test_what_is_named_comes_first(tmp_path: Path) -> None:
+def test_the_named_part_comes_first(tmp_path: Path) -> None:
     package(tmp_path / "project" / "arm", "arm")
     other = package(tmp_path / "other" / "arm", "arm")
     root = tmp_path / "project"

@@ -66,7 +66,7 @@ def test_both_scans_agree_and_so_does_lxml(text: str) -> None:
 
 
 @given(DOCUMENTS)
-def test_what_is_written_anew_says_the_same(text: str) -> None:
+def test_rewritten_text_means_the_same(text: str) -> None:
     def content(tree: etree._Element) -> list[tuple[str, dict[str, str], str | None, str | None]]:
         return [
             (

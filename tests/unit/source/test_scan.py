@@ -68,7 +68,7 @@ def test_places_of_tags() -> None:
     assert [text[start:end] for start, end in result.comments] == ["<!-- <d> -->"]
 
 
-SLIPS = [
+MISTAKES = [
     # an end tag is missing
     (
         edited("    </link>\n", "").replace('<link name="b"/>', '«<link name="b"/>»'),
@@ -182,9 +182,11 @@ SLIPS = [
 
 
 @pytest.mark.parametrize(
-    ("marked", "kind", "elements"), SLIPS, ids=[f"{n}-{kind.value}" for n, (_, kind, _) in enumerate(SLIPS)]
+    ("marked", "kind", "elements"),
+    MISTAKES,
+    ids=[f"{n}-{kind.value}" for n, (_, kind, _) in enumerate(MISTAKES)],
 )
-def test_one_slip_is_one_defect(marked: str, kind: SyntaxKind, elements: list[str]) -> None:
+def test_one_mistake_is_one_defect(marked: str, kind: SyntaxKind, elements: list[str]) -> None:
     text, start, end = unmark(marked)
     result = scanned(text)
     assert [p.kind for p in result.problems if isinstance(p, SyntaxDefect)] == [kind]
@@ -209,7 +211,7 @@ def test_a_tag_that_is_being_typed_is_one_defect() -> None:
 def test_every_kind_of_syntax_defect_is_found_somewhere() -> None:
     from tests.unit.source.test_start_tag import BROKEN
 
-    shown = {kind for _, kind, _ in SLIPS} | {kind for _, kind, _ in BROKEN}
+    shown = {kind for _, kind, _ in MISTAKES} | {kind for _, kind, _ in BROKEN}
     assert shown | {SyntaxKind.NO_ELEMENT, SyntaxKind.TOO_LONG, SyntaxKind.TOO_MANY} == set(SyntaxKind)
 
 
@@ -237,7 +239,7 @@ def test_the_other_party_is_named() -> None:
     assert other(ROBOT[:-7]) == "sdf"
 
 
-def test_a_nested_element_that_took_the_end_tag_of_its_parent_is_blamed() -> None:
+def test_a_nested_element_that_took_the_end_tag_of_its_parent_is_at_fault() -> None:
     text = "<sdf>\n <model>\n  <model>\n   <link/>\n </model>\n</sdf>"
     (problem,) = scanned(text).problems
     assert isinstance(problem, SyntaxDefect)
@@ -257,7 +259,7 @@ def test_where_nothing_is_indented_the_swallowed_part_is_doubtful() -> None:
 @pytest.mark.parametrize(
     "extra", ["<sdf/>", "</sdf>", "hello", "<![CDATA[x]]>", "\u00a0", '<?xml version="1.0"?>']
 )
-def test_only_the_first_thing_behind_the_root_is_told(extra: str) -> None:
+def test_only_the_first_thing_after_the_root_is_reported(extra: str) -> None:
     result = scanned(ROBOT + extra + "<a & b <c>" * 3)
     (problem,) = result.problems
     assert isinstance(problem, ContentAfterRoot)
@@ -267,11 +269,11 @@ def test_only_the_first_thing_behind_the_root_is_told(extra: str) -> None:
 
 
 @pytest.mark.parametrize("extra", ["\n\n", "<!-- c -->", "<?target x?>", "\0\0\0"])
-def test_what_may_stand_behind_the_root(extra: str) -> None:
+def test_comments_may_follow_the_root(extra: str) -> None:
     assert not [p for p in scanned(ROBOT + extra).problems if isinstance(p, ContentAfterRoot)]
 
 
-def test_a_late_declaration_knows_what_stands_before_it() -> None:
+def test_a_late_declaration_knows_the_text_before_it() -> None:
     (problem,) = scanned("<!-- c -->\n" + ROBOT).problems
     assert isinstance(problem, LateDeclaration)
     assert problem.span.text == "<!-- c -->\n"

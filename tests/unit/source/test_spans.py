@@ -70,7 +70,7 @@ def test_an_element_without_end_tag_has_no_end_name() -> None:
         ("<!-- 1 -->", "mass"),
     ],
 )
-def test_the_text_that_readers_take(content: str, cut: str) -> None:
+def test_the_text_that_consumers_take(content: str, cut: str) -> None:
     found = document(f"<sdf><mass>{content}</mass></sdf>")
     assert first(found, "mass").own_value.span.text == cut
 

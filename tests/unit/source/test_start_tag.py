@@ -113,7 +113,7 @@ def test_broken_tags_have_one_defect_in_place(
     assert 0 < tag.end <= len(text)
 
 
-def test_two_mistakes_that_do_not_confuse_each_other_are_both_told() -> None:
+def test_two_mistakes_that_do_not_confuse_each_other_are_both_reported() -> None:
     _, problems = parse_start_tag(Source(Path("t"), "<a b=1 c=2>"), 0)
     assert [p.span.text for p in problems] == ["1", "2"]
 

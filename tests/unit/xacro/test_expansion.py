@@ -94,7 +94,7 @@ def test_the_text_is_that_of_plain_xacro(robot: Path, expander: Expander) -> Non
     assert expander.expand(load(robot), {"name": "r"}).text == plain.stdout
 
 
-def test_every_element_stands_where_it_says(robot: Path, expander: Expander) -> None:
+def test_every_element_is_at_its_place(robot: Path, expander: Expander) -> None:
     found = document(expander.expand(load(robot), {"name": "r"}))
     assert len(elements(found)) > 10
     for element in elements(found):
@@ -102,7 +102,7 @@ def test_every_element_stands_where_it_says(robot: Path, expander: Expander) -> 
         assert element.span.source.path.suffix == ".xacro"
 
 
-def test_a_value_stands_at_its_expression(robot: Path, expander: Expander) -> None:
+def test_a_value_has_the_place_of_its_expression(robot: Path, expander: Expander) -> None:
     found = document(expander.expand(load(robot), {"name": "r"}))
     cylinder = next(element for element in elements(found) if element.name == "cylinder")
     length = cylinder.attribute("length")
@@ -127,7 +127,7 @@ def test_origins_lead_from_inside_out(robot: Path, expander: Expander) -> None:
     assert found.origins(named(found, "base")) == ()
 
 
-def test_a_block_stands_where_it_was_passed(robot: Path, expander: Expander) -> None:
+def test_a_block_has_the_place_where_it_was_passed(robot: Path, expander: Expander) -> None:
     found = document(expander.expand(load(robot), {"name": "r"}))
     origin = next(element for element in elements(found) if element.name == "origin")
     assert origin.span.source.path.name == "robot.urdf.xacro"
@@ -185,7 +185,7 @@ def test_one_expansion_leaves_nothing_to_the_next(tmp_path: Path, expander: Expa
     assert expander.expand(load(second)).text is None
 
 
-def test_comments_tell_where_elements_were_written(robot: Path) -> None:
+def test_comments_say_where_elements_were_written(robot: Path) -> None:
     text = annotated(document(expand(robot, {"name": "r"})))
     assert "leg.xacro:4; in macro `foot`:" in text
     assert "robot.urdf.xacro:6 -->" in text

@@ -194,14 +194,14 @@ def test_plain_mistakes_have_a_place(
     assert found.detail
 
 
-def test_a_malformed_include_is_told_at_the_include(expander: Expander, tmp_path: Path) -> None:
+def test_a_malformed_include_is_reported_at_the_include(expander: Expander, tmp_path: Path) -> None:
     (tmp_path / "bad.xacro").write_text("<robot>\n<a></b></robot>")
     found = failure(expander, tmp_path, '<xacro:include filename="bad.xacro"/>')
     assert found.kind is Failure.SYNTAX
     assert (found.span.text, "line 2" in found.detail) == ("bad.xacro", True)
 
 
-def test_a_lazy_property_is_told_where_it_is_defined(expander: Expander, tmp_path: Path) -> None:
+def test_a_lazy_property_is_reported_at_its_definition(expander: Expander, tmp_path: Path) -> None:
     body = '<xacro:property name="half" value="${lenght / 2}"/>\n<a b="${half}"/>'
     found = problem(expander, tmp_path, body)
     assert isinstance(found, UndefinedProperty)

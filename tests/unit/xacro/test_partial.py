@@ -48,7 +48,7 @@ def test_values_that_only_an_expansion_shows_are_checked(tmp_path: Path) -> None
         '<xacro:sensor.nested><link name="a"/></xacro:sensor.nested>',
     ],
 )
-def test_what_the_package_may_bring_is_not_missing(tmp_path: Path, content: str) -> None:
+def test_names_that_a_package_may_define_are_not_missing(tmp_path: Path, content: str) -> None:
     assert found(tmp_path, MISSING + content) == [("XAC007", "nowhere_near")]
 
 

@@ -44,7 +44,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_what_an_unknown_package_may_define_is_not_missing(folder: Path) -> None:
+def test_names_that_an_unknown_package_may_define_are_not_missing(folder: Path) -> None:
     text = (
         f'<robot name="r" {XACRO}><xacro:include filename="$(find nowhere_near)/m.xacro"/>'
         '<xacro:macro name="scanner_mount" params="side"><xacro:{}/></xacro:macro></robot>'

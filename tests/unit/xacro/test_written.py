@@ -45,7 +45,7 @@ def macro(body: str, params: str = "side") -> str:
         (macro("") + '<xacro:m sied="left"/>', ("XAC008", "sied")),
     ],
 )
-def test_one_slip_gives_one_diagnostic(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
+def test_one_mistake_gives_one_diagnostic(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
     assert found(body, tmp_path) == [expected]
 
 
@@ -58,9 +58,9 @@ def test_one_slip_gives_one_diagnostic(body: str, expected: tuple[str, str], tmp
         macro('<link name="${1 // side}"/>'),
         macro('<xacro:unless value="0"><link name="a"/></xacro:unless>'),
         macro('<gazebo><property name="long" value="1"/></gazebo>'),
-        macro('<link name="$(arg of_whoever_includes_it)"/>'),
+        macro('<link name="$(arg of_the_includer)"/>'),
         '<xacro:include filename="nowhere.xacro" optional="true"/>' + macro(""),
     ],
 )
-def test_what_may_be_sound_is_left_alone(body: str, tmp_path: Path) -> None:
+def test_text_that_may_be_sound_is_left_alone(body: str, tmp_path: Path) -> None:
     assert not found(body, tmp_path)

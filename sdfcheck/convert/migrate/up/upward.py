@@ -111,7 +111,7 @@ def _drop_inertial_references(migration: Migration) -> None:
             pose.unset("relative_to")
 
 
-def _tell_of_several_models(migration: Migration) -> None:
+def _report_several_models(migration: Migration) -> None:
     for extra in migration.root.children("model")[1:]:
         text = f"{title(extra)} is not read: from 1.8 on a file has one model at its top"
         migration.lose(extra, text, LossKind.DROPPED_ELEMENT)
@@ -161,7 +161,7 @@ _BEFORE = {
         _move_moved_elements,
         _look_for_lost_ends,
     ),
-    8: (_drop_inertial_references, _tell_of_several_models),
+    8: (_drop_inertial_references, _report_several_models),
     10: (_convert_thread_pitch,),
     12: (_rename_states,),
 }
