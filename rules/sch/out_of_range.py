@@ -22,20 +22,30 @@ CAMERA = (
     "<camera>{}</camera></sensor></link></model></sdf>"
 )
 
+OTHER_VALUE = dict.fromkeys(Consumer, warns("takes another value"))
+
 
 class OutOfRange(Rule):
     """A number lies outside the range that the format states or that its quantity has.
 
-    The bounds of the tables are enforced: outside them libsdformat refuses the document,
-    which is an error. Others are stated and checked by nobody, or libsdformat
-    takes a default instead, as for a shape whose size is not positive. In URDF, Drake aborts
-    at such a shape (it takes a sphere of radius 0 for a point), and MuJoCo refuses it as a collision.
+    libsdformat enforces the bounds of its specification: outside them it refuses the
+    document, which is an error. Of other bounds it checks none, or takes a default instead,
+    as for a shape whose size is not positive. In URDF, Drake aborts at such a shape (it takes
+    a sphere of radius 0 for a point), and MuJoCo refuses it as a collision.
     """
 
     code = "SCH014"
     name = "out-of-range"
     severity = Severity.WARNING
-    affects = dict.fromkeys(Consumer, warns("takes another value"))
+    affects = {
+        Consumer.GAZEBO: warns("takes another value, or refuses the file"),
+        Consumer.DRAKE: {
+            "sdf": warns("takes another value, or refuses the file"),
+            "urdf": warns("takes another value, or aborts"),
+        },
+        Consumer.URDFDOM: warns("takes it as it is, or another value"),
+        Consumer.MUJOCO: warns("takes another value, or refuses the file"),
+    }
     explains = (problems.ValueOutOfRange, problems.ReversedRange)
     scaffold = CAMERA
 
@@ -77,14 +87,16 @@ class OutOfRange(Rule):
 
     def check(self, problem: problems.ValueOutOfRange | problems.ReversedRange) -> Iterator[Diagnostic]:
         if isinstance(problem, problems.ReversedRange):
-            yield self.diagnostic(problem.lower, problem.text, labels={problem.upper: "the upper end"})
+            yield self.diagnostic(
+                problem.lower, problem.text, labels={problem.upper: "the upper end"}, affects=OTHER_VALUE
+            )
             return
         name = problem.value.attribute or problem.value.element.name
         must = "must" if problem.refused else "should"
         message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
         if problem.instead is not None:
             message += f", so libsdformat takes {problem.instead}"
-        severity, affects = None, undersized(problem.value)
+        severity, affects = None, {**OTHER_VALUE, **undersized(problem.value)}
         if problem.refused:
             severity = Severity.ERROR
             affects = {**dict.fromkeys(Consumer, REFUSES), **unreadable(problem.value)}
