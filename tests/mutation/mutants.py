@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections import Counter
 from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
@@ -50,9 +51,15 @@ class Mutant(NamedTuple):
         return f"{self.path.as_posix()}: {self.before} → {self.after}"
 
 
-def count(text: str) -> int:
-    """How many mutants a module has."""
-    return sum(1 for _ in _places(ast.parse(text)))
+def marks(text: str) -> list[str]:
+    """The mutants of a module in their order, each by a mark that changes elsewhere leave as it is."""
+    seen: Counter[str] = Counter()
+    found = []
+    for node, field, index, new in _places(ast.parse(text)):
+        mark = f"{ast.dump(node)} {field} {index} {ast.dump(new)}"
+        seen[mark] += 1
+        found.append(f"{mark} {seen[mark]}")
+    return found
 
 
 def make(path: Path, text: str, number: int) -> Mutant:

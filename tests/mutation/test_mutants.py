@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.mutation.__main__ import ROOMS, equivalent, listed, sample, within
+from tests.mutation.__main__ import ROOMS, drawn, equivalent, listed, sample, within
 from tests.mutation.covering import Covering
-from tests.mutation.mutants import Mutant, count, make
+from tests.mutation.mutants import Mutant, make, marks
 
 ROOT = Path(__file__).parents[2]
 MODULE = Path("module.py")
@@ -37,7 +37,7 @@ def __repr__() -> str:
 
 
 def mutants() -> list[Mutant]:
-    return [make(MODULE, CODE, number) for number in range(count(CODE))]
+    return [make(MODULE, CODE, number) for number in range(len(marks(CODE)))]
 
 
 def test_the_changes_to_the_code() -> None:
@@ -68,6 +68,13 @@ def test_a_sample_is_that_of_its_seed() -> None:
     assert first == [mutant.key for mutant in sample("lint", 1)]
     assert first != [mutant.key for mutant in sample("lint", 2)]
     assert len(first) == ROOMS["lint"]
+
+
+def test_a_change_elsewhere_leaves_a_sample_as_it_is() -> None:
+    names = [*map(str, range(100))]
+    assert set(drawn(names, 10, 1)) - set(drawn([*names, "more"], 10, 1)) <= {drawn(names, 10, 1)[-1]}
+    longer = "def g():\n    return a == 5\n\n\n" + CODE
+    assert set(marks(CODE)) < set(marks(longer))
 
 
 def test_the_quickest_tests_come_first() -> None:
