@@ -17,6 +17,7 @@ from sdfcheck.lsp.outline import links, outline
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
+from tests.unit.lsp.texts import ROBOT
 
 SDF = """\
 <sdf version="1.12">
@@ -40,17 +41,6 @@ URDF = """\
   <joint name="tip" type="fixed"><parent link="base"/><child link="tip"/><origin rpy="0 0 3.141593"/></joint>
   <gazebo reference="base"><gravity>true</gravity></gazebo>
   <ros2_control name="c" type="system"><joint name="tip"><command_interface name="position"/></joint></ros2_control>
-</robot>
-"""
-XACRO = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="side" default="left"/>
-  <xacro:property name="size" value="0.5"/>
-  <xacro:macro name="ball" params="name size:=1">
-    <link name="${name}_ball"><visual><geometry><sphere radius="${size}"/></geometry></visual></link>
-  </xacro:macro>
-  <xacro:ball name="$(arg side)" size="${size * 2}"></xacro:ball>
-  <link name="base"/>
 </robot>
 """
 
@@ -128,13 +118,13 @@ def test_names_that_fit_are_offered(marked: str, labels: set[str]) -> None:
 
 
 def test_xacro_is_offered() -> None:
-    text = XACRO.replace('<link name="base"/>', "<|")
+    text = ROBOT.replace('<link name="base"/>', "<|")
     found = offered(text, "there/m.xacro")
     assert "name size" in found["xacro:ball"].detail
-    assert "size" in offered(XACRO.replace("${size * 2}", "${|}"), "there/m.xacro")
-    assert "side" in offered(XACRO.replace("$(arg side)", "$(arg |)"), "there/m.xacro")
+    assert "size" in offered(ROBOT.replace("${size * 2}", "${|}"), "there/m.xacro")
+    assert "side" in offered(ROBOT.replace("$(arg side)", "$(arg |)"), "there/m.xacro")
     assert {"name", "size"} <= offered(
-        XACRO.replace('<link name="base"/>', "<xacro:ball |/>"), "there/m.xacro"
+        ROBOT.replace('<link name="base"/>', "<xacro:ball |/>"), "there/m.xacro"
     ).keys()
 
 
@@ -169,7 +159,7 @@ def test_hover_knows_the_format() -> None:
 
 
 def test_hover_knows_properties_of_xacro() -> None:
-    assert "0.5" in hover_text(XACRO, "size * 2", 1, "there/m.xacro")
+    assert "0.5" in hover_text(ROBOT, "size * 2", 1, "there/m.xacro")
 
 
 def test_references_of_all_kinds() -> None:
@@ -185,11 +175,12 @@ def test_a_joint_with_the_name_of_a_link_is_another() -> None:
 
 
 def test_xacro_names_have_scopes() -> None:
-    outer = places(XACRO, '"size"', 2, "there/m.xacro")
+    outer = places(ROBOT, '"size"', 2, "there/m.xacro")
     assert outer == ["3:size", "7:size"]
-    assert places(XACRO, "size:=1", 1, "there/m.xacro") == ["4:size", "5:size", "7:size"]
-    assert places(XACRO, '"ball"', 2, "there/m.xacro") == ["4:ball", "7:ball", "7:ball"]
-    assert places(XACRO, '"side"', 2, "there/m.xacro") == ["2:side", "7:side"]
+    assert places(ROBOT, "size:=1", 1, "there/m.xacro") == ["4:size", "5:size", "7:size"]
+    ended = ROBOT.replace('2}"/>', '2}"></xacro:ball>')
+    assert places(ended, '"ball"', 2, "there/m.xacro") == ["4:ball", "7:ball", "7:ball"]
+    assert places(ROBOT, '"side"', 2, "there/m.xacro") == ["2:side", "7:side"]
 
 
 @pytest.mark.parametrize("name", ["hand", "a::b", "", "__model__", " x"])

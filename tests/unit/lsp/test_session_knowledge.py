@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from lsprotocol import types
 
+from tests.unit.lsp.texts import ROBOT, URDF
 from tests.unit.lsp.wire import Session, Text
 
 pytestmark = pytest.mark.asyncio(loop_scope="module")
@@ -39,24 +40,6 @@ WORLD = """\
     <frame name="g" attached_to="one::hand"/>
   </world>
 </sdf>
-"""
-ROBOT = """\
-<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-  <xacro:arg name="side" default="left"/>
-  <xacro:property name="size" value="0.5"/>
-  <xacro:macro name="ball" params="name size:=1">
-    <link name="${name}_ball"><visual><geometry><sphere radius="${size}"/></geometry></visual></link>
-  </xacro:macro>
-  <xacro:ball name="$(arg side)" size="${size * 2}"/>
-  <link name="base"/>
-</robot>
-"""
-URDF = """\
-<robot name="r">
-  <link name="base"><visual><geometry><mesh filename="arm.dae"/></geometry></visual></link>
-  <link name="tip"/>
-  <joint name="j" type="fixed"><parent link="base"/><child link="tip"/><origin rpy="0 0 3.141593"/></joint>
-</robot>
 """
 
 
