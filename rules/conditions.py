@@ -1410,7 +1410,7 @@ def URD018_applies(mimic):
     return not mimic.joint.is_fixed and mimic.leader is not None and mimic.leader.is_fixed
 
 def URD020_applies(joint):
-    return joint.type in ('floating', 'planar')
+    return joint.is_unconverted
 
 def URD021_applies(link):
     return link.name.startswith('/')

@@ -30,7 +30,7 @@ class UnconvertedJoint(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return joint.type in ("floating", "planar")
+        return joint.is_unconverted
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         model, child = joint.model, joint.child_link

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.naming.name import Name, Namesakes
+from sdfcheck.robot.parts.joint import UNCONVERTED
 from sdfcheck.source.element import Element, Value
 
 if TYPE_CHECKING:
@@ -15,9 +16,6 @@ if TYPE_CHECKING:
 
 _MERGED = frozenset({"plugin", "visual", "collision"})
 """In a block these share names freely: a shape there is what is added to those of the link."""
-
-_DROPPED = frozenset({"floating", "planar"})
-"""The types of URDF's joints that libsdformat drops."""
 
 
 def extension_names(root: Root) -> dict[Element, list[Name]]:
@@ -53,7 +51,7 @@ def extended_namesakes(root: Root, given: Iterable[Name]) -> list[Namesakes]:
 
 def _is_dropped(name: Name) -> bool:
     """Is it of a joint that libsdformat has no place for? Then the name is free."""
-    return name.kind == "joint" and name.value.element.get("type") in _DROPPED
+    return name.kind == "joint" and name.value.element.get("type") in UNCONVERTED
 
 
 def _subject(root: Root, block: Element) -> Element:

@@ -15,7 +15,10 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.sensor import Sensor
     from sdfcheck.source.element import Value
 
-MOVING_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "planar", "floating"})
+UNCONVERTED = frozenset({"floating", "planar"})
+"""The types of URDF that SDFormat does not have: libsdformat drops such joints."""
+
+MOVING_IN_URDF = frozenset({"revolute", "continuous", "prismatic"}) | UNCONVERTED
 
 PRESERVING = ("preserveFixedJoint", "disableFixedJointLumping")
 """The settings in ``<gazebo>`` that keep a fixed joint."""
@@ -55,6 +58,11 @@ class Joint(Node):
     def is_fixed(self) -> bool:
         """Does it not let its child move?"""
         return self.type == "fixed"
+
+    @property
+    def is_unconverted(self) -> bool:
+        """In URDF: does libsdformat drop it, as SDFormat does not have its type?"""
+        return self.is_urdf and self.type in UNCONVERTED
 
     @property
     def is_preserved(self) -> bool:
