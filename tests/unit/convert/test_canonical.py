@@ -9,6 +9,7 @@ import pytest
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, canonical
 from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
+from sdfcheck.convert.rewrite.tidy_tree import Branch
 from sdfcheck.source.wrong_usage import WrongUsage
 from tests.unit.robot.files import ARM, CONFIG, opened, write
 
@@ -263,3 +264,20 @@ def test_prefixes_that_the_included_file_declares(tmp_path: Path) -> None:
     part = '<sdf version="1.12" xmlns:my="u"><model name="part"><link name="p"><my:x/></link></model></sdf>'
     text = expanded(tmp_path, world("<include><uri>part.sdf</uri></include>"), **{"part.sdf": part}).text
     assert '<model name="part" xmlns:my="u">' in text
+
+
+def test_text_of_a_branch_is_that_before_its_first_child() -> None:
+    branch = Branch("a")
+    branch.parts = [Branch("b"), "after"]
+    assert branch.text == ""
+    branch.text = "first"
+    assert branch.text == "first"
+    branch.text = "other"
+    assert [part for part in branch.parts if isinstance(part, str)] == ["other", "after"]
+
+
+def test_words_between_elements_keep_their_blanks_in_plugins_only(tmp_path: Path) -> None:
+    words = "one  <b/>  two"
+    text = SDF.format("1.9", f"<plugin name='p' filename='f'>{words}</plugin>")
+    assert words in printed(tmp_path, text).text
+    assert words not in printed(tmp_path, SDF.format("1.9", words)).text

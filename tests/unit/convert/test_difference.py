@@ -221,3 +221,18 @@ def test_a_frame_on_another_link_is_one_change(tmp_path: Path) -> None:
 def test_the_only_shape_of_a_link_is_followed_without_a_name(tmp_path: Path) -> None:
     found = changes(tmp_path, ARM, ARM.replace("name='v'", "name='w'").replace("1 1 1", "1 1 2"))
     assert [change.what for change in found] == ["name of a visual", "visual `w` size"]
+
+
+def test_a_follower_is_the_same_by_another_reference(tmp_path: Path) -> None:
+    mimic = (
+        "<mimic joint='lead'><multiplier>2</multiplier><offset>{}</offset><reference>{}</reference></mimic>"
+    )
+    text = (
+        "<sdf version='1.11'><model name='m'><link name='a'/><link name='b'/><link name='c'/>"
+        "<joint name='lead' type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis></joint>"
+        "<joint name='follow' type='revolute'><parent>a</parent><child>c</child>"
+        "<axis><xyz>0 0 1</xyz>{}</axis></joint></model></sdf>"
+    )
+    one, same, other = (text.format(mimic.format(*each)) for each in ((0.5, 0.2), (0.1, 0), (0.9, 0)))
+    assert changes(tmp_path, one, same) == []
+    assert [change.what for change in changes(tmp_path, one, other)] == ["mimic"]

@@ -173,3 +173,33 @@ def test_the_root_of_the_oldest_files_gets_its_newer_name() -> None:
     assert done.text == text.replace("gazebo", "sdf").replace("1.2", "1.4")
     assert done.verification is not None
     assert done.verification.links == 1
+
+
+@pytest.mark.parametrize(
+    ("end", "written"), [("box", "__model__"), ("box::lid", "lid"), ("box::inner::lid", "inner::lid")]
+)
+def test_a_joint_of_a_world_moves_into_its_model(end: str, written: str) -> None:
+    inner = '<model name="inner"><link name="lid"/></model>'
+    joint = f'<joint name="j" type="fixed"><parent>world</parent><child>{end}</child></joint>'
+    text = (
+        '<sdf version="1.12"><world name="w"><model name="box"><link name="lid"/>'
+        f"{inner}</model>{joint}</world></sdf>"
+    )
+    done = migrate(text, Version(1, 9))
+    assert f"<parent>world</parent><child>{written}</child>" in done.text
+    assert done.text.index("<joint") < done.text.index("</world>")
+
+
+@pytest.mark.parametrize(
+    ("around", "minor", "stays"), [("model", 9, True), ("world", 9, False), ("world", 10, True)]
+)
+def test_a_merge_stays_where_the_version_has_it(around: str, minor: int, stays: bool, tmp_path: Path) -> None:
+    tmp_path.joinpath("part.sdf").write_text(
+        '<sdf version="1.9"><model name="p"><link name="l"/></model></sdf>'
+    )
+    include = '<include merge="true"><uri>part.sdf</uri></include>'
+    tmp_path.joinpath("m.sdf").write_text(
+        f'<sdf version="1.12"><{around} name="m">{include}</{around}></sdf>'
+    )
+    done = sdf_to_sdf(opened(tmp_path / "m.sdf"), Version(1, minor))
+    assert ('merge="true"' in done.text) is stays

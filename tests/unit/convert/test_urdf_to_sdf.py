@@ -233,3 +233,47 @@ def test_a_block_that_cannot_be_read_as_sdformat_is_refused() -> None:
     block = '<gazebo><link name="extra"><pose>here</pose></link></gazebo></robot>'
     with pytest.raises(NotConvertible, match="cannot be read"):
         convert(ARM.replace("</robot>", block))
+
+
+def test_a_link_of_a_block_gets_another_name_than_that_of_the_robot() -> None:
+    done = convert(ARM.replace("</robot>", '<gazebo><link name="base"/></gazebo></robot>'))
+    assert kinds(done) == [LossKind.RENAMED]
+    assert done.text.count('<link name="base">') == 1
+    assert '<link name="base_2"' in done.text
+
+
+@pytest.mark.parametrize(
+    ("setting", "written"),
+    [
+        ('<turnGravityOff value="1"/>', "<gravity>false</gravity>"),
+        ("<turnGravityOff>1</turnGravityOff>", "<gravity>false</gravity>"),
+        ('<dampingFactor value="0.25"/>', "<linear>0.25</linear>"),
+        ('<mu1 value="0.25"/>', "<mu>0.25</mu>"),
+    ],
+)
+def test_settings_of_a_link_are_read_from_text_and_attribute(setting: str, written: str) -> None:
+    shape = "<collision><geometry><sphere radius='1'/></geometry></collision>"
+    text = ARM.replace(f'<link name="base">{MASS}', f'<link name="base">{MASS}{shape}')
+    done = convert(text.replace("</robot>", f'<gazebo reference="base">{setting}</gazebo></robot>'))
+    assert kinds(done) == []
+    assert written in done.text
+
+
+def test_a_follower_without_multiplier_follows_one_to_one() -> None:
+    follower = '<joint name="weld" type="revolute"><mimic joint="swing"/><limit effort="1" velocity="1"/>'
+    done = convert(ARM.replace('<joint name="weld" type="fixed">', follower), Options(Version(1, 11)))
+    assert done.verification is not None
+    assert done.verification.is_equal
+    assert "<multiplier>1</multiplier>" in done.text
+
+
+def test_joints_after_a_floating_one_are_compared() -> None:
+    floating = '<link name="ball"/><joint name="free" type="floating"><parent link="tip"/><child link="ball"/></joint>'
+    done = convert(
+        ARM.replace('<joint name="swing"', f'{floating}<joint name="swing"').replace(
+            '"ball"/>', f'"ball">{MASS}</link>', 1
+        )
+    )
+    assert done.verification is not None
+    assert done.verification.is_equal, done.verification.differences
+    assert "swing" in done.comparisons[0].source.joints

@@ -62,3 +62,9 @@ def test_a_missing_baseline_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     assert lint() == 2
     assert "cannot read known.json" in capsys.readouterr().err
     assert main(["lint", "--isolated", "--write-baseline"]) == 2
+
+
+def test_names_of_files_are_readable_in_a_baseline() -> None:
+    Path("worlds/küche.sdf").write_text(ONE)
+    lint("--write-baseline")
+    assert "worlds/küche.sdf" in Path("known.json").read_text(encoding="utf-8")

@@ -128,3 +128,15 @@ def test_a_cycle_of_includes_is_reported_without_expanding(tmp_path: Path) -> No
     (problem,) = problems(document)
     assert type(problem).__name__ == "XacroIncludeCycle"
     assert problem.span.text == "b.xacro"
+
+
+def test_a_label_at_the_place_of_the_diagnostic_shows_the_call(expander: Expander, tmp_path: Path) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+        '<xacro:macro name="m"><link name="a"/></xacro:macro>\n<xacro:m/>\n<xacro:m/>\n</robot>'
+    )
+    (found,) = (d for d in lint(expander, tmp_path / "r.xacro", text) if d.code == "NAM001")
+    assert found.span.begin.line == 2
+    assert [(label.span.begin.line, label.text) for label in found.labels] == [
+        (3, "the first one, from here")
+    ]

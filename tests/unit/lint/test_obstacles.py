@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.consumers.reaction import REFUSES, Reaction, accepts, warns
+from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, warns
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.obstacles import OWN_CONSUMER, obstacles
+from sdfcheck.lint.obstacles import OWN_CONSUMER, obstacles, own_consumer
+from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
@@ -50,3 +51,15 @@ def test_warnings_and_what_is_elsewhere_do_not_stop() -> None:
     assert not stops(refused, Kind.URDF, Severity.WARNING)
     assert not stops(refused, Kind.URDF, elsewhere=frozenset({"XYZ"}))
     assert stops(refused, Kind.URDF, elsewhere=frozenset({"XY"}))
+
+
+@pytest.mark.parametrize(
+    ("text", "consumer"),
+    [
+        ("<robot name='r'/>", Consumer.URDFDOM),
+        ("<robot name='r' xmlns:drake='d'><drake:joint name='j' type='ball'/></robot>", Consumer.DRAKE),
+        ("<sdf version='1.9'><drake:joint name='j' type='ball'/></sdf>", Consumer.GAZEBO),
+    ],
+)
+def test_a_robot_with_joints_of_drake_is_for_drake(text: str, consumer: Consumer) -> None:
+    assert own_consumer(read(text.encode(), Path("r"))) is consumer

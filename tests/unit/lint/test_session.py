@@ -4,6 +4,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files import regular
+from sdfcheck.files.discover import Found
 from sdfcheck.lint import session
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.run import Run
@@ -221,3 +222,11 @@ def test_a_bug_on_one_file_does_not_keep_the_others_from_being_linted(seen: list
     (notice,) = notices
     assert notice.level is Level.FAILURE
     assert notice.text.startswith("a.sdf: internal error: ValueError: no")
+
+
+def test_a_folder_that_cannot_be_read_is_skipped_with_the_reason(
+    seen: list[Seen], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = Found((), unreadable=((Path("dark"), "permission denied"),))
+    monkeypatch.setattr(session, "discover", lambda *_, **__: found)
+    assert lint(Path()).skipped == ((Path("dark"), "permission denied"),)
