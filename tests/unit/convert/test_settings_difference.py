@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.unit.convert.test_difference import URDF, changes, edited
+from tests.unit.convert.test_difference import ARM, URDF, changes, edited
 
 FURNISHED = (
     "<sdf version='1.10' xmlns:shop='urn:shop'><world name='w'><physics name='p' type='ode'>"
@@ -51,6 +51,7 @@ FURNISHED = (
         ("<intensity>1<", "<intensity>2<", ("world", "w", "light `sun`/intensity", "1", "2")),
         ("cfm_damping>true", "cfm_damping>false",
          ("joint", "elbow", "physics/ode/cfm_damping", "true", "false")),
+        ("<axis>", "<axis shop:side='left'>", ("joint", "elbow", "shop:side", "none", "left")),
         ("shop:article='17'", "shop:article='18'", ("model", "arm", "@shop:article", "17", "18")),
         ("<plugin name='p' filename='p.so'><gain>1</gain></plugin>", "",
          ("model", "arm", "plugin `p`", "p.so", "none")),
@@ -106,3 +107,14 @@ def test_one_edit_of_a_gazebo_block_is_one_change(
     tmp_path: Path, old: str, new: str, expected: tuple[str, ...]
 ) -> None:
     assert edited(tmp_path, old, new, BLOCKS) == [expected]
+
+
+@pytest.mark.parametrize(("file", "count"), [("arm.yaml", 0), ("leg.yaml", 1)])
+def test_paths_to_one_file_may_differ_between_formats(tmp_path: Path, file: str, count: int) -> None:
+    plugin = "<plugin name='p' filename='p.so'><file>{}</file></plugin>"
+    urdf = URDF.replace(
+        "</robot>", f"<gazebo>{plugin.format('package://arm/config/arm.yaml')}</gazebo></robot>"
+    )
+    sdf = ARM.replace("</model>", f"{plugin.format('model://arm/' + file)}</model>")
+    whats = [change.what for change in changes(tmp_path, urdf, sdf)]
+    assert whats.count("plugin `p`/file") == count

@@ -122,7 +122,8 @@ def test_a_link_does_not_lead_into_a_trusted_folder(
 )
 def test_the_search_stays_in_the_repository(text: str) -> None:
     Path("elsewhere").symlink_to("..")
-    assert "leads out of" in refusal(text)
+    key = text.strip("[").partition("\n")[0].partition(" ")[0].strip("]")
+    assert f"`{key}` leads out of" in refusal(text)
 
 
 def test_a_path_in_the_repository_needs_no_consent(repository: Path) -> None:
@@ -151,6 +152,11 @@ def test_no_report_is_written_to_a_file_of_the_configurations_choice(repository:
 def test_a_faulty_configuration_of_ones_own(tmp_path: Path, text: str, reason: str) -> None:
     trusted(tmp_path, text)
     assert reason in refusal('plugins = ["pack/"]')
+
+
+def test_a_configuration_of_ones_own_that_is_not_text(tmp_path: Path) -> None:
+    trusted(tmp_path, "").write_bytes(b"\xff")
+    assert "cannot read" in refusal('plugins = ["pack/"]')
 
 
 def test_a_relative_place_for_ones_own_configuration_does_not_count(monkeypatch: pytest.MonkeyPatch) -> None:
