@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-SECONDS = 60
-"""Processor time after which a mutant counts as killed: it does not end."""
-AT_MOST = 300
+SECONDS = 100
+"""Processor time after which a mutant counts as killed, as it does not end; far more than its tests take."""
+AT_MOST = 600
 """The same for the clock, in s."""
 MEMORY = 4 << 30
 KILLED, SURVIVED = 0, 1
