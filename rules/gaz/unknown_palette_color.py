@@ -59,6 +59,11 @@ class UnknownPaletteColor(Rule):
             says="no material of Gazebo is called `Gazebo/grey`; did you mean `Gazebo/Grey`?",
         ),
         Bad(
+            '<gazebo reference="base"><material>«gazebo/Grey»</material></gazebo>',
+            fixed='<gazebo reference="base"><material>Gazebo/Grey</material></gazebo>',
+            unsafe=True,
+        ),
+        Bad(
             SCRIPT.format("«Gazebo/Gray»"),
             scaffold=IN_VISUAL,
             fixed=SCRIPT.format("Gazebo/Grey"),

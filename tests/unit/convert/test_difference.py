@@ -236,3 +236,10 @@ def test_a_follower_is_the_same_by_another_reference(tmp_path: Path) -> None:
     one, same, other = (text.format(mimic.format(*each)) for each in ((0.5, 0.2), (0.1, 0), (0.9, 0)))
     assert changes(tmp_path, one, same) == []
     assert [change.what for change in changes(tmp_path, one, other)] == ["mimic"]
+
+
+@pytest.mark.parametrize(("kind", "count"), [("fixed", 0), ("revolute", 1)])
+def test_a_static_model_needs_no_joint_to_the_world(tmp_path: Path, kind: str, count: int) -> None:
+    model = "<sdf version='1.10'><model name='m'><static>1</static><link name='a'/>{}</model></sdf>"
+    joint = f"<joint name='j' type='{kind}'><parent>world</parent><child>a</child><axis><xyz>0 0 1</xyz></axis></joint>"
+    assert len(changes(tmp_path, model.format(""), model.format(joint))) == count

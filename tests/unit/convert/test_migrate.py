@@ -203,3 +203,11 @@ def test_a_merge_stays_where_the_version_has_it(around: str, minor: int, stays: 
     )
     done = sdf_to_sdf(opened(tmp_path / "m.sdf"), Version(1, minor))
     assert ('merge="true"' in done.text) is stays
+
+
+@pytest.mark.parametrize("around", ["{}", '<world name="w">{}</world>'])
+def test_nested_models_are_flattened_in_worlds_too(around: str) -> None:
+    model = '<model name="m"><link name="a"/><model name="n"><link name="b"/></model></model>'
+    done = migrate(f'<sdf version="1.7">{around.format(model)}</sdf>', Version(1, 4))
+    assert '<link name="n__b"' in done.text
+    assert '<model name="n"' not in done.text
