@@ -211,3 +211,14 @@ def test_nested_models_are_flattened_in_worlds_too(around: str) -> None:
     done = migrate(f'<sdf version="1.7">{around.format(model)}</sdf>', Version(1, 4))
     assert '<link name="n__b"' in done.text
     assert '<model name="n"' not in done.text
+
+
+@pytest.mark.parametrize(
+    ("palm", "name"), [("arm::palm", '<gripper name="hand">'), ("table", '<gripper name="arm__hand">')]
+)
+def test_a_gripper_of_links_outside_stays_outside(palm: str, name: str) -> None:
+    links = '<link name="table"/><link name="arm::palm"/><link name="arm::finger"/>'
+    ends = f"<gripper_link>arm::finger</gripper_link><palm_link>{palm}</palm_link>"
+    model = f'<model name="m">{links}<gripper name="arm::hand">{ends}</gripper></model>'
+    done = migrate(f'<sdf version="1.7">{model}</sdf>', Version(1, 8))
+    assert name in done.text

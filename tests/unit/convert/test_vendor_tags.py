@@ -166,6 +166,11 @@ def test_the_friction_of_drake_stays_where_gazebo_has_another() -> None:
     assert "<drake:mu_static>1</drake:mu_static><drake:mu_dynamic>1</drake:mu_dynamic>" in flat(done.text)
 
 
+def test_a_block_without_friction_leaves_drake_its_own() -> None:
+    block = '<gazebo reference="a"><fdir1>1 0 0</fdir1></gazebo>'
+    assert "drake:mu" not in to_sdf(urdf(block, a=collision('<box size="1 1 1"/>'))).text
+
+
 def test_a_joint_that_follows_another_does_so_for_drake() -> None:
     follower = TURNING.format("").replace('"j"', '"k"').replace('child link="b"', 'child link="c"')
     follower = follower.replace("</joint>", '<mimic joint="j" multiplier="2"/></joint>')

@@ -15,7 +15,9 @@ PART = """\
 <sdf version="1.12"><model name="part">
   <link name="a"><gravity>true</gravity></link>
   <link name="b"/>
-  <model name="inner"><link name="c"/></model>
+  <model name="inner">
+    <link name="c"><visual name="v"><transparency>0</transparency><geometry><box/></geometry></visual></link>
+  </model>
   <joint name="j" type="fixed"><parent>a</parent><child>b</child></joint>
 </model></sdf>
 """
@@ -53,6 +55,8 @@ def below(document: Document, name: str) -> Element:
         ('<link element_id="a"><gravity action="remove"/></link>', '<link name="a"/>', "<gravity>"),
         ('<link element_id="b" action="remove"/>', '<link name="a"', '<link name="b"'),
         ('<link element_id="b" action="modify" name="z"/>', '<link name="z"/>', '<link name="b"'),
+        ('<link element_id="inner::c"><visual name="new" action="modify"><transparency>1</transparency></visual>'
+         "</link>", "<transparency>1</transparency>", "<transparency>0</transparency>"),
         ('<link element_id="b" action="replace" name="z"><kinematic>1</kinematic></link>',
          '<link name="z">', '<link name="b"'),
         ('<link element_id="inner::c"><gravity action="add">0</gravity></link>', "<gravity>0</gravity>", "element_id"),
@@ -91,7 +95,7 @@ def test_places_are_those_of_the_included_file(tmp_path: Path) -> None:
     done, _ = written_out(document)
     joint = below(done, "joint")
     assert joint.span.source.path.name == "part.sdf"
-    assert joint.span.begin.line == 5
+    assert joint.span.begin.line == 7
 
 
 def test_plain_includes_need_no_writing_out(tmp_path: Path) -> None:
