@@ -226,3 +226,16 @@ def test_a_block_of_ros2_control_comes_back() -> None:
     result = _convert(_LINKS + _joint("revolute", _axis()) + prefixed)
     assert "urdf:" not in result.text
     assert re.sub(r">\s+<", "><", result.text).count(block) == 1
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "written"),
+    [
+        ("<mass>", "<mass shop:by='me'>", '<mass value="2" shop:by="me"/>'),
+        ("<inertia>", "<inertia><shop:by>me</shop:by>", "<shop:by>me</shop:by>"),
+    ],
+)
+def test_custom_data_of_an_inertia_is_carried(old: str, new: str, written: str) -> None:
+    model = f'<model name="m"><link name="a">{_BODY.replace(old, new)}</link></model>'
+    text = f'<sdf version="1.9" xmlns:shop="urn:shop">{model}</sdf>'
+    assert written in convert(read(text.encode(), Path("m.sdf"), Kind.SDF)).text

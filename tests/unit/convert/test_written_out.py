@@ -55,8 +55,8 @@ def below(document: Document, name: str) -> Element:
         ('<link element_id="a"><gravity action="remove"/></link>', '<link name="a"/>', "<gravity>"),
         ('<link element_id="b" action="remove"/>', '<link name="a"', '<link name="b"'),
         ('<link element_id="b" action="modify" name="z"/>', '<link name="z"/>', '<link name="b"'),
-        ('<link element_id="inner::c"><visual name="new" action="modify"><transparency>1</transparency></visual>'
-         "</link>", "<transparency>1</transparency>", "<transparency>0</transparency>"),
+        ('<link element_id="inner::c"><visual name="n" action="modify"><transparency>1</transparency></visual></link>',
+         "<transparency>1</transparency>", "<transparency>0</transparency>"),
         ('<link element_id="b" action="replace" name="z"><kinematic>1</kinematic></link>',
          '<link name="z">', '<link name="b"'),
         ('<link element_id="inner::c"><gravity action="add">0</gravity></link>', "<gravity>0</gravity>", "element_id"),

@@ -140,3 +140,21 @@ def test_a_label_at_the_place_of_the_diagnostic_shows_the_call(expander: Expande
     assert [(label.span.begin.line, label.text) for label in found.labels] == [
         (3, "the first one, from here")
     ]
+
+
+@pytest.mark.parametrize(
+    ("mass", "words"),
+    [
+        ("${m}", "(`${m}`, with `m` = -1 set at line 2)"),
+        ("${-1 * 1}", "(`${-1 * 1}`)"),
+        ("${m * 2}", "with `m` = -1"),
+    ],
+)
+def test_the_value_of_an_expression_is_given_with_its_source(
+    expander: Expander, tmp_path: Path, mass: str, words: str
+) -> None:
+    text = f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:property name="m" value="-1"/><link name="a"><inertial><mass value="{mass}"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"""
+    (found,) = (d for d in lint(expander, tmp_path / "r.xacro", text) if d.code == "INR001")
+    assert words in found.message
