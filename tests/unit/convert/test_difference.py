@@ -243,3 +243,12 @@ def test_a_static_model_needs_no_joint_to_the_world(tmp_path: Path, kind: str, c
     model = "<sdf version='1.10'><model name='m'><static>1</static><link name='a'/>{}</model></sdf>"
     joint = f"<joint name='j' type='{kind}'><parent>world</parent><child>a</child><axis><xyz>0 0 1</xyz></axis></joint>"
     assert len(changes(tmp_path, model.format(""), model.format(joint))) == count
+
+
+def test_a_moved_frame_of_the_first_link_is_one_change(tmp_path: Path) -> None:
+    model = """<sdf version='1.10'><model name='m'><link name='a'><pose>0 0 {} 0 0 0</pose>
+      <inertial><pose>0 0 {} 0 0 0</pose><mass>2</mass></inertial></link><link name='b'/>
+      <joint name='j' type='revolute'><parent>a</parent><child>b</child>
+      <axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+    (change,) = changes(tmp_path, model.format(1, 0), model.format(0, 1))
+    assert (change.part, change.name, change.what) == ("link", "a", "frame")
