@@ -14,8 +14,9 @@ from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.verification import Verification
 from sdfcheck.convert.verify import Correspondence, verify
 from sdfcheck.robot.motion.mechanism import Mechanism
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,11 +41,13 @@ class Comparison:
 class Conversion:
     """A finished conversion; ``comparisons`` (one for each model) are what there is to verify.
 
+    ``document`` is the ``text``, read as a file beside the source.
     ``verifications`` are empty where nobody asked for them, or the text of the source is broken. ``files`` are further
     files that belong to the result, by their paths relative to it.
     """
 
     text: str
+    document: Document
     losses: tuple[Loss, ...] = ()
     comparisons: tuple[Comparison, ...] = ()
     verifications: tuple[Verification, ...] = ()
@@ -67,9 +70,17 @@ class Conversion:
         )
 
 
+def read_result(text: str, source: Document, kind: Kind) -> Document:
+    """A text that was written, read as a file beside its source."""
+    document = read(text.encode("utf-8", "surrogateescape"), source.path.with_suffix(f".{kind.value}"), kind)
+    document.library = source.library
+    return document
+
+
 def conversion(
     source: Document,
     text: str,
+    document: Document,
     losses: list[Loss],
     comparisons: list[Comparison],
     *,
@@ -87,4 +98,4 @@ def conversion(
         if verified and guess_in(source) is None
         else ()
     )
-    return Conversion(text, tuple(ordered), tuple(comparisons), done)
+    return Conversion(text, document, tuple(ordered), tuple(comparisons), done)

@@ -5,27 +5,25 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from sdfcheck.convert.result import Conversion
 from sdfcheck.files.uris import file_path, scheme_of
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import read
 from sdfcheck.source.element import Value
-from sdfcheck.source.sniff import Kind
 from sdfcheck.source.splice import Replacement, replaced
 
 
-def seen_from(text: str, kind: Kind, source: Path, target: Path) -> str:
-    """A result whose meshes, textures and included files are named as seen from the folder ``target``.
+def seen_from(done: Conversion, source: Path, target: Path) -> str:
+    """The text of a result, with meshes, textures and included files named as seen from the folder ``target``.
 
-    In ``text`` they are named as seen from ``source``. Only what is there is written otherwise:
+    They were named as seen from ``source``. Only what is there is written otherwise:
     simulators also look for a relative path in folders that their environment names.
     """
     if os.path.realpath(source) == os.path.realpath(target):
-        return text
-    document = read(text.encode("utf-8", "surrogateescape"), source / "result", kind)
-    root = root_of(document)
+        return done.text
+    root = root_of(done.document)
     values = [named.uri_value for named in (*root.resources, *root.includes)]
     edits = (edit for value in values if value is not None and (edit := _edit(value, source, target)))
-    return replaced(text, sorted(set(edits)))
+    return replaced(done.text, sorted(set(edits)))
 
 
 def _edit(value: Value, source: Path, target: Path) -> Replacement | None:

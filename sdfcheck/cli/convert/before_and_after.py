@@ -12,10 +12,9 @@ if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input
     from sdfcheck.cli.convert.outcome import Outcome
     from sdfcheck.source.document import Document
-    from sdfcheck.source.sniff import Kind
 
 
-def write_page(page: Path, given: Input, outcome: Outcome, kind: Kind) -> None:
+def write_page(page: Path, given: Input, outcome: Outcome) -> None:
     """Write the page to a file: both robots, or the source alone where there is no result.
 
     Raises:
@@ -24,11 +23,10 @@ def write_page(page: Path, given: Input, outcome: Outcome, kind: Kind) -> None:
     if given.document is None:
         say(f"note: {page} is not written: {given.file} cannot be expanded")
         return
-    deliver(_page(given.document, outcome, kind), page, [given.file])
+    deliver(_page(given.document, outcome), page, [given.file])
 
 
-def _page(source: Document, outcome: Outcome, kind: Kind) -> str:
-    from sdfcheck.source.document import read
+def _page(source: Document, outcome: Outcome) -> str:
     from sdfcheck.view.meshes import Meshes
     from sdfcheck.view.notes import differences, findings
     from sdfcheck.view.page import page
@@ -36,11 +34,7 @@ def _page(source: Document, outcome: Outcome, kind: Kind) -> str:
 
     documents = [source]
     if outcome.conversion is not None:
-        # The text names files as the source does, so it is read as if it were in its folder.
-        beside = source.path.with_suffix(f".{kind.value}")
-        result = read(outcome.conversion.text.encode("utf-8", "surrogateescape"), beside, kind)
-        result.library = source.library
-        documents.append(result)
+        documents.append(outcome.conversion.document)
     meshes = Meshes()
     scenes = [scene(document, meshes) for document in documents]
     for shown, name in zip(scenes, ("before", "after"), strict=False):

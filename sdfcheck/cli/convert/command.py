@@ -92,14 +92,14 @@ def convert_files(
     with Reader(request.around, lint=request.lint, expand=not request.no_expand) as reader:
         for file, target in zip(files, places, strict=True):
             try:
-                given, kind = reader.read(file, kinds), Kind(suffix.removeprefix("."))
+                given = reader.read(file, kinds)
                 outcome = converted(given, convert, request)
                 if outcome.conversion is not None and not outcome.failed:
-                    outcome = outcome.judged(reader.judge(given, outcome.conversion.text, kind))
+                    outcome = outcome.judged(reader.judge(given, outcome.conversion.document))
                 if request.report is not None:
-                    write_page(request.report, given, outcome, kind)
+                    write_page(request.report, given, outcome)
                 if outcome.conversion is not None and not outcome.failed:
-                    _write(outcome.conversion, file, target, kind)
+                    _write(outcome.conversion, file, target)
             except WrongUsage as error:
                 _give_up(file, files, error, done)
                 continue
@@ -127,7 +127,7 @@ def _check_arguments(request: Request, files: Sequence[Source]) -> None:
     check_arguments(request.around.arguments, [file.path for file in files], settings, texts)
 
 
-def _write(done: Conversion, source: Source, target: Path | None, kind: Kind) -> None:
+def _write(done: Conversion, source: Source, target: Path | None) -> None:
     from sdfcheck.convert.result_paths import seen_from
     from sdfcheck.convert.writer import write_atomically
 
@@ -140,4 +140,4 @@ def _write(done: Conversion, source: Source, target: Path | None, kind: Kind) ->
         raise WrongUsage(f"cannot make the folder {target.parent}: {error.strerror}") from None
     for path, text in done.files:
         write_atomically(target.parent / path, text)
-    write_atomically(target, seen_from(done.text, kind, source.path.parent, target.parent))
+    write_atomically(target, seen_from(done, source.path.parent, target.parent))

@@ -128,15 +128,11 @@ class Reader:
         stopping = obstacles(found, own_consumer(document), ELSEWHERE)
         return Input(file, document, shown, not stopping, found=found)
 
-    def judge(self, given: Input, text: str, kind: Kind) -> list[Loss]:
+    def judge(self, given: Input, result: Document) -> list[Loss]:
         """The errors of a result that its source does not have; none if nobody has looked at the source."""
         source = given.document
         if given.found is None or source is None:
             return []
-        from sdfcheck.source.document import read
-
-        result = read(text.encode("utf-8", "surrogateescape"), given.file.with_suffix(f".{kind.value}"), kind)
-        result.library = source.library
         after = lint_document(result, self._book.dispatch(self._around.settings_for(given.file), given.file))
         found = new_errors(source, given.found, result, after)
         if found and (brought := _included(source)):

@@ -34,7 +34,7 @@ from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.old_root import tidy_root, with_newer_root
 from sdfcheck.convert.migrate.proof import comparisons
 from sdfcheck.convert.migrate.up.upward import go_up
-from sdfcheck.convert.result import Conversion, conversion
+from sdfcheck.convert.result import Conversion, conversion, read_result
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
@@ -55,7 +55,9 @@ def sdf_to_sdf(
     migration = migrated(document, target, keep_unknown=keep_unknown)
     compared = comparisons(migration) if verified else []
     close(migration)
-    return conversion(document, migration.draft.text(), migration.losses, compared, verified=verified)
+    text = migration.draft.text()
+    written = migration.draft.read() if verified else read_result(text, document, Kind.SDF)
+    return conversion(document, text, written, migration.losses, compared, verified=verified)
 
 
 def to_sdf(document: Document, version: Version) -> Conversion:

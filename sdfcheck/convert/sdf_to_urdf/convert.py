@@ -12,7 +12,7 @@ from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.ledger import TEXT, Ledger
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.result import Comparison, Conversion, conversion
+from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.rewrite.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.convert.sdf_to_urdf.closing import close
 from sdfcheck.convert.sdf_to_urdf.comments import around_root
@@ -44,7 +44,7 @@ from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.motion.rotations import inverse
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document, read
+from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
@@ -69,7 +69,7 @@ def convert(
     except (DescriptionError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
     text = _text(context)
-    written = read(text.encode(), document.path.with_suffix(".urdf"), Kind.URDF)
+    written = read_result(text, source, Kind.URDF)
     assert written.root is not None
     try:
         result = mechanism_of(root_of(written).models[0], vendors=True)
@@ -82,7 +82,7 @@ def convert(
         context.ledger.note(
             LossKind.EXPANDED_INCLUDE, include, f"{include_title(include)} is written out", Severity.INFO
         )
-    return conversion(source, text, context.ledger.losses, [comparison], verified=verified)
+    return conversion(source, text, written, context.ledger.losses, [comparison], verified=verified)
 
 
 def _text(context: Context) -> str:

@@ -8,7 +8,7 @@ from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.result import Comparison, Conversion, conversion
+from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.extensions import Extensions
 from sdfcheck.convert.urdf_to_sdf.joints import Joints
@@ -39,6 +39,7 @@ from sdfcheck.robot.parts.actuation import Transmission
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
 
 _NAMESPACES = {
     KEPT: "http://ros.org/wiki/urdf/XML",
@@ -69,18 +70,19 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     context = Context(options, made)
     context.losses.extend(made.losses)
     writer = _Writer(document, robot, context)
-    text = writer.write()
+    text = with_line_ends(writer.write(), document.source.text)
+    written = read_result(text, document, Kind.SDF)
+    assert written.root is not None
     source = expected(robot, made, context)
     try:
-        result, written = read_back(text, document.path, context, writer.sdf)
+        result = read_back(written, context, writer.sdf)
     except (DescriptionError, PoseError) as error:
         raise refusal(root, f"with what is in <gazebo> blocks the result cannot be read: {error}") from None
     context.ledger.close(root)
-    context.ledger.prove(written)
-    contents = (of_urdf(root_of(document).models[0]), of_model(root_of(written.document).models[0]))
+    context.ledger.prove(written.root)
+    contents = (of_urdf(root_of(document).models[0]), of_model(root_of(written).models[0]))
     comparison = Comparison(source, result, correspondence(made, context), contents)
-    text = with_line_ends(text, document.source.text)
-    return conversion(document, text, context.losses, [comparison], verified=verified)
+    return conversion(document, text, written, context.losses, [comparison], verified=verified)
 
 
 def _refuse_broken(root: Element, robot: Mechanism) -> None:

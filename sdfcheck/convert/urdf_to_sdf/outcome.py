@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
+from sdfcheck.convert.result import read_result
 from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.convert.urdf_to_sdf.plan import Plan, free_joints
 from sdfcheck.convert.verify import Correspondence, Counterpart
@@ -13,24 +13,21 @@ from sdfcheck.convert.writer import Node, render
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
 _BRINGING = frozenset({"include", "model"})
 
 
-def read_back(text: str, path: Path, context: Context, sdf: Node) -> tuple[Mechanism, Element]:
-    """The robot of the text that was written, without what the source has for Gazebo only, and the root of all."""
-    document = read(text.encode("utf-8", "surrogateescape"), path.with_suffix(".sdf"), Kind.SDF)
-    assert document.root is not None
-    own = document
+def read_back(written: Document, context: Context, sdf: Node) -> Mechanism:
+    """The robot of what was written, without what the source has for Gazebo only."""
+    own = written
     if (rest := _without_brought(sdf)) is not None:
-        own = read(render(rest).encode("utf-8", "surrogateescape"), path.with_suffix(".sdf"), Kind.SDF)
+        own = read_result(render(rest), written, Kind.SDF)
     robot = mechanism_of(root_of(own).models[0], vendors=True)
     for name in context.own_links:
         robot.links.pop(name, None)
-    return robot, document.root
+    return robot
 
 
 def _without_brought(sdf: Node) -> Node | None:
