@@ -87,6 +87,8 @@ def run() -> NoReturn:
     if not sys.warnoptions:
         # Warnings of numpy about a document's numbers are of no use to its author.
         warnings.simplefilter("ignore")
+    # Threads for the small matrices of a robot cost more than they bring.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     code = main()
     try:
         for stream in filter(None, (sys.stdout, sys.stderr)):

@@ -195,8 +195,9 @@ class Ledger:
             if element in self._lost:
                 self._report_custom(element)
                 continue
-            self._close_attributes(element)
-            self._close_texts(element)
+            known = self._known(element)
+            self._close_attributes(element, known)
+            self._close_texts(element, known)
             waiting.extend(reversed(list(element.children())))
 
     def prove(self, result: Element) -> None:
@@ -264,8 +265,8 @@ class Ledger:
                     self.lose_attribute(element, name, f"`{name}` is left out with {lost.title}")
             waiting.extend(element.children())
 
-    def _close_attributes(self, element: Element) -> None:
-        entered, known = self._taken[element], self._known(element)
+    def _close_attributes(self, element: Element, known: frozenset[str]) -> None:
+        entered = self._taken[element]
         if entered == {EVERYTHING}:
             return
         for name in element.attributes:
@@ -278,12 +279,12 @@ class Ledger:
                 text = f"{item} is left out: it has no place in {self._target}"
                 self.lose_attribute(element, name, text)
 
-    def _close_texts(self, element: Element) -> None:
+    def _close_texts(self, element: Element, known: frozenset[str]) -> None:
         """Words between elements, and comments."""
         entered = self._taken[element]
         if EVERYTHING in entered:
             return
-        has_value = TEXT in entered or TEXT in self._known(element)
+        has_value = TEXT in entered or TEXT in known
         for text in texts(element):
             if has_value:
                 has_value = False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.convert.migrate.up.conversions import Operation, operations
+from sdfcheck.convert.migrate.up.operations import Operation, operations
 from sdfcheck.convert.writer import Comment, Node
 from sdfcheck.formats.sdf.version import Version
 

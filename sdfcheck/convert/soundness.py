@@ -20,11 +20,11 @@ _KEPT = frozenset({"INR", "RES"})
 def new_errors(
     source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
 ) -> list[Loss]:
-    """The errors of a result that its source does not have.
+    """The errors of a result, linted without what is ``ELSEWHERE``, that its source does not have.
 
     Each is placed at the element of the source that has the name of what it is in.
     """
-    found = [one for one in after if one.severity is Severity.ERROR and one.code[:3] not in ELSEWHERE]
+    found = [one for one in after if one.severity is Severity.ERROR]
     if not found:
         return []
     had = Counter(one.code for one in before if not _is_for_the_result(source, one))

@@ -6,7 +6,10 @@ import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from lxml import etree
+
 from sdfcheck.source.element import Element
+from sdfcheck.source.references import IN_ATTRIBUTE, escape
 from sdfcheck.source.rewritten import written_name
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -89,37 +92,36 @@ def with_line_ends(text: str, source: str) -> str:
 
 
 def _write(node: Node | Comment | Words, indent: str, lines: list[str]) -> None:
-    if not isinstance(node, Node):
-        lines.append(f"{indent}{_inline(node)}")
-        return
-    if any(isinstance(child, Words) for child in node.children):
+    if not isinstance(node, Node) or any(isinstance(child, Words) for child in node.children or ()):
         lines.append(f"{indent}{_inline(node)}")
         return
     start = f"{indent}{_start(node)}"
-    if node.children:
-        lines.append(f"{start}>")
-        if node.text and node.text.strip():
-            lines.append(f"{indent}{INDENT}{_escaped(node.text.strip())}")
-        for child in node.children:
-            _write(child, indent + INDENT, lines)
-        lines.append(f"{indent}</{node.name}>")
-    elif node.text is not None and node.text.strip():
-        lines.append(f"{start}>{_escaped(node.text)}</{node.name}>")
-    else:
-        lines.append(f"{start}/>")
+    text = node.text if node.text and not node.text.isspace() else ""
+    if not node.children:
+        lines.append(f"{start}>{escape(text)}</{node.name}>" if text else f"{start}/>")
+        return
+    lines.append(f"{start}>")
+    if text:
+        lines.append(f"{indent}{INDENT}{escape(text.strip())}")
+    for child in node.children:
+        _write(child, indent + INDENT, lines)
+    lines.append(f"{indent}</{node.name}>")
 
 
 def _start(node: Node) -> str:
-    return "".join(("<", node.name, *(f' {k}="{_quoted(v)}"' for k, v in node.attributes.items())))
+    start = f"<{node.name}"
+    for name, value in node.attributes.items():
+        start += f' {name}="{escape(value, IN_ATTRIBUTE)}"'
+    return start
 
 
 def _inline(node: Node | Comment | Words) -> str:
     """A node without lines and spaces but its own."""
     if isinstance(node, Words):
-        return _escaped(node.text)
+        return escape(node.text)
     if isinstance(node, Comment):
         return f"<!--{_harmless(node.text)}-->"
-    inner = _escaped(node.text or "") + "".join(map(_inline, node.children))
+    inner = escape(node.text or "") + "".join(map(_inline, node.children))
     return f"{_start(node)}>{inner}</{node.name}>" if inner else f"{_start(node)}/>"
 
 
@@ -127,15 +129,6 @@ def _harmless(comment: str) -> str:
     """A comment's text without what would end it early."""
     text = re.sub("-(?=-)", "- ", comment)
     return f"{text} " if text.endswith("-") else text
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-
-
-def _quoted(text: str) -> str:
-    escaped = _escaped(text).replace('"', "&quot;")
-    return escaped.replace("\n", "&#10;").replace("\t", "&#9;").replace("\r", "&#13;")
 
 
 def copied(element: Element, *, verbatim: bool = False) -> Node:
@@ -184,9 +177,7 @@ def _gives_up_blanks(element: Element) -> bool:
 
 
 def comment_of(node: object) -> Comment | None:
-    """The text for a node of lxml that is a comment; None for any other."""
-    from lxml import etree
-
+    """What to write for a node of lxml that is a comment; None for any other."""
     return Comment(node.text or "") if isinstance(node, etree._Comment) else None
 
 
@@ -205,12 +196,10 @@ def undeclared_prefixes(node: Node | Comment | Words) -> set[str]:
     """The prefixes of names below a node that nothing declares there."""
     if not isinstance(node, Node):
         return set()
-    words = [node.name, *(name for name in node.attributes if not name.startswith("xmlns"))]
-    found = {word.partition(":")[0] for word in words if ":" in word}
-    for child in node.children:
-        found |= undeclared_prefixes(child)
-    own = {name.partition(":")[2] for name in node.attributes if name.startswith("xmlns:")}
-    return found - own - {"xml"}
+    found = set[str]().union(*map(undeclared_prefixes, node.children))
+    names = [name.split(":", 1) for name in (node.name, *node.attributes) if ":" in name]
+    found.update(prefix for prefix, _ in names if prefix != "xmlns")
+    return found.difference((name for prefix, name in names if prefix == "xmlns"), ("xml",))
 
 
 def number(value: float) -> str:

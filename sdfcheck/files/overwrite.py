@@ -46,9 +46,9 @@ def same_file(a: Path, b: Path) -> bool:
 
 def _replace(target: str, data: bytes, old: os.stat_result | None) -> None:
     """Write a new file and rename it to ``target``."""
-    import tempfile
-
-    handle, name = tempfile.mkstemp(prefix=".sdfcheck-", dir=os.path.dirname(target))
+    name = os.path.join(os.path.dirname(target), f".sdfcheck-{os.urandom(8).hex()}")
+    # By hand: `tempfile` takes longer to load than a small file takes to convert.
+    handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o600)
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)

@@ -133,11 +133,12 @@ class Reader:
         source = given.document
         if given.found is None or source is None:
             return []
-        after = lint_document(result, self._book.dispatch(self._around.settings_for(given.file), given.file))
+        settings = self._around.settings_for(given.file)
+        dispatch = self._book.dispatch(settings, given.file, tuple(ELSEWHERE))
+        after = lint_document(result, dispatch)
         found = new_errors(source, given.found, result, after)
         if found and (brought := _included(source)):
-            # A part that an included file brings may be as faulty there.
-            dispatch = self._book.dispatch(self._around.settings_for(given.file), given.file)
+            # What an included file brings may be as faulty there.
             before = [*given.found, *(one for other in brought for one in lint_document(other, dispatch))]
             found = new_errors(source, before, result, after)
         return found

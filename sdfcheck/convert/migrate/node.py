@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from xml.sax.saxutils import escape, unescape
 
 from sdfcheck.source.element import Element
+from sdfcheck.source.references import IN_QUOTES, escape, unescape
 
 _ATTRIBUTE = re.compile(r"""(?<!\s)(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
 # A piece without an end goes on to the last character: many of them must not be searched one by one.
@@ -17,7 +17,6 @@ _PIECE = re.compile(
     r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)|<!\[CDATA\[(?P<cdata>.*?)(?:\]\]>|\Z)|(?P<text>[^<]+)", re.DOTALL
 )
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
-_QUOTES = {"&quot;": '"', "&apos;": "'"}
 _DEFAULT_INDENT = "  "
 
 
@@ -100,14 +99,14 @@ class Node:
             if isinstance(part, Node):
                 break
             for piece in _PIECE.finditer(part):
-                raw = piece["cdata"] if piece["cdata"] is not None else unescape(piece["text"] or "", _QUOTES)
+                raw = piece["cdata"] if piece["cdata"] is not None else unescape(piece["text"] or "")
                 if raw.strip():
                     return raw.strip()
         return ""
 
     def attributes(self) -> dict[str, str]:
         found = _ATTRIBUTE.finditer(self.opening, len(self.name) + 1)
-        return {match[2]: unescape(match[3][1:-1], _QUOTES) for match in found}
+        return {match[2]: unescape(match[3][1:-1]) for match in found}
 
     def get(self, name: str) -> str | None:
         return self.attributes().get(name)
@@ -283,4 +282,4 @@ class Node:
 
 
 def _quoted(value: str, quote: str = '"') -> str:
-    return quote + escape(value, {quote: "&quot;" if quote == '"' else "&apos;"}) + quote
+    return quote + escape(value, {quote: IN_QUOTES[quote]}) + quote

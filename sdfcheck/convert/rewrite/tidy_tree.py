@@ -7,13 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from xml.sax.saxutils import escape
 
 from sdfcheck.convert.writer import INDENT, declared_prefixes, has_mixed_content, keeps_blanks
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-
-_IN_QUOTES = {'"': "&quot;", "\n": "&#10;", "\t": "&#9;", "\r": "&#13;"}
+from sdfcheck.source.references import IN_ATTRIBUTE, escape
 
 
 class Remark:
@@ -190,7 +188,9 @@ def _write(branch: Branch, indent: str, lines: list[str]) -> None:
 
 
 def _start(branch: Branch) -> str:
-    attributes = "".join(f' {key}="{escape(value, _IN_QUOTES)}"' for key, value in branch.attributes.items())
+    attributes = "".join(
+        f' {key}="{escape(value, IN_ATTRIBUTE)}"' for key, value in branch.attributes.items()
+    )
     return f"<{branch.name}{attributes}"
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+from lxml import etree
+
 from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
@@ -103,6 +105,8 @@ class Context:
 
     def carry_comments(self, element: Element, node: Node) -> None:
         """Write the comments in an element, but those in what is kept as it is."""
+        if next(element.iter(etree.Comment), None) is None:
+            return
         for part in element:
             if (comment := comment_of(part)) is not None:
                 if self.ledger.take_comment(part):

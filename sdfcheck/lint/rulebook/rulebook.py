@@ -44,13 +44,13 @@ class RuleBook:
         """Errors that keep rules of the plugins from being loaded."""
         return self._loaded(settings)[0].faults
 
-    def active(self, settings: Settings, path: Path) -> ActiveRules:
-        """The rules that run on a file.
+    def active(self, settings: Settings, path: Path, less: tuple[str, ...] = ()) -> ActiveRules:
+        """The rules that run on a file, without those that the selectors ``less`` cover.
 
         Raises:
             WrongUsage: a selector names no rule, a target or plugin is unknown.
         """
-        ignored = settings.ignored_for(path)
+        ignored = (*settings.ignored_for(path), *less)
         key = (settings, ignored)
         if key not in self._active:
             if ignored:
@@ -60,13 +60,13 @@ class RuleBook:
                 self._active[key] = self._chosen(settings)
         return self._active[key]
 
-    def dispatch(self, settings: Settings, path: Path) -> Dispatch:
-        """The same in the engine's form; files with the same rules share it."""
-        key = (settings, settings.ignored_for(path))
+    def dispatch(self, settings: Settings, path: Path, less: tuple[str, ...] = ()) -> Dispatch:
+        """The same, as the engine wants it; files with the same rules share it."""
+        key = (settings, (*settings.ignored_for(path), *less))
         if key not in self._dispatch:
             from sdfcheck.lint.engine import Dispatch
 
-            self._dispatch[key] = Dispatch(self.index(settings), self.active(settings, path))
+            self._dispatch[key] = Dispatch(self.index(settings), self.active(settings, path, less))
         return self._dispatch[key]
 
     def _chosen(self, settings: Settings) -> ActiveRules:

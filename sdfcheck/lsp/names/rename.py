@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from xml.sax.saxutils import escape
 
 from sdfcheck.lint.fix.fix import Edit
 from sdfcheck.lsp.names.index import everywhere, occurrences
@@ -14,6 +13,7 @@ from sdfcheck.robot.model import Model
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
+from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.language import BUILT_IN, KEYWORDS, matches
 from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
@@ -56,7 +56,7 @@ def rename(workspace: Workspace, document: Document, occurrence: Occurrence, nam
 
 
 def _written(occurrence: Occurrence, name: str) -> str:
-    return escape(f"{occurrence.before}{name}{occurrence.after}", {'"': "&quot;", "'": "&apos;"})
+    return escape(f"{occurrence.before}{name}{occurrence.after}", IN_QUOTES)
 
 
 def _check_form(symbol: Symbol, name: str) -> None:

@@ -6,7 +6,6 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import escape
 
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
@@ -14,6 +13,7 @@ from sdfcheck.robot.model import Model
 from sdfcheck.robot.naming.references import references
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.scope import Scope
+from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.splice import replaced, splice
 
 if TYPE_CHECKING:
@@ -152,7 +152,7 @@ class Edit:
             self._write(found, text)
         elif is_attribute or (isinstance(part, Part) and part.is_urdf):
             end = self._span(element.document.spans.name(element)).end
-            self._replace(end, end, f' {last}="{_escaped(text)}"')
+            self._replace(end, end, f' {last}="{escape(text, IN_QUOTES)}"')
         else:
             self.add(element, f"<{last}>{escape(text)}</{last}>")
 
@@ -207,10 +207,12 @@ class Edit:
             return
         if value.attribute is not None and not value.text:
             whole = self._span(value.element.document.spans.attribute_whole(value.element, value.attribute))
-            self._replace(whole.start, whole.end, f' {value.attribute}="{_escaped(text)}"')
+            self._replace(whole.start, whole.end, f' {value.attribute}="{escape(text, IN_QUOTES)}"')
             return
         span = self._span(value.span)
-        self._replace(span.start, span.end, _escaped(text) if value.attribute is not None else escape(text))
+        self._replace(
+            span.start, span.end, escape(text, IN_QUOTES) if value.attribute is not None else escape(text)
+        )
 
     def _write_step(self, value: Value, position: int, name: str) -> None:
         """Replace one part of a scoped name."""
@@ -220,10 +222,10 @@ class Edit:
         lead = len(raw) - len(raw.lstrip())
         if raw.strip() != text:  # written with entities
             steps[position] = name
-            self._replace(span.start, span.end, _escaped("::".join(steps)))
+            self._replace(span.start, span.end, escape("::".join(steps), IN_QUOTES))
             return
         start = span.start + lead + sum(len(step) + 2 for step in steps[:position])
-        self._replace(start, start + len(steps[position]), _escaped(name))
+        self._replace(start, start + len(steps[position]), escape(name, IN_QUOTES))
 
     def _span(self, span: Span) -> Span:
         if span.source is not self.root.document.source:
@@ -273,10 +275,6 @@ def _text(value: Writable) -> str:
     if isinstance(value, int | float):
         return repr(float(value) if not isinstance(value, int) else int(value)).removesuffix(".0")
     return " ".join(_text(float(number)) for number in value)
-
-
-def _escaped(text: str) -> str:
-    return escape(text, {'"': "&quot;", "'": "&apos;"})
 
 
 def _indent(text: str, at: int) -> str:

@@ -1,4 +1,4 @@
-"""The conversions that libsdformat makes when it reads an older file, from data/migration.txt.
+"""The conversions that libsdformat makes when it reads an older file.
 
 Where its own interpreter loses something this one does not: a target that exists
 already is kept, missing parents are made in full, and what is renamed keeps its
@@ -7,35 +7,12 @@ attributes and children.
 
 from __future__ import annotations
 
-from functools import cache
-from pathlib import Path
-from typing import NamedTuple
-
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
+from sdfcheck.convert.migrate.up.operations import Operation, operations
 
-_FILE = Path(__file__).parents[2] / "data" / "migration.txt"
 _TRUE = {"true", "1"}
-
-
-class Operation(NamedTuple):
-    """One line: at a place, from here to there; ``@x`` is the attribute ``x`` of the element before it."""
-
-    minor: int
-    name: str
-    at: str
-    source: str
-    target: str
-    value: str
-
-
-@cache
-def operations(minor: int) -> tuple[Operation, ...]:
-    """Those that lead to 1.``minor``, in the order of effect."""
-    lines = (line for line in _FILE.read_text("utf-8").splitlines() if not line.startswith("#"))
-    rows = ((line + "\t" * 5).split("\t")[:6] for line in lines)
-    return tuple(Operation(int(first), *rest) for first, *rest in rows if int(first) == minor)
 
 
 def convert_to(migration: Migration, minor: int) -> None:
