@@ -31,13 +31,13 @@ if TYPE_CHECKING:
 class Input(NamedTuple):
     """A file as it was read, its errors, and the warnings for which the result means another robot to its consumers.
 
-    If the errors stop the conversion, ``is_sound`` is false.
+    ``stopping`` are the errors that stop the conversion.
     """
 
     file: Path
     document: Document | None
     errors: Sequence[Diagnostic] = ()
-    is_sound: bool = True
+    stopping: Sequence[Diagnostic] = ()
     encoding: str = ""
     """The encoding of its bytes, if that is not plain UTF-8."""
     found: Sequence[Diagnostic] | None = None
@@ -100,7 +100,7 @@ class Reader:
             expanded, problems = self._expand(document, settings)
             if expanded is None:
                 document.problems = [*document.problems, *problems]  # type: ignore[list-item]
-                return self._judged(document, settings)._replace(document=None, is_sound=False)
+                return self._judged(document, settings)._replace(document=None)
             document = expanded
         if document.kind not in kinds or document.root is None:
             names = " or ".join(kinds.values())
@@ -125,8 +125,8 @@ class Reader:
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file))
         shown = [one for one in found if one.severity is Severity.ERROR or means_another_robot(one)]
-        stopping = obstacles(found, own_consumer(document), ELSEWHERE)
-        return Input(file, document, shown, not stopping, found=found)
+        stopping = obstacles(found, own_reader(document), ELSEWHERE)
+        return Input(file, document, shown, stopping, found=found)
 
     def judge(self, given: Input, result: Document) -> list[Loss]:
         """The errors of a result that its source does not have; none if nobody has looked at the source."""

@@ -32,6 +32,8 @@ class Outcome(NamedTuple):
     failed: bool = False
     is_unsound: bool = False
     """Whether errors of the source stopped it."""
+    stopping: Sequence[Diagnostic] = ()
+    """For what it is not written."""
     broken: Span | None = None
     """Where the text of the source is not XML."""
     also_by: str = ""
@@ -45,7 +47,8 @@ class Outcome(NamedTuple):
             return self
         from sdfcheck.convert.loss import to_diagnostic
 
-        return self._replace(losses=[*self.losses, *map(to_diagnostic, errors)], failed=True)
+        found = [*map(to_diagnostic, errors)]
+        return self._replace(losses=[*self.losses, *found], failed=True, stopping=found)
 
     @property
     def has_losses(self) -> bool:
@@ -73,12 +76,12 @@ class Outcome(NamedTuple):
 
     @property
     def reason(self) -> str:
-        """Why nothing is written: the gravest finding."""
-        grave = max(self.diagnostics, key=lambda one: one.severity.rank, default=None)
-        if grave is None:
+        """Why nothing is written."""
+        first = next(iter((*self.stopping, *self.diagnostics)), None)
+        if first is None:
             return "it has errors"
-        line, column = grave.span.begin
-        return f"{grave.message} ({line}:{column}, {grave.code})"
+        line, column = first.span.begin
+        return f"{first.message} ({line}:{column}, {first.code})"
 
 
 def converted(given: Input, convert: Convert, request: Request) -> Outcome:
@@ -86,12 +89,14 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
     from sdfcheck.convert.broken_text import guess_in
     from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 
-    if given.document is None or not given.is_sound:
-        return Outcome(given.file, given.errors, failed=True, is_unsound=given.document is not None)
+    if given.document is None or given.stopping:
+        is_unsound = given.document is not None
+        return Outcome(given.file, given.errors, failed=True, is_unsound=is_unsound, stopping=given.stopping)
     try:
         done = convert(given.document, request.verify)
     except NotConvertible as error:
-        return Outcome(given.file, given.errors, [to_diagnostic(error.loss)], failed=True)
+        refused = [to_diagnostic(error.loss)]
+        return Outcome(given.file, given.errors, refused, failed=True, stopping=refused)
     losses = [to_diagnostic(loss) for loss in done.losses]
     different = _differences(done, given.document, request)
     return Outcome(
@@ -100,6 +105,7 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
         [*losses, *different],
         done,
         bool(different),
+        stopping=different,
         broken=guess_in(given.document) if request.verify else None,
         also_by=request.verify_with or "",
         encoding=given.encoding,
