@@ -160,11 +160,11 @@ class _Comparison:
     def compare_at(self, positions: Positions) -> None:
         ours = link_poses(self.source, positions)
         theirs = link_poses(self.result, self.translate(with_followers(self.source, positions)))
-        root = self.to.link(self.compared[0])
-        our_root, their_root = inverse(ours[self.compared[0]]), inverse(theirs[root.link] @ root.offset)
-        here = _stacked([our_root @ ours[name] for name in self.compared])
         seen = [self.to.link(name) for name in self.compared]
-        there = _stacked([their_root @ (theirs[one.link] @ one.offset) for one in seen])
+        here = _stacked([ours[name] for name in self.compared])
+        there = _stacked([theirs[one.link] for one in seen]) @ np.stack([one.offset for one in seen])[:, None]
+        our_root, their_root = inverse(here[0]), inverse(there[0])
+        here, there = our_root @ here, their_root @ there
         positions_apart = np.linalg.norm(here[..., :3, 3] - there[..., :3, 3], axis=-1)
         angles_apart = angles_between(here[..., :3, :3], there[..., :3, :3])
         self.position, self.angle = float(positions_apart.max()), float(angles_apart.max())

@@ -192,14 +192,17 @@ def declared_prefixes(element: Element) -> dict[str, str]:
     }
 
 
-def undeclared_prefixes(node: Node | Comment | Words) -> set[str]:
+def undeclared_prefixes(root: Node) -> set[str]:
     """The prefixes of names below a node that nothing declares there."""
-    if not isinstance(node, Node):
-        return set()
-    found = set[str]().union(*map(undeclared_prefixes, node.children))
-    names = [name.split(":", 1) for name in (node.name, *node.attributes) if ":" in name]
-    found.update(prefix for prefix, _ in names if prefix != "xmlns")
-    return found.difference((name for prefix, name in names if prefix == "xmlns"), ("xml",))
+    found: set[str] = set()
+    waiting: list[tuple[Node, tuple[str, ...]]] = [(root, ("xml", "xmlns"))]
+    while waiting:
+        node, declared = waiting.pop()
+        if names := [name.split(":", 1) for name in (node.name, *node.attributes) if ":" in name]:
+            declared = (*declared, *(name for prefix, name in names if prefix == "xmlns"))
+            found.update(prefix for prefix, _ in names if prefix not in declared)
+        waiting += [(child, declared) for child in node.children if isinstance(child, Node)]
+    return found
 
 
 def number(value: float) -> str:
