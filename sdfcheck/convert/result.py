@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from sdfcheck.convert.broken_text import guess_in
@@ -16,11 +15,11 @@ from sdfcheck.convert.verify import Correspondence, verify
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 
 
-@dataclass(frozen=True, slots=True)
-class Comparison:
+class Comparison(Record):
     """The two robots, each read from its own text by the parser of its format, and what became of what."""
 
     source: Mechanism
@@ -37,8 +36,7 @@ class Comparison:
         return verify(self.source, self.result, self.correspondence, settings=settings)
 
 
-@dataclass(frozen=True, slots=True)
-class Conversion:
+class Conversion(Record):
     """A finished conversion; ``comparisons`` (one for each model) are what there is to verify.
 
     ``document`` is the ``text``, read as a file beside the source.

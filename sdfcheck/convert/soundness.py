@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 
 from sdfcheck.consumers.reaction import Consumer, Verdict
-from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -19,22 +19,29 @@ _KEPT = frozenset({"INR", "RES"})
 
 def new_errors(
     source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
-) -> list[Loss]:
-    """The errors of a result, linted without what is ``ELSEWHERE``, that its source does not have.
+) -> list[Diagnostic]:
+    """The errors for which a result, linted without what is ``ELSEWHERE``, is not written.
 
-    Each is placed at the element of the source that has the name of what it is in.
+    Those that its source does not have are placed at the element of the source that has the name of what
+    they are in. Those of the source in ``<gazebo>`` blocks, which only results' consumers read, stand for themselves.
     """
     found = [one for one in after if one.severity is Severity.ERROR]
     if not found:
         return []
-    had = Counter(one.code for one in before if not _is_for_the_result(source, one))
+    before = tuple(before)
+    own = [one for one in before if _is_for_the_result(source, one)]
+    had = Counter(one.code for one in before) - Counter(one.code for one in own)
     now = Counter(one.code for one in found)
+    fresh = [one for one in found if now[one.code] > had[one.code]]
+    repeated = {(one.code, one.message) for one in fresh}
+    known = [one for one in own if (one.code, one.message) in repeated]
+    said = {(one.code, one.message) for one in known}
     losses = {
         loss_at(_counterpart(source, result, one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
-        for one in found
-        if now[one.code] > had[one.code]
+        for one in fresh
+        if (one.code, one.message) not in said
     }
-    return sorted(losses, key=lambda loss: (loss.span.start, loss.message))
+    return [*known, *map(to_diagnostic, sorted(losses, key=lambda loss: (loss.span.start, loss.message)))]
 
 
 def _is_for_the_result(source: Document, error: Diagnostic) -> bool:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from sdfcheck.source.record import Record
 
 
-@dataclass(frozen=True, slots=True)
-class Difference:
+class Difference(Record):
     """One thing in which source and result are not equal."""
 
     what: str
@@ -15,9 +16,8 @@ class Difference:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
-class Verification:
-    """The compared parts, and the largest differences that were found (m, rad, relative for the mass)."""
+class Verification(Record):
+    """What was compared, and the largest differences that were met (m, rad, relative for the mass)."""
 
     links: int
     configurations: int
@@ -25,8 +25,8 @@ class Verification:
     angle: float
     inertia: float
     differences: tuple[Difference, ...]
-    counts: Mapping[str, int] = field(default_factory=dict)
-    """The other compared parts: joints, shapes, sensors, plugins and so on."""
+    counts: Mapping[str, int] = MappingProxyType({})
+    """What else was compared: joints, shapes, sensors, plugins and so on."""
 
     @property
     def is_equal(self) -> bool:

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -26,28 +27,30 @@ from sdfcheck.robot.motion.kinematics import (
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Mechanism
 from sdfcheck.robot.motion.rotations import Array, angles_between, inverse
+from sdfcheck.source.record import Record
 
 TOLERANCE = 1e-9
 CONFIGURATIONS = 64
 _ENDLESS = 1e15
-"""Bounds from here on mean unlimited, for formats that require a number."""
+"""Bounds from here on mean none, for formats that want a number."""
+_IN_PLACE = np.eye(4)
+_IN_PLACE.flags.writeable = False
+_NONE: Mapping[str, Any] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
-class Counterpart:
+class Counterpart(Record):
     """Where a link of the source is in the result: the link, and the 4×4 pose of the source's frame in it."""
 
     link: str
-    offset: Array = field(default_factory=lambda: np.eye(4))
+    offset: Array = _IN_PLACE
 
 
-@dataclass(frozen=True, slots=True)
-class Correspondence:
-    """The outcomes of the source's links and joints; other parts keep their names, or are ``dropped``."""
+class Correspondence(Record):
+    """What became of the source's links and joints; what is not named keeps its name, or is ``dropped``."""
 
-    links: Mapping[str, Counterpart] = field(default_factory=dict)
-    joints: Mapping[str, str] = field(default_factory=dict)
-    parts: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    links: Mapping[str, Counterpart] = _NONE
+    joints: Mapping[str, str] = _NONE
+    parts: Mapping[str, tuple[str, ...]] = _NONE
     """Source joints that became several: the joint for each axis."""
     unlimited: float = _ENDLESS
     """Bounds from here on mean none."""

@@ -23,7 +23,6 @@ from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.convert.loss import Loss
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander
 
@@ -128,8 +127,8 @@ class Reader:
         stopping = obstacles(found, own_reader(document), ELSEWHERE)
         return Input(file, document, shown, stopping, found=found)
 
-    def judge(self, given: Input, result: Document) -> list[Loss]:
-        """The errors of a result that its source does not have; none if nobody has looked at the source."""
+    def judge(self, given: Input, result: Document) -> list[Diagnostic]:
+        """The errors for which a result is not written; none if nobody has looked at the source."""
         source = given.document
         if given.found is None or source is None:
             return []

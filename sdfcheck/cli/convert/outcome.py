@@ -11,7 +11,6 @@ from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input
-    from sdfcheck.convert.loss import Loss
     from sdfcheck.convert.result import Conversion
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
@@ -41,14 +40,12 @@ class Outcome(NamedTuple):
     encoding: str = ""
     """That of the source, where the result has another."""
 
-    def judged(self, errors: Sequence[Loss]) -> Outcome:
-        """With the errors of the result, for which it is not written."""
+    def judged(self, errors: Sequence[Diagnostic]) -> Outcome:
+        """With the errors for which the result is not written."""
         if not errors:
             return self
-        from sdfcheck.convert.loss import to_diagnostic
-
-        found = [*map(to_diagnostic, errors)]
-        return self._replace(losses=[*self.losses, *found], failed=True, stopping=found)
+        new = [one for one in errors if one not in self.errors]
+        return self._replace(losses=[*self.losses, *new], failed=True, stopping=errors)
 
     @property
     def has_losses(self) -> bool:

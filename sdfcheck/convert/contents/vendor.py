@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from functools import cache
 
 from sdfcheck.convert.contents.entry import Entry
 from sdfcheck.formats.vendor.carriers import value_at
@@ -113,6 +114,7 @@ def tag_of(name: str, kind: Kind) -> Tag | None:
     return None
 
 
+@cache
 def seen_from_links() -> frozenset[str]:
     """The tags, without prefix, whose numbers change when the frame of a link does."""
     tables = (_vendor(Kind.SDF, table.name) for table in BUILT_IN)

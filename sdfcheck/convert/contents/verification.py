@@ -74,7 +74,6 @@ class _Excuses:
 
     def __init__(self, losses: Sequence[Loss], translated: frozenset[Element]) -> None:
         self.translated = translated
-        self.seen_from_links = seen_from_links()
         self.spans = {
             (loss.span.source.path, loss.span.start) for loss in losses if loss.kind not in _NO_EXCUSE
         }
@@ -85,7 +84,7 @@ class _Excuses:
         """The names in what is reported at includes."""
 
     def excuse(self, one: Divergence, part: Entry) -> bool:
-        if any(path in one.path for path in _NOT_COMPARED) or _last(one.path) in self.seen_from_links:
+        if any(path in one.path for path in _NOT_COMPARED) or _last(one.path) in seen_from_links():
             return True
         if one.element in self.translated and one.element is not part.element:
             return True

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 
 from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.source.record import Record
 
 
 class FixedJoints(Enum):
@@ -36,8 +36,7 @@ class PackageUris(Enum):
     MODEL = "model"
 
 
-@dataclass(frozen=True, slots=True)
-class Options:
+class Options(Record):
     version: Version = NEWEST
     fixed_joints: FixedJoints = FixedJoints.KEEP
     massless: Massless = Massless.MERGE

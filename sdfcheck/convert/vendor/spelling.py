@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -185,11 +186,14 @@ def uses(root: Element, prefix: str) -> bool:
     return any(e.name.startswith(mark) or any(n.startswith(mark) for n in e.attributes) for e in elements)
 
 
-def spellings(source: Kind, target: Kind, around: Surroundings) -> dict[str, Spelling]:
-    """Prefix → how to write its tags, of all that a table is about."""
+def spellings(
+    source: Kind, target: Kind, around: Surroundings, mentions: Callable[[str], bool] = lambda _: True
+) -> dict[str, Spelling]:
+    """Prefix → how to write its tags, of all that a table is about and that the source ``mentions``."""
     return {
         prefix_of(table): Spelling(vendor(table, source.value), vendor(table, target.value), around)
         for table in BUILT_IN
+        if mentions(f"{prefix_of(table)}:")
     }
 
 

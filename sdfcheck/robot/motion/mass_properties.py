@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.source.record import NamedTuple
 
 
-@dataclass(frozen=True, slots=True)
-class MassProperties:
+class MassProperties(NamedTuple):
     """Mass (kg), center of mass (m) and inertia tensor (kg·m²) about it, in the axes of one frame."""
 
     mass: float

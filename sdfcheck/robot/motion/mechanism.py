@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.element import Element
+from sdfcheck.source.record import NamedTuple
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +43,7 @@ class Link:
     geometries: list[Geometry] = field(default_factory=list)
 
 
-@dataclass(frozen=True, slots=True)
-class Mimic:
+class Mimic(NamedTuple):
     """position = multiplier · (position of the leader - reference) + offset."""
 
     leader: str

@@ -227,20 +227,6 @@ def test_errors_of_the_source_stop_it(urdf: Path, tmp_path: Path, capsys: pytest
     assert not target.exists()
 
 
-def test_the_table_names_the_error_that_stopped_it(
-    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    wrong = tmp_path / "wrong.urdf"
-    impossible = BOX.replace('ixx="1"', 'ixx="9"')
-    wrong.write_text(
-        f'<robot name="r"><link name="a">{impossible}</link>\n<link name="b"/>'
-        '<joint name="j" type="round"><parent link="a"/><child link="b"/></joint></robot>'
-    )
-    assert run(urdf, wrong, "--output-dir", tmp_path / "out") == 1
-    (row,) = (line for line in capsys.readouterr().err.splitlines() if line.startswith("not written"))
-    assert "`round`" in row and "SCH015" in row
-
-
 def test_errors_that_urdfdom_does_not_mind_are_shown_and_do_not_stop(
     urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

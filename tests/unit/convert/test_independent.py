@@ -9,6 +9,7 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.convert.independent import differences
+from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.source.document import read
@@ -61,8 +62,9 @@ def test_it_contradicts_a_result_that_is_another_robot() -> None:
     turn = comparison.result.joints["turn"]
     turned = replace(turn, axes=(replace(turn.axes[0], direction=-turn.axes[0].direction),))
     joints = {**comparison.result.joints, "turn": turned}
-    wrong = replace(comparison, result=replace(comparison.result, joints=joints))
-    found = differences(replace(done, comparisons=(wrong,)), document)
+    result = replace(comparison.result, joints=joints)
+    wrong = Comparison(comparison.source, result, comparison.correspondence)
+    found = differences(Conversion(done.text, done.document, comparisons=(wrong,)), document)
     assert {one.name for one in found} == {"arm", "hand"}
 
 

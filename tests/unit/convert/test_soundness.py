@@ -24,6 +24,20 @@ def robot(inside: str = "", after: str = "") -> Document:
     return read(f'<robot name="r">{LINK.format(inside)}{after}</robot>'.encode(), Path("r.urdf"))
 
 
+def test_the_table_names_the_error_that_stopped_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    joint = '<link name="b"/>\n<joint name="j" type="round"><parent link="l"/><child link="b"/></joint>'
+    for name, impossible in (("a", "1"), ("b", "9")):
+        text = f'<robot name="r">{LINK.format("")}\n{joint}</robot>'.replace('ixx="1"', f'ixx="{impossible}"')
+        (tmp_path / f"{name}.urdf").write_text(text)
+    assert main(["convert", "urdf-to-sdf", str(tmp_path), "--output-dir", str(tmp_path), "--isolated"]) == 1
+    rows = [line for line in capsys.readouterr().err.splitlines() if line.startswith("not written")]
+    assert [row.partition(": ")[2] for row in rows] == [
+        "unknown `type` of joint `j`: `round` (3:23, SCH015)"
+    ] * 2
+
+
 def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     source, target = tmp_path / "r.urdf", tmp_path / "r.sdf"
     source.write_text(
@@ -32,10 +46,10 @@ def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest
     )
     arguments = ["convert", "urdf-to-sdf", str(source), "-o", str(target), "--isolated", "--color", "never"]
     assert main(arguments) == 1
-    out = capsys.readouterr().out
-    assert "CNV031" in out
-    assert f"{source}:2:24" in out
-    assert "unknown `type` of sensor `s`: `camra`" in out
+    out, err = capsys.readouterr()
+    assert out.count("`camra`") == 1, "the source's own finding says it"
+    assert "CNV031" not in out
+    assert "nothing written" in err
     assert not target.exists()
     assert main([*arguments, "--no-lint"]) == 0
     assert target.exists()
