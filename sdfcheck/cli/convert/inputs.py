@@ -99,7 +99,12 @@ class Reader:
             expanded, problems = self._expand(document, settings)
             if expanded is None:
                 document.problems = [*document.problems, *problems]  # type: ignore[list-item]
-                return self._judged(document, settings)._replace(document=None)
+                judged = self._judged(document, settings)
+                # An argument that lacks its value is a warning, since others may give it one.
+                why = judged.stopping or [
+                    one for one in judged.found or () if one.severity is Severity.WARNING
+                ]
+                return judged._replace(document=None, errors=judged.errors or why, stopping=why)
             document = expanded
         if document.kind not in kinds or document.root is None:
             names = " or ".join(kinds.values())

@@ -76,7 +76,7 @@ class Outcome(NamedTuple):
         """Why nothing is written."""
         first = next(iter((*self.stopping, *self.diagnostics)), None)
         if first is None:
-            return "it has errors"
+            return "it cannot be expanded"
         line, column = first.span.begin
         return f"{first.message} ({line}:{column}, {first.code})"
 

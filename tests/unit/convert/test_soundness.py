@@ -38,6 +38,15 @@ def test_the_table_names_the_error_that_stopped_it(
     ] * 2
 
 
+def test_a_xacro_file_that_lacks_an_argument_is_refused_with_this_reason(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = tmp_path / "r.xacro"
+    source.write_text('<robot name="$(arg n)" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
+    assert main(["convert", "urdf-to-sdf", str(source), "-o", str(tmp_path / "r.sdf"), "--isolated"]) == 1
+    assert "argument `n` has no value" in capsys.readouterr().out
+
+
 def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     source, target = tmp_path / "r.urdf", tmp_path / "r.sdf"
     source.write_text(
