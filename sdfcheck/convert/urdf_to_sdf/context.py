@@ -144,7 +144,7 @@ class Context:
         made = copied(element)
         if element.is_custom:
             self.ledger.copy(element)
-            self._name_anew(element, made, node)
+            self.name_anew(element, made, node)
             node.append(made)
             return
         self.ledger.take_whole(element)
@@ -159,7 +159,7 @@ class Context:
             }
         node.append(made)
 
-    def _name_anew(self, element: Element, made: Node, node: Node) -> None:
+    def name_anew(self, element: Element, made: Node, node: Node) -> None:
         """Give custom data at the model a name that nothing there has."""
         if node.name == "model" and (own := made.attributes.get("name")) is not None:
             name = made.attributes["name"] = self.plan.names.free(own)

@@ -124,6 +124,8 @@ class Extensions:
             return
         made = copied_entry(self.context, entry, model)
         model.append(made)
+        if entry.is_custom:
+            self.context.name_anew(entry, made, model)
         if entry.name not in {"link", "joint", "frame", "model"}:
             return
         own = made.attributes.get("name", "")

@@ -126,3 +126,9 @@ def test_in_urdf_as_well() -> None:
     )
     done = convert(read(text.encode(), Path("m.sdf")))
     assert done.text.count("<stddev>0.01</stddev>") == 3
+
+
+def test_a_custom_element_of_a_block_gets_a_name_that_nothing_in_the_model_has() -> None:
+    done = urdf_to_sdf(robot(after='<gazebo><x:tag name="l" xmlns:x="urn:x"/></gazebo>'), Options())
+    assert 'name="l_2"' in done.text
+    assert [loss.message for loss in done.losses] == ["x:tag `l` is named `l_2`"]
