@@ -244,8 +244,23 @@ class LossKind(Enum):
 
     @property
     def facts(self) -> RuleFacts:
-        """The facts of the kind, in the form of a rule's; the severity is the highest."""
-        fatal = self in {LossKind.NOT_CONVERTIBLE, LossKind.NOT_VERIFIED, LossKind.UNSOUND_RESULT}
-        severity = Severity.ERROR if fatal else Severity.WARNING
+        """What there is to say of the kind, the way it is said of rules; the severity is the highest."""
+        severity = Severity.ERROR if self in _GRAVE else Severity.WARNING
         about = self.value[2]
         return RuleFacts(self.code, self.title, FAMILY, severity, about, "", True, (), (), {}, __name__)
+
+
+_FATAL = frozenset({LossKind.NOT_CONVERTIBLE, LossKind.NOT_VERIFIED, LossKind.UNSOUND_RESULT})
+"""For these nothing is written."""
+_GRAVE = _FATAL | {
+    LossKind.APPROXIMATED_JOINT,
+    LossKind.CHANGED_INERTIA,
+    LossKind.CLOSED_LOOP,
+    LossKind.DROPPED_ELEMENT,
+    LossKind.DROPPED_MIMIC,
+    LossKind.UNKNOWN_REFERENCE,
+    LossKind.UNSUPPORTED_GEOMETRY,
+}
+"""These can be errors."""
+VARYING = frozenset(kind.code for kind in set(LossKind) - _FATAL)
+"""The codes of kinds whose severity belongs to the case."""

@@ -20,7 +20,8 @@ def by_file_and_code(diagnostics: Iterable[Diagnostic], paths: Paths, paint: Pai
     for first, *others in groups.values():
         line = concise_line(first, paths, paint)
         if others:
-            places = dict.fromkeys(f"{at.line}:{at.column}" for at in (each.span.begin for each in others))
+            places = dict.fromkeys("{}:{}".format(*each.span.begin) for each in others)
+            places.pop("{}:{}".format(*first.span.begin), None)
             shown = ", ".join(list(places)[:_PLACES]) + (", …" if len(places) > _PLACES else "")
-            line += paint(f" and {len(others)} more, at {shown}", Ink.FAINT)
+            line += paint(f" and {len(others)} more" + (f", at {shown}" if shown else " there"), Ink.FAINT)
         yield line

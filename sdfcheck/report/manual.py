@@ -13,6 +13,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from sdfcheck.consumers.reaction import READS, Reaction
+from sdfcheck.convert.loss_kind import VARYING
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.rulebook.example_run import ExampleRunner, file_name
@@ -186,7 +187,8 @@ def _sections(page: Manual) -> Iterator[str]:
     fix = f"{facts.fixable} fix" if facts.fixable else "no fix"
     when = "on by default" if facts.default else "preview: off unless selected"
     since = f" · since {page.since}" if page.since else ""
-    yield f"**{facts.severity.value}** · {when} · {fix}{since}"
+    level = f"up to {facts.severity.value}, by case" if facts.code in VARYING else facts.severity.value
+    yield f"**{level}** · {when} · {fix}{since}"
     yield page.documentation
     if facts.affects:
         yield "## What consumers do"

@@ -10,6 +10,7 @@ import pytest
 from sdfcheck.cli.main import main
 from sdfcheck.convert import loss_table
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.rulebook.packs import load_index
 
 ROOT = Path(__file__).parents[3]
@@ -33,6 +34,16 @@ def test_each_says_what_is_lost_and_why(kind: LossKind, capsys: pytest.CaptureFi
     out = capsys.readouterr().out
     assert out.startswith(f"# {kind.title} ({kind.code})\n")
     assert summary in out
+
+
+def test_none_is_graver_than_its_page_says() -> None:
+    files = (ROOT / "fixtures" / "convert").rglob("losses.txt")
+    lines = [line for file in files for line in file.read_text().splitlines()]
+    said = [re.match(r"[\d:]+ (info|warning|error)\W([\w-]+)", line) for line in lines]
+    highest = {name: kind.facts.severity for kind in LossKind for name in (kind.code, kind.title)}
+    found = {(match[2], Severity(match[1])) for match in said if match}
+    assert len(found) > 40
+    assert [one for one in found if not highest[one[0]] >= one[1]] == []
 
 
 def test_they_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
