@@ -192,6 +192,21 @@ def declared_prefixes(element: Element) -> dict[str, str]:
     }
 
 
+def declare(node: Node, element: Element, prefix: str, top: dict[str, str]) -> None:
+    """Let a node that gets data of an element say what the prefix is there, unless the ``top`` of the result does.
+
+    ``top`` is prefix → URI; a prefix that is not in it gets what the root of the source says.
+    """
+    uri = element.nsmap.get(prefix)
+    root = element.document.root
+    if uri is None or prefix == "xml" or root is None:
+        return
+    if top.setdefault(prefix, root.nsmap.get(prefix) or uri) != uri:
+        node.attributes.setdefault(f"xmlns:{prefix}", uri)
+    elif node.attributes.get(f"xmlns:{prefix}") == uri:
+        del node.attributes[f"xmlns:{prefix}"]
+
+
 def undeclared_prefixes(root: Node) -> set[str]:
     """The prefixes of names below a node that nothing declares there."""
     found: set[str] = set()

@@ -99,12 +99,7 @@ class Reader:
             expanded, problems = self._expand(document, settings)
             if expanded is None:
                 document.problems = [*document.problems, *problems]  # type: ignore[list-item]
-                judged = self._judged(document, settings)
-                # An argument that lacks its value is a warning, since others may give it one.
-                why = judged.stopping or [
-                    one for one in judged.found or () if one.severity is Severity.WARNING
-                ]
-                return judged._replace(document=None, errors=judged.errors or why, stopping=why)
+                return _unexpanded(self._judged(document, settings))
             document = expanded
         if document.kind not in kinds or document.root is None:
             names = " or ".join(kinds.values())
@@ -146,6 +141,14 @@ class Reader:
             before = [*given.found, *(one for other in brought for one in lint_document(other, dispatch))]
             found = new_errors(source, before, result, after)
         return found
+
+
+def _unexpanded(judged: Input) -> Input:
+    """A file that cannot be expanded, with the reasons."""
+    # An argument that lacks its value is a warning, since others may give it one.
+    warnings = [one for one in judged.found or () if one.severity is Severity.WARNING]
+    why = judged.stopping or warnings
+    return judged._replace(document=None, errors=judged.errors or why, stopping=why)
 
 
 def _included(document: Document) -> list[Document]:

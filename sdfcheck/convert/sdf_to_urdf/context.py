@@ -46,6 +46,8 @@ class Context:
     """Is the URDF's root a link for the world?"""
     blobs: dict[str, Node] = field(default_factory=dict)
     """The ``gazebo`` elements by what they refer to, written last."""
+    namespaces: dict[str, str] = field(default_factory=dict)
+    """Prefix → what it is at the root of the result."""
     parts: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """Source joint → the joints for each of its axes."""
     kept: set[str] = field(default_factory=set)

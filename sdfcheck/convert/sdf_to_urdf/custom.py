@@ -6,7 +6,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
-from sdfcheck.convert.writer import Node, copied
+from sdfcheck.convert.writer import Node, copied, declare, undeclared_prefixes
 from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
@@ -24,7 +24,7 @@ def carry_custom(context: Context, node: Node, element: Element | None, scope: s
     for name, text in element.attributes.items():
         if ":" not in name:
             continue
-        _declare(context, element, name)
+        declare(node, element, name.partition(":")[0], context.namespaces)
         _carry_attribute(context, node, element, name, text, VendorTags(context, scope))
     for child in element.children():
         if not child.is_custom or child.name == PARAMETERS:
@@ -32,11 +32,11 @@ def carry_custom(context: Context, node: Node, element: Element | None, scope: s
         if node is context.root and child.name in _OF_URDF:
             _give_back(context, child)
             continue
-        _declare(context, child, child.name)
         if VendorTags(context, scope).put(child, node):
             continue
         copy = copied(child)
-        copy.attributes.pop(f"xmlns:{child.name.partition(':')[0]}", None)
+        for prefix in {child.name.partition(":")[0], *undeclared_prefixes(copy)}:
+            declare(copy, child, prefix, context.namespaces)
         follow_names(context, copy, child, scope)
         node.append(copy)
         message = f"`{child.name}` is carried over for those who read it; poses in it are not translated"
@@ -91,12 +91,6 @@ def has_custom(element: Element) -> bool:
     return any(":" in name for name in element.attributes) or any(
         child.is_custom for child in element.children()
     )
-
-
-def _declare(context: Context, element: Element, name: str) -> None:
-    prefix = name.partition(":")[0]
-    if prefix != "xml" and (uri := element.nsmap.get(prefix)):
-        context.root.attributes.setdefault(f"xmlns:{prefix}", uri)
 
 
 def namespace_of(prefix: str) -> str:

@@ -11,7 +11,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.old_sensors import renew
 from sdfcheck.convert.urdf_to_sdf.context import Context
 from sdfcheck.convert.urdf_to_sdf.naming import legal
-from sdfcheck.convert.writer import Node, copied
+from sdfcheck.convert.writer import Node
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 
@@ -21,7 +21,7 @@ _SINGLE = frozenset({"light", "particle_emitter", "projector", "sensor"})
 
 def copied_entry(context: Context, entry: Element, holder: Node) -> Node:
     """The copy of an entry of a block, entered as such; ``holder`` is where it goes."""
-    made = copied(entry)
+    made = context.copied(entry)
     context.ledger.copy(entry)
     _settle_names(context, entry, made, holder)
     if renew(made, context.options.version):

@@ -14,7 +14,15 @@ from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.settings import value_of
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
 from sdfcheck.convert.urdf_to_sdf.words import WORDS
-from sdfcheck.convert.writer import Node, comment_of, copied, numbers, spaced
+from sdfcheck.convert.writer import (
+    Node,
+    comment_of,
+    copied,
+    declare,
+    numbers,
+    spaced,
+    undeclared_prefixes,
+)
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
@@ -42,6 +50,8 @@ class Context:
     """Joints that do not follow another any more."""
     overruled: dict[str, dict[str, float]] = field(default_factory=dict)
     """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
+    namespaces: dict[str, str] = field(default_factory=dict)
+    """Prefix → what it is at the root of the result."""
     reported: set[str] = field(default_factory=set)
     vendors: VendorTags = field(init=False)
     """The writer of vendors' tags in SDFormat."""
@@ -88,6 +98,7 @@ class Context:
                 message = f"attribute `{name}` of {element.title} is left out: there is another one"
                 self.ledger.lose_attribute(element, name, message)
             elif own == name:
+                declare(node, element, name.partition(":")[0], self.namespaces)
                 self.ledger.copy_attribute(element, name)
             else:
                 message = (
@@ -132,6 +143,13 @@ class Context:
         self.lose(setting, LossKind.EXTENSION_NOT_CARRIED, message)
         return None
 
+    def copied(self, element: Element) -> Node:
+        """A copy of an element, with the prefixes declared that are others at the root of the result."""
+        made = copied(element)
+        for prefix in undeclared_prefixes(made):
+            declare(made, element, prefix, self.namespaces)
+        return made
+
     def keep(self, element: Element, node: Node) -> None:
         """Carry something over that the target has no word for, under a prefix of its own."""
         if element.name.startswith("xacro:"):
@@ -141,7 +159,7 @@ class Context:
         if self.vendors.put(element, node):
             self.ledger.take_whole(element)
             return
-        made = copied(element)
+        made = self.copied(element)
         if element.is_custom:
             self.ledger.copy(element)
             self.name_anew(element, made, node)

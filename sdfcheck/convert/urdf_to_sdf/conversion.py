@@ -250,9 +250,9 @@ class _Writer:
 
     def _declare(self) -> None:
         """Declare the prefixes that the text uses, as the source does."""
-        known = {prefix: uri for prefix, uri in self.root.nsmap.items() if prefix}
         for prefix in sorted(undeclared_prefixes(self.model)):
-            uri = known.get(prefix) or _NAMESPACES.get(prefix) or f"urn:{prefix}"
+            given = self.context.namespaces.get(prefix) or self.root.nsmap.get(prefix)
+            uri = given or _NAMESPACES.get(prefix) or f"urn:{prefix}"
             self.sdf.attributes[f"xmlns:{prefix}"] = uri
 
 

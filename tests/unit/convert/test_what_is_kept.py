@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from lxml import etree
 
 from sdfcheck.cli.main import main
 from sdfcheck.convert.call import convert
@@ -128,3 +129,24 @@ def test_the_frame_of_a_merged_include(tmp_path: Path, capsys: pytest.CaptureFix
     write(tmp_path, {"other.sdf": other, "model.sdf": model})
     assert main(["print", "--isolated", "--expand-includes", str(tmp_path / "model.sdf")]) == 0
     assert '<pose relative_to="__model__">1 0 0 0 0 0</pose>' in capsys.readouterr().out
+
+
+TWICE_IN_URDF = (
+    f'<robot name="r" xmlns:x="urn:1"><link name="a" x:one="">{BODY}<x:two xmlns:x="urn:2" x:two=""><x:two/>'
+    '</x:two><visual xmlns:x="urn:3" x:three=""><geometry><box size="1 1 1"/></geometry><x:three/></visual>'
+    '</link><gazebo xmlns:y="urn:4"><y:four/></gazebo></robot>'
+)
+TWICE_IN_SDF = (
+    '<sdf version="1.9" xmlns:x="urn:1"><model name="m" x:one=""><link name="a"><x:two xmlns:x="urn:2" '
+    'x:two=""><x:two/></x:two><visual name="v" xmlns:x="urn:3" x:three="" xmlns:y="urn:4" y:four=""><geometry>'
+    "<box><size>1 1 1</size></box></geometry><x:three/></visual></link></model></sdf>"
+)
+
+
+@pytest.mark.parametrize(("to", "text"), [("sdf", TWICE_IN_URDF), ("urdf", TWICE_IN_SDF)])
+def test_a_prefix_that_is_declared_twice_means_what_it_meant(to: str, text: str) -> None:
+    def names(text: str) -> list[str]:
+        elements = etree.fromstring(text.encode()).iter("{*}*")
+        return sorted(name for each in elements for name in (each.tag, *each.attrib) if name[0] == "{")
+
+    assert names(convert(text, to).text) == names(text)
