@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from sdfcheck.cli.convert.outcome import Convert
     from sdfcheck.cli.convert.reporting import Reporting
     from sdfcheck.convert.result import Conversion
+    from sdfcheck.source.document import Document
 
 COMMANDS = {
     "urdf-to-sdf": LazyCommand("sdfcheck.cli.convert.urdf_to_sdf:urdf_to_sdf", "URDF or xacro to SDFormat."),
@@ -104,7 +105,17 @@ def convert_files(
                 _give_up(file, files, error, done)
                 continue
             done.add(outcome, target)
+            if len(files) > 1:
+                _release(given.document, outcome.conversion)
     return done.finish()
+
+
+def _release(source: Document | None, done: Conversion | None) -> None:
+    """Let go of trees and robots: they refer to themselves, and those of many files would pile up."""
+    if source is not None:
+        source.release()
+    if done is not None:
+        done.document.release()
 
 
 def _give_up(file: Source, files: Sequence[Source], error: WrongUsage, done: Reporting) -> None:

@@ -12,6 +12,7 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input
     from sdfcheck.convert.result import Conversion
+    from sdfcheck.convert.verification import Verification
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
     from sdfcheck.source.text import Span
@@ -28,6 +29,8 @@ class Outcome(NamedTuple):
     """Those of the source."""
     losses: Sequence[Diagnostic] = ()
     conversion: Conversion | None = None
+    """The result, until it is written."""
+    verification: Verification | None = None
     failed: bool = False
     is_unsound: bool = False
     """Whether errors of the source stopped it."""
@@ -59,13 +62,14 @@ class Outcome(NamedTuple):
     @property
     def verdict(self) -> str:
         """Whether the result is the same robot, and how that is known."""
-        verification = self.conversion.verification if self.conversion is not None else None
         if self.failed:
             return "not converted, nothing written" + (
                 "; --no-lint converts it anyway" if self.is_unsound else ""
             )
-        if verification is not None:
-            return f"verified: {verification}" + (f", poses also by {self.also_by}" if self.also_by else "")
+        if self.verification is not None:
+            return f"verified: {self.verification}" + (
+                f", poses also by {self.also_by}" if self.also_by else ""
+            )
         if self.broken is not None:
             line, column = self.broken.begin
             return f"not verified: the text is broken at {line}:{column}; `sdfcheck lint` says how"
@@ -101,6 +105,7 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
         given.errors,
         [*losses, *different],
         done,
+        done.verification,
         bool(different),
         stopping=different,
         broken=guess_in(given.document) if request.verify else None,

@@ -37,13 +37,12 @@ class Reporting:
 
     def add(self, outcome: Outcome, target: Path | None) -> None:
         """A file was converted, or refused."""
-        self._done.append(outcome)
+        self._done.append(outcome._replace(conversion=None))
         if outcome.failed:
             self._rows.append(_Row("not written", f"{outcome.file}: {outcome.reason}"))
             return
-        verified = outcome.conversion is not None and outcome.conversion.verification is not None
         losses = sum(one.severity is not Severity.INFO for one in outcome.losses)
-        how = "verified" if verified else "not verified"
+        how = "verified" if outcome.verification is not None else "not verified"
         how += f", {losses} {'loss' if losses == 1 else 'losses'}" if losses else ""
         where = f" → {target}" if target is not None else ""
         why = f" ({outcome.verdict.removeprefix('not verified: ')})" if outcome.broken is not None else ""
