@@ -36,12 +36,13 @@ def overwrite(path: Path, data: bytes) -> None:
         _write_to(os.open(path, os.O_WRONLY | getattr(os, "O_NOCTTY", 0)), data)
 
 
-def same_file(a: Path, b: Path) -> bool:
-    """Whether two paths lead to one file, by whatever links."""
+def identity(path: Path) -> tuple[int, int] | str:
+    """What is equal for two paths that lead to one file, by whatever links."""
     try:
-        return os.path.samefile(a, b)
+        status = os.stat(path)
     except OSError:
-        return os.path.realpath(a) == os.path.realpath(b)
+        return os.path.realpath(path)
+    return status.st_dev, status.st_ino
 
 
 def _replace(target: str, data: bytes, old: os.stat_result | None) -> None:

@@ -75,12 +75,12 @@ def refuse_inputs(places: Iterable[Path | None], inputs: Iterable[Path]) -> None
     written = [place for place in places if place is not None and place.exists()]
     if not written:
         return
-    from sdfcheck.files.overwrite import same_file
+    from sdfcheck.files.overwrite import identity
 
-    for file in inputs:
-        for place in written:
-            if same_file(place, file):
-                raise WrongUsage(f"{place} is an input and would be overwritten; name another file")
+    own = set(map(identity, inputs))
+    for place in written:
+        if identity(place) in own:
+            raise WrongUsage(f"{place} is an input and would be overwritten; name another file")
 
 
 def show(format: OutputFormat, text: str, *, color: bool, aside: bool = False) -> None:
