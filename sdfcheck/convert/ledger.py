@@ -282,7 +282,7 @@ class Ledger:
     def _close_texts(self, element: Element, known: frozenset[str]) -> None:
         """Words between elements, and comments."""
         entered = self._taken[element]
-        if EVERYTHING in entered:
+        if EVERYTHING in entered or (element.text is None and not len(element)):
             return
         has_value = TEXT in entered or TEXT in known
         for text in texts(element):
