@@ -358,7 +358,7 @@ def inr_moments__ratio(inertial):
 inr_moments___FACTOR = 100.0
 
 def inr_moments__is_about_origin(inertial):
-    if inertial.inertia is None or inertial.center is None or (not inr_moments__ratio(inertial) > 10):
+    if not inr_moments__ratio(inertial) > 10 or inertial.inertia is None or inertial.center is None:
         return False
     offset = math_.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
@@ -375,7 +375,7 @@ def INR005_applies(inertial):
     return inr_moments__is_far_off(inertial) and inr_moments__is_unit(inertial)
 
 def INR006_applies(inertial):
-    return inertial.inertia is not None and inr_moments__is_far_off(inertial) and (not inr_moments__is_unit(inertial))
+    return inr_moments__is_far_off(inertial) and inertial.inertia is not None and (not inr_moments__is_unit(inertial))
 
 def INR007_applies(inertial):
     return inr_moments__is_about_origin(inertial)
@@ -395,7 +395,7 @@ def INR008_applies(inertial):
     return not collisions or any((inr_unusable_automatic_inertia___has_no_mass(inr_unusable_automatic_inertia___density(inertial, collision)) or collision.geometry.shape in inr_unusable_automatic_inertia___NO_SOLID for collision in collisions))
 
 def INR009_applies(inertial):
-    if inertial.inertia is None or not inr_moments__has_moments(inertial) or any(inertial.tensor):
+    if not inr_moments__has_moments(inertial) or inertial.inertia is None or any(inertial.tensor):
         return False
     if not (inertial.mass.is_given and inertial.mass.number > 0):
         return False
@@ -407,7 +407,9 @@ inr_oversized_inertia__LEAST = 1e-06
 inr_oversized_inertia__MOST = 20.0
 
 def INR010_applies(inertial):
-    if not inertial.is_given or inertial.inertia is None or (not inr_oversized_inertia__LEAST < inertial.mass.number < math_inf):
+    if inertial.is_unremarkable or inertial.inertia is None:
+        return False
+    if not inertial.is_given or not inr_oversized_inertia__LEAST < inertial.mass.number < math_inf:
         return False
     largest = max(inertial.tensor[:3])
     if not inr_oversized_inertia__MOST * inr_oversized_inertia__MOST * inertial.mass < largest < math_inf:
@@ -420,7 +422,7 @@ def inr_distant_center_of_mass__distance(inertial):
 inr_distant_center_of_mass__MOST = 10.0
 
 def INR011_applies(inertial):
-    if not inertial.is_given or not (inertial.has('pose') or inertial.has('origin')):
+    if inertial.is_unremarkable or not (inertial.has('pose') or inertial.has('origin')):
         return False
     return inr_distant_center_of_mass__distance(inertial) > inr_distant_center_of_mass__MOST and (not inertial.link.may_be_static)
 
@@ -434,7 +436,7 @@ def inr_negative_added_mass__negative(inertial):
             yield value
 
 def INR012_applies(inertial):
-    return inertial.has('fluid_added_mass') and any(inr_negative_added_mass__negative(inertial))
+    return not inertial.is_unremarkable and inertial.has('fluid_added_mass') and any(inr_negative_added_mass__negative(inertial))
 
 def jnt_unknown_joint_end___joint_name(end):
     joint = end.element.parent

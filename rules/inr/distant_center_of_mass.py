@@ -37,7 +37,7 @@ class DistantCenterOfMass(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if not inertial.is_given or not (inertial.has("pose") or inertial.has("origin")):
+        if inertial.is_unremarkable or not (inertial.has("pose") or inertial.has("origin")):
             return False
         return distance(inertial) > MOST and not inertial.link.may_be_static
 

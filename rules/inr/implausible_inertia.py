@@ -45,7 +45,7 @@ class ImplausibleInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return inertial.inertia is not None and is_far_off(inertial) and not is_unit(inertial)
+        return is_far_off(inertial) and inertial.inertia is not None and not is_unit(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"

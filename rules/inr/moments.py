@@ -86,7 +86,7 @@ def is_far_off(inertial: Inertial) -> bool:
 
 def is_about_origin(inertial: Inertial) -> bool:
     """Do moments that are too large fit once they are shifted from the link's origin to the center of mass?"""
-    if inertial.inertia is None or inertial.center is None or not ratio(inertial) > 10:
+    if not ratio(inertial) > 10 or inertial.inertia is None or inertial.center is None:
         return False
     offset = math.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace

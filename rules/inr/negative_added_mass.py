@@ -30,7 +30,7 @@ class NegativeAddedMass(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return inertial.has("fluid_added_mass") and any(negative(inertial))
+        return not inertial.is_unremarkable and inertial.has("fluid_added_mass") and any(negative(inertial))
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         for value in negative(inertial):

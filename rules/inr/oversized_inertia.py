@@ -42,7 +42,9 @@ class OversizedInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if not inertial.is_given or inertial.inertia is None or not LEAST < inertial.mass.number < inf:
+        if inertial.is_unremarkable or inertial.inertia is None:
+            return False
+        if not inertial.is_given or not LEAST < inertial.mass.number < inf:
             return False
         largest = max(inertial.tensor[:3])
         if not MOST * MOST * inertial.mass < largest < inf:

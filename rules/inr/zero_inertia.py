@@ -39,7 +39,7 @@ class ZeroInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if inertial.inertia is None or not has_moments(inertial) or any(inertial.tensor):
+        if not has_moments(inertial) or inertial.inertia is None or any(inertial.tensor):
             return False
         if not (inertial.mass.is_given and inertial.mass.number > 0):
             return False

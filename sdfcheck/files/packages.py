@@ -30,24 +30,32 @@ def project_root(path: Path) -> Path:
     above the outermost ``package.xml``, else the one above the file's own. The home
     folder and what is above it never count.
     """
-    file = Path(os.path.abspath(path))
-    home = Path(os.path.expanduser("~"))
-    shared = {home, *home.parents}
-    own = [folder for folder in file.parents if folder not in shared]
+    own = list(_folders_around(os.path.abspath(path)))
     for folder in own:
-        if folder.name == "src" and any((folder.parent / name).is_dir() for name in _BUILT):
-            return folder
+        above, name = os.path.split(folder)
+        if name == "src" and any(os.path.isdir(os.path.join(above, built)) for built in _BUILT):
+            return Path(folder)
     for folder in own:
-        if (folder / ".git").exists():
-            return folder
-    here = Path.cwd()
+        if os.path.exists(os.path.join(folder, ".git")):
+            return Path(folder)
+    here = os.getcwd()
     if here in own:
-        return here
-    described = [folder for folder in own if (folder / "package.xml").is_file()]
+        return Path(here)
+    described = [folder for folder in own if os.path.isfile(os.path.join(folder, "package.xml"))]
     if described:
-        above = described[-1].parent
-        return above if above in own else described[-1]
-    return own[1] if len(own) > 1 else file.parent
+        above = os.path.dirname(described[-1])
+        return Path(above if above in own else described[-1])
+    return Path(own[1]) if len(own) > 1 else Path(os.path.abspath(path)).parent
+
+
+def _folders_around(file: str) -> Iterator[str]:
+    """The folders that a file is in, the innermost first, but for the home folder and what is above it."""
+    home = os.path.join(os.path.expanduser("~"), "")
+    folder, above = os.path.dirname(file), ""
+    while folder != above:
+        if not home.startswith(os.path.join(folder, "")):
+            yield folder
+        folder, above = os.path.dirname(folder), folder
 
 
 class Packages:

@@ -40,12 +40,20 @@ def lint_source(
     Other files are taken from the library; without one nothing is looked up.
     """
     document = library.known(data, path) if library is not None else None
-    if document is None or document.kind is not (kind or document.kind):
+    is_own = document is None or document.kind is not (kind or document.kind)
+    if document is None or is_own:
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
     if document.kind is Kind.URDF and library is not None and is_fragment(document):
-        document = read(data, path, Kind.XACRO)
+        document, is_own = read(data, path, Kind.XACRO), True
         document.library = library
+    found = _lint(document, dispatch, xacro)
+    if is_own and not document.is_referred_to:
+        document.release()
+    return found
+
+
+def _lint(document: Document, dispatch: Dispatch, xacro: Xacro | None) -> FileResult:
     if document.kind is Kind.SRDF:
         from sdfcheck.lint.semantics import lint_semantics
 

@@ -15,6 +15,8 @@ from sdfcheck.source.element import Element
 
 _PLAUSIBLE = (0.01, 10.0)
 """Traces within these factors of a solid's are beyond suspicion."""
+_REACH = 5.0
+"""So are centers of mass this near to the origin, and links without shapes whose mass is not farther out (m)."""
 
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _ORIGIN = [0.0, 0.0, 0.0]
@@ -56,6 +58,8 @@ def _read(inertial: Element) -> tuple[float, tuple[float, ...], list[float]]:
             moments = tuple([float(texts.get(name) or 0) for name in _MOMENTS])
         elif tag in {"pose", "origin"}:
             center = _position(child)
+        elif tag == "fluid_added_mass":
+            raise ValueError
     return mass, moments, center
 
 
@@ -91,6 +95,8 @@ def _is_possible(mass: float, moments: tuple[float, ...]) -> bool:
 def _is_plausible(
     mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]
 ) -> bool:
+    if math.hypot(*center) > _REACH:
+        return False
     volume = total = 0.0
     for shape in shapes:
         at, geometry = _ORIGIN, None
@@ -106,7 +112,7 @@ def _is_plausible(
             volume += solid.volume
             total += solid.volume * (solid.moments.trace + 2 * distance * distance)
     if not volume:
-        return True
+        return max(moments[:3]) <= _REACH * _REACH * mass
     low, high = _PLAUSIBLE
     return low <= sum(moments[:3]) / (mass * total / volume) <= high
 

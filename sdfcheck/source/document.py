@@ -48,6 +48,7 @@ class Document:
         "_spans",
         "_views",
         "included_by",
+        "is_referred_to",
         "is_wellformed",
         "kind",
         "library",
@@ -66,6 +67,8 @@ class Document:
         """Where files that this one refers to come from; None: nothing is looked up."""
         self.included_by: tuple[Value, ...] = ()
         """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
+        self.is_referred_to = False
+        """Is it in the way there of some other document?"""
         self.is_wellformed = False
         """Did a strict parser, aware of namespaces, take the text as it is?"""
         self.root: Element | None = self._parse()

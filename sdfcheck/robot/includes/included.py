@@ -194,6 +194,7 @@ def _note_origin(document: Document, other: Document, found: Included) -> None:
         return
     if not other.included_by or (is_made_static(other) and not found.is_static):
         other.included_by = (*document.included_by, found.uri)
+        document.is_referred_to = True
 
 
 def _is_true(text: str) -> bool:

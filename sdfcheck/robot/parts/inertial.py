@@ -67,6 +67,7 @@ class Inertial(Part):
     def moments(self) -> dict[str, Number]:
         """ixx, iyy, izz, ixy, ixz, iyz (kg·m²) about the center of mass."""
         inertia = self.inertia
+        holder = self.element if inertia is None else inertia
         found: dict[str, Number] = {}
         for name, default in zip(MOMENTS, _DEFAULT_MOMENTS, strict=True):
             value: Value | None = None
@@ -74,7 +75,7 @@ class Inertial(Part):
                 value = inertia.attribute(name)
             elif inertia is not None and (child := inertia.find(name)) is not None:
                 value = child.own_value
-            found[name] = Number.of(value, self.moments_element, 0.0 if self.is_urdf else default)
+            found[name] = Number.of(value, holder, 0.0 if self.is_urdf else default)
         return found
 
     @lazy
