@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint import engine
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.conditions import is_current, render
@@ -15,7 +14,7 @@ from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.trial import Bench, Trial
 from sdfcheck.lint.run import BUILT_IN
-from sdfcheck.lint.subjects import subjects
+from sdfcheck.lint.subjects import Subjects
 from sdfcheck.source.document import Document
 
 # A rule that reports an omission would report it in every snippet that shows something else.
@@ -83,21 +82,18 @@ def test_a_part_that_a_condition_applies_to_is_reported(
 ) -> None:
     rule, example = trial.rule, trial.example
     facts = next(facts for facts in BENCH.facts if facts.code == rule.code)
-    seen: list[object] = []
 
-    def spy(
-        document: Document, looks_at: tuple[str, ...], selects: tuple[str, ...], tables: list[Path]
-    ) -> list[object]:
-        found = subjects(document, looks_at, selects, tables)
-        seen.extend(found if (looks_at, selects) == (facts.looks_at, facts.selects) else ())
+    def spy(self: Subjects, document: Document, tables: list[Path]) -> list[object]:
+        found = find(self, document, tables)
+        for subject in found if (self.looks_at, self.selects) == (facts.looks_at, facts.selects) else ():
+            applies = rule.applies(subject)
+            assert bool(INDEX.condition(facts)(subject)) is bool(applies), subject
+            assert not applies or list(rule().check(subject)), f"nothing to report about {subject}"
         return found
 
-    monkeypatch.setattr(engine, "subjects", spy)
+    find = Subjects.of
+    monkeypatch.setattr(Subjects, "of", spy)
     BENCH.lint(unmark(fill(rule.scaffold, example))[0], example)
-    for subject in seen:
-        applies = rule.applies(subject)
-        assert bool(INDEX.condition(facts)(subject)) is bool(applies), subject
-        assert not applies or list(rule().check(subject)), f"nothing to report about {subject}"
 
 
 def test_the_conditions_are_up_to_date() -> None:

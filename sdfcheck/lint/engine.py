@@ -12,7 +12,7 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import EXTENSION, RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.lint.subjects import OF_VENDORS, is_extension, subjects
+from sdfcheck.lint.subjects import OF_VENDORS, Subjects, is_extension
 from sdfcheck.source.document import Document
 from sdfcheck.source.document import problems as text_problems
 from sdfcheck.source.record import NamedTuple
@@ -69,8 +69,7 @@ class Dispatch:
         # The consumers that somebody asks about: as a target, or by a rule that is off by default.
         asked = active.targets.union(*(facts.affects for facts in active.facts if not facts.default))
         self.by_problem: dict[str, list[RuleFacts]] = {}
-        self.by_subject: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
-        """A class of the robot or a selector of elements → the rules that look at it."""
+        groups: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
@@ -79,7 +78,9 @@ class Dispatch:
                 # A rule about a consumer's own elements judges the others for those who ask about the consumer.
                 if asked.isdisjoint(facts.affects) and not OF_VENDORS.keys().isdisjoint(facts.looks_at):
                     looked_at = (tuple(name for name in facts.looks_at if name in OF_VENDORS), ())
-                self.by_subject.setdefault(looked_at, []).append(facts)
+                groups.setdefault(looked_at, []).append(facts)
+        self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
+        """What is looked at, and the rules that do."""
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
@@ -90,8 +91,8 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     tables = _tables(document, dispatch)
-    for (looks_at, selects), rules in dispatch.by_subject.items():
-        if seen := subjects(document, looks_at, selects, tables):
+    for subjects, rules in dispatch.groups:
+        if seen := subjects.of(document, tables):
             for rule in rules:
                 found += _check(rule, _applying(rule, seen, dispatch), document, dispatch)
     # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
@@ -127,9 +128,9 @@ def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) 
 
 
 def look_at(parts: Sequence[Part], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
-    """The diagnostics of the rules about some parts of the robot that a document describes."""
-    for (looks_at, _), rules in dispatch.by_subject.items():
-        if seen := [part for part in parts if type(part).__name__ in looks_at]:
+    """What the rules have to say about some parts of the robot that a document describes."""
+    for subjects, rules in dispatch.groups:
+        if seen := [part for part in parts if type(part).__name__ in subjects.looks_at]:
             for rule in rules:
                 yield from _check(rule, _applying(rule, seen, dispatch), document, dispatch)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -28,36 +28,58 @@ OF_VENDORS = {
 }
 """Class → what finds its objects in a document, given the tables of the vendors."""
 
+_OF_ROBOTS = frozenset((Kind.SDF, Kind.URDF))
 
-def subjects(
-    document: Document, looks_at: Sequence[str], selects: Sequence[str], tables: Sequence[Path] = ()
-) -> list[object]:
+
+class Subjects:
     """The objects of the named classes: all of them, or with selectors those that the selected elements make.
 
-    Where :class:`Element` is named, or no class is, the selected elements themselves. ``tables`` are those of
-    the vendors whose prefix the document seems to use.
+    Where :class:`Element` is named, or no class is, the selected elements themselves. Made once for a run.
     """
-    found: list[object] = []
-    if document.root is None:
-        return found
-    selected = [element for selector in selects for element in _selected(document, selector)]
-    classes = [name for name in looks_at if name != Element.__name__]
-    is_narrowed = bool(selects) and len(classes) == len(looks_at) > 0
-    parts = [name for name in classes if name not in OF_TEXT and name not in OF_VENDORS]
-    if len(parts) < len(classes):
-        for name in classes:
+
+    __slots__ = ("_elsewhere", "_is_narrowed", "_parts", "_selectors", "looks_at", "selects")
+
+    def __init__(self, looks_at: Sequence[str], selects: Sequence[str]) -> None:
+        self.looks_at, self.selects = looks_at, selects
+        classes = [name for name in looks_at if name != Element.__name__]
+        self._is_narrowed = bool(selects) and len(classes) == len(looks_at) > 0
+        self._parts = [name for name in classes if name not in OF_TEXT and name not in OF_VENDORS]
+        self._elsewhere = [name for name in classes if name in OF_TEXT or name in OF_VENDORS]
+        self._selectors: dict[str, list[tuple[str, tuple[str, ...]]]] = {}
+        """Dialect → names of elements, each with those of the elements around it, from the inside out."""
+        for selector in selects:
+            dialect, _, path = selector.partition(":")
+            *around, name = path.split("/")
+            self._selectors.setdefault(dialect, []).append((name, tuple(reversed(around))))
+
+    def of(self, document: Document, tables: Sequence[Path] = ()) -> list[object]:
+        """Those of a document; ``tables`` are those of the vendors whose prefix it seems to use."""
+        if document.root is None:
+            return []
+        selected: list[Element] = []
+        for name, around in self._selectors.get(document.kind.value, ()):
+            named = document.view(_elements).get(name, ())
+            selected += (element for element in named if _is_in(element, around)) if around else named
+        if self._is_narrowed and not selected:
+            return []
+        found = self._found_elsewhere(document, tables) if self._elsewhere else []
+        if self._parts and document.kind in _OF_ROBOTS:
+            from sdfcheck.robot.root import root_of
+
+            root = root_of(document)
+            for name in self._parts:
+                found += root.made_of(selected, name) if self._is_narrowed else root.each(name)
+        return found if self._is_narrowed else [*found, *selected]
+
+    def _found_elsewhere(self, document: Document, tables: Sequence[Path]) -> list[object]:
+        found: list[object] = []
+        for name in self._elsewhere:
             if name in OF_TEXT:
                 kind, finder = OF_TEXT[name]
                 found += _finder(finder)(document) if kind in (None, document.kind) else ()
-            elif name in OF_VENDORS and tables:
+            elif tables:
                 found += _finder(OF_VENDORS[name])(document, tables)
-    if parts and document.kind in (Kind.SDF, Kind.URDF) and (selected or not is_narrowed):
-        from sdfcheck.robot.root import root_of
-
-        root = root_of(document)
-        for name in parts:
-            found += root.made_of(selected, name) if is_narrowed else root.each(name)
-    return found if is_narrowed else [*found, *selected]
+        return found
 
 
 @cache
@@ -79,18 +101,6 @@ def is_extension(subject: object, document: Document) -> bool:
     if not isinstance(at, Element):
         return False
     return any(around.tag == "gazebo" for around in at.iterancestors())
-
-
-def _selected(document: Document, selector: str) -> Iterator[Element]:
-    """The elements of a selector: ``sdf:axis/limit`` is each ``limit`` in an ``axis``."""
-    dialect, _, path = selector.partition(":")
-    if dialect != document.kind.value:
-        return
-    *parents, name = path.split("/")
-    parents.reverse()
-    for element in document.view(_elements).get(name, ()):
-        if _is_in(element, parents):
-            yield element
 
 
 def _elements(document: Document) -> Mapping[str, Sequence[Element]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 from sdfcheck.formats.sdf.version import NEWEST, Version
@@ -146,21 +146,22 @@ class Root(Part):
         return found
 
     @overload
-    def each(self, kind: type[P]) -> Iterator[P]: ...
+    def each(self, kind: type[P]) -> Sequence[P]: ...
     @overload
-    def each(self, kind: str) -> Iterator[Any]: ...
-    def each(self, kind: type[Part] | str) -> Iterator[Any]:
+    def each(self, kind: str) -> Sequence[Any]: ...
+    def each(self, kind: type[Part] | str) -> Sequence[Any]:
         """The parts of a class that the file itself writes, in the order of the file."""
         name = kind if isinstance(kind, str) else kind.__name__
-        if name in SPECIAL:
-            yield from SPECIAL[name](self)
-            return
         found = self._each.get(name)
         if found is None:
-            index = self.elements
-            elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
-            found = self._each[name] = tuple(self.made_of(elements, name)) if elements else ()
-        yield from found
+            if name in SPECIAL:
+                found = tuple(SPECIAL[name](self))
+            else:
+                index = self.elements
+                elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
+                found = tuple(self.made_of(elements, name)) if elements else ()
+            self._each[name] = found
+        return found
 
     def made_of(self, elements: Iterable[Element], kind: str) -> Iterator[Any]:
         """The parts of a class that elements of this file make; that of ``robot`` is its model."""

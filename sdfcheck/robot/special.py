@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 from operator import attrgetter
 from typing import TYPE_CHECKING
@@ -33,8 +33,8 @@ def _contacts(root: Root) -> Iterator[Part]:
     return (root.part_of(each) for each in given if each.parent is not None and each.parent.tag in _LISTENERS)
 
 
-def _control(root: Root) -> Iterator[Ros2Control]:
-    return root.each("Ros2Control") if root.is_urdf and root.elements.get("ros2_control") else iter(())
+def _control(root: Root) -> Sequence[Ros2Control]:
+    return root.each("Ros2Control") if root.is_urdf and root.elements.get("ros2_control") else ()
 
 
 def _components(root: Root) -> Iterator[ControlComponent]:
