@@ -18,8 +18,8 @@ ANSWER, LINT, OVERVIEW, SURVEY = range(4)
 text, diagnostics of files that include it.
 """
 
-PAUSE = 0.5
-"""After so many seconds without a job, garbage is collected: during a job that takes longer than the job."""
+PAUSE = 5.0
+"""After so many seconds without a job, garbage is collected: what is read after an edit is read by then."""
 
 _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], None]]
 """Urgency, number, the work, and what takes its result or its exception."""

@@ -49,7 +49,7 @@ class Root(Part):
         self.root = self
         self.element = element
         self.registry: Registry = {}
-        self._each: dict[str, tuple[Part, ...]] = {}
+        self._each: dict[str, tuple[Any, ...]] = {}
         self.is_given = True
         self.is_urdf = element.name == "robot"
         self.included = 0  # included models that were looked into

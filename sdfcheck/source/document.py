@@ -142,6 +142,8 @@ class Document:
             if (release := getattr(view, "release", None)) is not None:
                 release()
         self._views.clear()
+        if self.root is not None:
+            del type(self.root).document
         self.root = self._spans = self._scan = self.library = None
         self.problems, self.included_by = [], ()
 
