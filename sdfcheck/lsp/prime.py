@@ -15,7 +15,7 @@ def prime(workspace: Workspace, buffer: Buffer, *, is_first: bool) -> None:
     document = workspace.document(buffer.path)
     if document is None:
         return
-    at(document, 0)
+    at(document, len(document.source.text))
     names = occurrences(document).all
     buffer.checkpoints.around(buffer.source.text, len(buffer.source.text))
     if is_first and names:
