@@ -142,7 +142,7 @@ class Document:
             if (release := getattr(view, "release", None)) is not None:
                 release()
         self._views.clear()
-        if self.root is not None:
+        if self.root is not None and not self.is_referred_to:
             del type(self.root).document
         self.root = self._spans = self._scan = self.library = None
         self.problems, self.included_by = [], ()
