@@ -58,6 +58,7 @@ class Library:
     """
 
     __slots__ = (
+        "_current",
         "_documents",
         "_hashes",
         "_limit",
@@ -75,6 +76,7 @@ class Library:
         self.disk = Disk()
         self._limit = limit
         self.model_folders = tuple(dict.fromkeys(self.search.model_folders))
+        self._current: Document | None = None
         self._documents: dict[str, Document | None] = {}
         self._hashes: dict[str, int] = {}
         self._unseen: list[Document] = []
@@ -101,6 +103,12 @@ class Library:
             return None
         document.source.path = path
         return document
+
+    def turn_to(self, document: Document) -> None:
+        """Look at a document that is not kept; let go of the one before, unless another was reached through it."""
+        if self._current is not None and not self._current.is_referred_to:
+            self._current.release()
+        self._current = document
 
     def unseen(self) -> Iterator[Document]:
         """The documents that were read and not handed out here before; looking at them may bring in more."""

@@ -47,13 +47,8 @@ def lint_source(
     if document.kind is Kind.URDF and library is not None and is_fragment(document):
         document, is_own = read(data, path, Kind.XACRO), True
         document.library = library
-    found = _lint(document, dispatch, xacro)
-    if is_own and not document.is_referred_to:
-        document.release()
-    return found
-
-
-def _lint(document: Document, dispatch: Dispatch, xacro: Xacro | None) -> FileResult:
+    if library is not None and is_own:
+        library.turn_to(document)
     if document.kind is Kind.SRDF:
         from sdfcheck.lint.semantics import lint_semantics
 
