@@ -32,6 +32,7 @@ def fix(  # noqa: PLR0913
     write: bool = True,
     select: Sequence[str] | None = None,
     ignore: Sequence[str] = (),
+    preview: bool | None = None,
     target: Sequence[str] | None = None,
     config: Path | None = None,
     isolated: bool = False,
@@ -57,7 +58,7 @@ def fix(  # noqa: PLR0913
     if text is not None:
         raise WrongUsage("only files are fixed: give a path")
     configuration = Configuration(config, isolated=isolated, trusted=trust_config)
-    options = options_of(configuration, select=select, ignore=ignore, target=target)
+    options = options_of(configuration, select=select, ignore=ignore, preview=preview, target=target)
     changed = tuple(fix_files(run(paths, options), paths, options, unsafe=unsafe))
     for each in changed:
         if write and each.fixed:

@@ -104,9 +104,13 @@ def _overview(rules: Sequence[RuleFacts]) -> Iterator[str]:
 
 
 def _row(facts: RuleFacts) -> str:
-    severity = facts.severity.value + ("" if facts.default else ", off unless selected")
+    severity = facts.severity.value + _when(facts)
     summary = markdown(facts.summary).replace("|", "\\|")
     return f"| {facts.code} | [{facts.name}]({facts.name}.md) | {severity} | {facts.fixable} | {summary} |"
+
+
+def _when(facts: RuleFacts) -> str:
+    return ", preview" if facts.preview else "" if facts.default else ", off unless selected"
 
 
 def superfluous(wanted: Mapping[Path, str]) -> list[Path]:

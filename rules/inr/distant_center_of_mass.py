@@ -18,6 +18,7 @@ class DistantCenterOfMass(Rule):
     code = "INR011"
     name = "distant-center-of-mass"
     severity = Severity.WARNING
+    preview = True
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)
     scaffold = IN_LINK

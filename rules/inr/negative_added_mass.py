@@ -21,6 +21,7 @@ class NegativeAddedMass(Rule):
     code = "INR012"
     name = "negative-added-mass"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("takes it as it is")}
     looks_at = (Inertial,)
     scaffold = IN_LINK

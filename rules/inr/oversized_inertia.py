@@ -20,6 +20,7 @@ class OversizedInertia(Rule):
     code = "INR010"
     name = "oversized-inertia"
     severity = Severity.WARNING
+    preview = True
     affects = dict.fromkeys(Consumer, warns("can hardly turn the link"))
     looks_at = (Inertial,)
     scaffold = IN_LINK

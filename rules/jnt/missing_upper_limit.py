@@ -26,6 +26,7 @@ class MissingUpperLimit(Rule):
     code = "JNT015"
     name = "missing-upper-limit"
     severity = Severity.WARNING
+    preview = True
     affects = {
         Consumer.GAZEBO: {"sdf": warns("sets no limit"), "urdf": warns("takes 0")},
         Consumer.DRAKE: warns("sets no limit"),

@@ -13,6 +13,7 @@ class SwappedSoftLimits(Rule):
     code = "JNT017"
     name = "swapped-soft-limits"
     severity = Severity.WARNING
+    preview = True
     looks_at = (Element,)
     selects = ("urdf:joint/safety_controller",)
     scaffold = IN_URDF_JOINT.replace("{}", '<limit lower="-2" upper="2" effort="5" velocity="2"/>{}')

@@ -30,6 +30,7 @@ class UnknownGearboxBody(Rule):
     code = "JNT018"
     name = "unknown-gearbox-body"
     severity = Severity.ERROR
+    preview = True
     affects = {Consumer.GAZEBO: warns("couples nothing")}
     looks_at = (Joint,)
     scaffold = IN_MODEL

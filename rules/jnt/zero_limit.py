@@ -26,7 +26,7 @@ class ZeroLimit(Rule):
     code = "JNT016"
     name = "zero-limit"
     severity = Severity.INFO
-    default = False
+    preview = True
     affects = {
         Consumer.GAZEBO: warns("cannot drive the joint"),
         Consumer.URDFDOM: accepts("takes it as it is"),

@@ -21,6 +21,7 @@ class ZeroRatio(Rule):
     code = "JNT019"
     name = "zero-ratio"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("couples nothing"), Consumer.DRAKE: warns("couples nothing")}
     looks_at = (Joint,)
     scaffold = IN_MODEL

@@ -12,6 +12,7 @@ class MisspelledPluginFile(Rule):
     code = "RES015"
     name = "misspelled-plugin-file"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("does not find the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD

@@ -16,6 +16,7 @@ class PluginNameMismatch(Rule):
     code = "RES016"
     name = "plugin-name-mismatch"
     severity = Severity.ERROR
+    preview = True
     affects = {Consumer.GAZEBO: warns("does not load the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD

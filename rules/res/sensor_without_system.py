@@ -20,6 +20,7 @@ class SensorWithoutSystem(Rule):
     code = "RES018"
     name = "sensor-without-system"
     severity = Severity.INFO
+    preview = True
     looks_at = (World,)
     scaffold = SDF
 

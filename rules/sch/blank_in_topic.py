@@ -13,6 +13,7 @@ class BlankInTopic(Rule):
     code = "SCH030"
     name = "blank-in-topic"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("does not publish on it")}
     looks_at = (Sensor,)
     scaffold = IN_LINK

@@ -18,6 +18,7 @@ class EmptyTrajectory(Rule):
     code = "SCH029"
     name = "empty-trajectory"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("leaves the actor where it is")}
     looks_at = (Actor,)
     scaffold = IN_WORLD

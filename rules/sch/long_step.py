@@ -16,6 +16,7 @@ class LongStep(Rule):
     code = "SCH026"
     name = "long-step"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("takes steps in which things pass through each other")}
     looks_at = (Physics,)
     scaffold = IN_WORLD

@@ -14,6 +14,7 @@ class NegativeLightRange(Rule):
     code = "SCH024"
     name = "negative-light-range"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("lights nothing")}
     looks_at = (Light,)
     scaffold = IN_WORLD

@@ -23,6 +23,7 @@ class ScanInDegrees(Rule):
     code = "SCH025"
     name = "scan-in-degrees"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("scans over several turns")}
     looks_at = (Sensor,)
     scaffold = IN_LINK

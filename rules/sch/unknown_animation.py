@@ -33,6 +33,7 @@ class UnknownAnimation(Rule):
     code = "SCH027"
     name = "unknown-animation"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("plays no animation")}
     looks_at = (Actor,)
     scaffold = IN_WORLD

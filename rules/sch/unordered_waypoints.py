@@ -21,6 +21,7 @@ class UnorderedWaypoints(Rule):
     code = "SCH028"
     name = "unordered-waypoints"
     severity = Severity.WARNING
+    preview = True
     affects = {Consumer.GAZEBO: warns("takes another way")}
     looks_at = (Actor,)
     scaffold = IN_WORLD

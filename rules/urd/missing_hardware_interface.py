@@ -21,6 +21,7 @@ class MissingHardwareInterface(Rule):
     code = "URD024"
     name = "missing-hardware-interface"
     severity = Severity.WARNING
+    preview = True
     looks_at = (Transmission,)
     scaffold = IN_ROBOT
 

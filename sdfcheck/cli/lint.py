@@ -60,6 +60,7 @@ class Request:
     select: tuple[str, ...] | None
     extend_select: tuple[str, ...] | None
     ignore: tuple[str, ...] | None
+    preview: bool | None
     target: tuple[str, ...] | None
     min_severity: str | None
     max_diagnostics: int | None
@@ -107,6 +108,9 @@ class Request:
 @listing("--select", "The rules to run: codes, names, families or ALL, separated by commas.")
 @listing("--extend-select", "Rules to run in addition to those that are selected.")
 @listing("--ignore", "Rules not to run.")
+@click.option(
+    "--preview/--no-preview", default=None, help="Also run rules that are not yet measured on public files."
+)
 @targeted("Keep the rules that matter to these consumers")
 @click.option("--fix", is_flag=True, help="Apply safe fixes; report what is left.")
 @click.option(
@@ -238,7 +242,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         raise WrongUsage("--stdin-filename needs - among the paths")
     options = Options(
         request.configuration,
-        Choice(request.select, request.extend_select or (), request.ignore or ()),
+        Choice(request.select, request.extend_select or (), request.ignore or (), request.preview),
         request.target,
         force_exclude=request.force_exclude,
         skip_unrelated=request.skip_unrelated,

@@ -142,4 +142,4 @@ def listed(rules: list[RuleFacts], *, width: int | None, color: bool, links: boo
 
 def _traits(facts: RuleFacts) -> str:
     fix = f"{facts.fixable} fix" if facts.fixable else ""
-    return ", ".join(filter(None, (fix, "" if facts.default else "off")))
+    return ", ".join(filter(None, (fix, "preview" if facts.preview else "" if facts.default else "off")))

@@ -24,6 +24,7 @@ def lint(  # noqa: PLR0913
     select: Sequence[str] | None = None,
     extend_select: Sequence[str] = (),
     ignore: Sequence[str] = (),
+    preview: bool | None = None,
     target: Sequence[str] | None = None,
     name: str | os.PathLike[str] = "<text>",
     arguments: Mapping[str, str] | None = None,
@@ -52,6 +53,7 @@ def lint(  # noqa: PLR0913
         select=select,
         extend_select=extend_select,
         ignore=ignore,
+        preview=preview,
         target=target,
         search=SearchPaths(tuple(model_paths), tuple(package_paths)),
     )
@@ -65,6 +67,7 @@ def options_of(
     select: Sequence[str] | None = None,
     extend_select: Sequence[str] = (),
     ignore: Sequence[str] = (),
+    preview: bool | None = None,
     target: Sequence[str] | None = None,
     search: SearchPaths | None = None,
 ) -> Options:
@@ -73,7 +76,7 @@ def options_of(
         check_targets(tuple(target))
     return Options(
         configuration,
-        Choice(tuple(select) if select is not None else None, tuple(extend_select), tuple(ignore)),
+        Choice(tuple(select) if select is not None else None, tuple(extend_select), tuple(ignore), preview),
         tuple(target) if target is not None else None,
         search=search or SearchPaths(),
     )

@@ -48,6 +48,8 @@ class Rule:
     """Which consumers are concerned, and what they do; empty: none, the file itself is at fault."""
     default: ClassVar[bool] = True
     """False: runs only when selected."""
+    preview: ClassVar[bool] = False
+    """True: not yet measured on public files; runs only with ``--preview``, or selected by its code or name."""
     since: ClassVar[str] = ""
     """The first version that has the rule; empty for the first release."""
     sources: ClassVar[tuple[str, ...]] = ()

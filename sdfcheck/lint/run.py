@@ -43,6 +43,13 @@ class RuleFacts(NamedTuple):
     """Module that holds the rule's class."""
     looks_at: tuple[str, ...] = ()
     """Names of the classes of the robot that the rule looks at."""
+    preview: bool = False
+    """True: not yet measured; off unless previews are asked for, or it is selected by code or name."""
+
+    @property
+    def is_on(self) -> bool:
+        """Whether the rule runs where nobody selects rules."""
+        return self.default and not self.preview
 
     @property
     def is_built_in(self) -> bool:

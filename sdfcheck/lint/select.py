@@ -5,7 +5,8 @@ A selector is a code (``XYZ001``), a family or the beginning of its codes (``XYZ
 length, ignoring beats selecting. The command line comes after the configuration: its
 ``--select`` replaces ``select`` and ``extend-select`` (what the configuration ignores
 stays ignored, unless it is selected by a selector at least as long), its
-``--extend-select`` and ``--ignore`` change what the configuration selected.
+``--extend-select`` and ``--ignore`` change what the configuration selected. A rule in
+preview is selected by its code or name only, unless previews are asked for.
 """
 
 from __future__ import annotations
@@ -33,11 +34,12 @@ class UnknownSelector(WrongUsage):
 
 
 class Choice(NamedTuple):
-    """The choice of rules in one place (a configuration, the command line); ``select`` None: no choice."""
+    """What one place (a configuration, the command line) says about rules; None: nothing."""
 
     select: tuple[str, ...] | None = None
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
+    preview: bool | None = None
 
 
 SILENT = Choice()
@@ -59,21 +61,23 @@ class ActiveRules(NamedTuple):
         return frozenset(facts.code for facts in self.facts)
 
 
-def covered(selector: str, rules: Sequence[RuleFacts]) -> tuple[int, frozenset[str]]:
-    """How specific a selector is, and the codes that it covers.
+def covered(
+    selector: str, rules: Sequence[RuleFacts], hidden: frozenset[str] = frozenset()
+) -> tuple[int, frozenset[str]]:
+    """How specific a selector is, and the codes that it covers; those in ``hidden`` it has to name.
 
     Raises:
         UnknownSelector: it covers none.
     """
     if selector == ALL:
-        return 0, frozenset(facts.code for facts in rules)
+        return 0, frozenset(facts.code for facts in rules) - hidden
     for facts in rules:
         if selector in (facts.code, facts.name):
             return len(facts.code), frozenset((facts.code,))
     codes = frozenset(f.code for f in rules if selector.startswith(f.family) and f.code.startswith(selector))
     if not codes:
         raise UnknownSelector(selector, rules)
-    return len(selector), codes
+    return len(selector), codes - hidden
 
 
 def select(
@@ -94,10 +98,12 @@ def select(
     wanted = frozenset(targets)
     off = tuple(selector for selector, level in severity if level is None)
     file = configured._replace(ignore=(*configured.ignore, *off))
-    initial = frozenset(f.code for f in rules if f.default or not wanted.isdisjoint(f.affects))
-    active = _apply(rules, initial, file)
+    previews = configured.preview if given.preview is None else given.preview
+    hidden = frozenset() if previews else frozenset(facts.code for facts in rules if facts.preview)
+    initial = frozenset(f.code for f in rules if f.default or not wanted.isdisjoint(f.affects)) - hidden
+    active = _apply(rules, initial, file, hidden)
     carried = file.ignore if given.select is not None else ()
-    active = _apply(rules, active, given._replace(ignore=(*given.ignore, *carried)))
+    active = _apply(rules, active, given._replace(ignore=(*given.ignore, *carried)), hidden)
     chosen = [
         facts
         for facts in rules
@@ -128,10 +134,12 @@ def check_targets(targets: Iterable[str]) -> None:
             raise WrongUsage(f"unknown target `{target}`{near}")
 
 
-def _apply(rules: Sequence[RuleFacts], active: frozenset[str], choice: Choice) -> frozenset[str]:
+def _apply(
+    rules: Sequence[RuleFacts], active: frozenset[str], choice: Choice, hidden: frozenset[str]
+) -> frozenset[str]:
     """``active`` as changed by one choice, the least specific selectors first."""
     chosen = (*(choice.select or ()), *choice.extend_select)
-    steps = [(*covered(selector, rules), True) for selector in chosen]
+    steps = [(*covered(selector, rules, hidden), True) for selector in chosen]
     steps += [(*covered(selector, rules), False) for selector in choice.ignore]
     steps.sort(key=lambda step: (step[0], not step[2]))
     result = frozenset[str]() if choice.select is not None else active

@@ -181,6 +181,7 @@ def choices_of(given: Any, folder: Path) -> Choices:
         select=words("select") or None,
         extend_select=words("extendSelect") or (),
         ignore=words("ignore") or (),
+        preview=True if own.get("preview") is True else None,
         target=words("target") or None,
         trust=own.get("trustConfig") is True,
         expand=own.get("expandXacro") is not False,

@@ -29,6 +29,7 @@ class Choices(NamedTuple):
     select: tuple[str, ...] | None = None
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
+    preview: bool | None = None
     target: tuple[str, ...] | None = None
     trust: bool = False
     expand: bool = True
@@ -197,9 +198,8 @@ class Workspace:
         """Take other settings of the client; whatever was known is worked out anew."""
         self.choices = choices
         self.configuration = self._configuration()
-        self.book = RuleBook(
-            Choice(choices.select, choices.extend_select, choices.ignore), choices.target or None
-        )
+        choice = Choice(choices.select, choices.extend_select, choices.ignore, choices.preview)
+        self.book = RuleBook(choice, choices.target or None)
         self.caches = LiveCaches(self.buffers, expand=choices.expand)
         self.forget()
 

@@ -30,6 +30,7 @@ from sdfcheck.xacro.expansion import Expander
 
 _OWN = (UnusedSuppression, MalformedSuppression)
 _LONGEST = 1500
+_PREVIEW = "preview: off unless selected by its code or name, or with `--preview`"
 """Characters that are shown of either end of a long example."""
 _DIALECTS = {"sdf": "SDFormat", "urdf": "URDF"}
 
@@ -170,7 +171,8 @@ def facts_record(facts: RuleFacts) -> Mapping[str, Any]:
         "severity": facts.severity.value,
         "summary": markdown(facts.summary),
         "fix": facts.fixable or None,
-        "default": facts.default,
+        "default": facts.is_on,
+        "preview": facts.preview,
         "url": facts.page,
         "affects": {consumer: dict(reactions) for consumer, reactions in facts.affects.items()},
     }
@@ -185,7 +187,7 @@ def _sections(page: Manual) -> Iterator[str]:
     facts = page.facts
     yield f"# {facts.name} ({facts.code})"
     fix = f"{facts.fixable} fix" if facts.fixable else "no fix"
-    when = "on by default" if facts.default else "preview: off unless selected"
+    when = _PREVIEW if facts.preview else "on by default" if facts.default else "off unless selected"
     since = f" · since {page.since}" if page.since else ""
     level = f"up to {facts.severity.value}, by case" if facts.code in VARYING else facts.severity.value
     yield f"**{level}** · {when} · {fix}{since}"

@@ -16,7 +16,7 @@ _SECTIONS = {
         "force_exclude",
         "skip_unrelated",
     ),
-    "Selection": ("select", "extend_select", "ignore", "target", "baseline", "write_baseline"),
+    "Selection": ("select", "extend_select", "ignore", "preview", "target", "baseline", "write_baseline"),
     "Fixes": ("fix", "unsafe_fixes", "fix_only", "show_fixes", "diff", "add_ignore", "reason"),
     "Verification": ("verify", "verify_with", "strict", "lint"),
     "Output": (

@@ -36,6 +36,7 @@ class Settings(NamedTuple):
     select: tuple[str, ...] | None = None
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
+    preview: bool = False
     per_file_ignores: tuple[tuple[Pattern, tuple[str, ...]], ...] = ()
     severity: tuple[tuple[str, Severity | None], ...] = ()
     target: tuple[str, ...] = ()
@@ -75,7 +76,7 @@ class Settings(NamedTuple):
 
     @property
     def choice(self) -> Choice:
-        return Choice(self.select, self.extend_select, self.ignore)
+        return Choice(self.select, self.extend_select, self.ignore, self.preview)
 
     def excludes(self, path: Path) -> bool:
         """Whether ``exclude`` names a file; the last pattern with an opinion decides."""

@@ -44,6 +44,7 @@ FIELDS = (
     Field("select", Shape.SELECTORS, "", "The rules to run; unset: all that are on by default."),
     Field("extend-select", Shape.SELECTORS, "[]", "Rules to run in addition to `select`."),
     Field("ignore", Shape.SELECTORS, "[]", "Rules not to run."),
+    Field("preview", Shape.FLAG, "false", "Whether rules run that are not yet measured on public files."),
     Field("per-file-ignores", Shape.IGNORES, "{}", "File pattern → rules not to run on these files."),
     Field("severity", Shape.SEVERITIES, "{}", "Rule → severity, or `off`."),
     Field("target", Shape.TARGETS, "[]", "The consumers that the files are meant for; empty: all of them."),

@@ -112,6 +112,7 @@ def describe(rule: type[Rule]) -> RuleFacts:
         by_dialect(rule.affects),
         rule.__module__,
         tuple(kind.__name__ for kind in rule.looks_at),
+        rule.preview,
     )
 
 
@@ -124,6 +125,7 @@ Record = tuple[Any, ...]
 """The facts of a rule as an index has them: constants only, which load fastest."""
 
 _SEVERITIES = {severity.value: severity for severity in Severity}
+_SEVERITY, _AFFECTS = RuleFacts._fields.index("severity"), RuleFacts._fields.index("affects")
 
 
 def to_record(facts: RuleFacts) -> Record:
@@ -132,22 +134,7 @@ def to_record(facts: RuleFacts) -> Record:
 
 
 def from_record(record: Record) -> RuleFacts:
-    code, name, family, severity, about, fixable, default, selects, explains, affects, module, looks_at = (
-        record
-    )
-    by_consumer = {consumer: dict(reactions) for consumer, reactions in affects}
-    severity = _SEVERITIES[severity]
-    return RuleFacts(
-        code,
-        name,
-        family,
-        severity,
-        about,
-        fixable,
-        default,
-        selects,
-        explains,
-        by_consumer,
-        module,
-        looks_at,
-    )
+    values = list(record)
+    values[_SEVERITY] = _SEVERITIES[record[_SEVERITY]]
+    values[_AFFECTS] = {consumer: dict(reactions) for consumer, reactions in record[_AFFECTS]}
+    return RuleFacts(*values)

@@ -68,7 +68,7 @@ def _rule(facts: RuleFacts) -> dict[str, Any]:
             "text": f"{facts.summary}{affects}\n\nMore: {facts.page or command}",
             "markdown": f"{facts.summary}{affects}\n\nMore: {more}",
         },
-        "defaultConfiguration": {"enabled": facts.default, "level": _LEVELS[facts.severity]},
+        "defaultConfiguration": {"enabled": facts.is_on, "level": _LEVELS[facts.severity]},
         "properties": {
             "precision": "high",
             "problem.severity": _PROBLEMS[facts.severity],

@@ -65,6 +65,7 @@ def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixtur
             "summary": "A flaw is `odd`.",
             "fix": "safe",
             "default": True,
+            "preview": False,
             "url": None,
             "affects": {},
         }

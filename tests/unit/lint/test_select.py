@@ -6,10 +6,14 @@ from sdfcheck.lint.select import SILENT, Choice, UnknownSelector, check_targets,
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
-def rule(code: str, name: str, *, default: bool = True, affects: tuple[str, ...] = ()) -> RuleFacts:
+def rule(
+    code: str, name: str, *, default: bool = True, preview: bool = False, affects: tuple[str, ...] = ()
+) -> RuleFacts:
     family = code.rstrip("0123456789")
     effects = {consumer: {"sdf": "warn: complains"} for consumer in affects}
-    return RuleFacts(code, name, family, Severity.ERROR, "", "", default, (), (), effects, "")
+    return RuleFacts(
+        code, name, family, Severity.ERROR, "", "", default, (), (), effects, "", preview=preview
+    )
 
 
 RULES = (
@@ -115,3 +119,37 @@ def test_files_can_do_without_rules() -> None:
     active = without(select(RULES, SILENT), ["AAA00", "third-flaw"], RULES)
     assert active.codes == {"AA001"}
     assert [facts.code for facts in select(RULES, SILENT).facts] == sorted(DEFAULT)
+
+
+PREVIEW = (*RULES, rule("AAA003", "new-flaw", preview=True, affects=("gazebo",)))
+
+
+@pytest.mark.parametrize(
+    ("configured", "given", "runs"),
+    [
+        (SILENT, SILENT, False),
+        (Choice(select=("ALL", "AAA", "AAA00")), SILENT, False),
+        (SILENT, Choice(extend_select=("AAA",)), False),
+        (Choice(select=("AAA003",)), SILENT, True),
+        (SILENT, Choice(extend_select=("new-flaw",)), True),
+        (Choice(preview=True), SILENT, True),
+        (SILENT, Choice(preview=True), True),
+        (Choice(preview=True), Choice(preview=False), False),
+        (Choice(select=("AAA",), preview=True), SILENT, True),
+        (Choice(select=("BBB",), preview=True), SILENT, False),
+        (Choice(ignore=("AAA",), preview=True), SILENT, False),
+    ],
+)
+@pytest.mark.parametrize("targets", [(), ("gazebo",)])
+def test_rules_in_preview_run_where_they_are_asked_for(
+    configured: Choice, given: Choice, runs: bool, targets: tuple[str, ...]
+) -> None:
+    active = select(PREVIEW, configured, given, targets=targets)
+    assert ("AAA003" in active.codes) is runs
+
+
+def test_a_prefix_of_rules_in_preview_alone_is_known() -> None:
+    assert select(PREVIEW, Choice(select=("AAA003",))).codes == {"AAA003"}
+    assert (
+        select((*RULES, rule("CCC001", "newest-flaw", preview=True)), Choice(select=("CCC",))).codes == set()
+    )

@@ -14,6 +14,7 @@ from pytest_lsp import ClientServerConfig, LanguageClient
 
 from tests.unit.lsp.conftest import begin
 from tests.unit.lsp.wire import Session
+from tests.unit.preview import preview_example
 
 pytestmark = pytest.mark.asyncio(loop_scope="module")
 
@@ -71,6 +72,14 @@ async def test_settings_of_the_client(session: Session, folder: Path) -> None:
     await text.diagnostics(lambda found: not found)
     session.choose(ignore=[], expandXacro=True)
     await text.diagnostics()
+
+
+async def test_settings_with_rules_in_preview(session: Session, folder: Path) -> None:
+    rule, linted = preview_example()
+    text = session.open(folder / "new.sdf", linted)
+    await text.diagnostics(lambda found: rule not in {each.code for each in found})
+    session.choose(preview=True)
+    await text.diagnostics(lambda found: rule in {each.code for each in found})
 
 
 async def test_settings_that_name_no_rule(session: Session, folder: Path) -> None:

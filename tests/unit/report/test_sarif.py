@@ -83,6 +83,11 @@ def test_sarif_rules() -> None:
     assert rule["properties"]["problem.severity"] == "recommendation"
 
 
+def test_sarif_rules_in_preview_are_off() -> None:
+    (rule,) = sarif_run(rules=(facts(preview=True),))["tool"]["driver"]["rules"]
+    assert rule["defaultConfiguration"]["enabled"] is False
+
+
 def test_sarif_lists_only_the_rules_of_the_run() -> None:
     log = sarif_run(diagnostic("«a»", code="INT901"), rules=(facts(),))
     assert [rule["id"] for rule in log["tool"]["driver"]["rules"]] == ["NAM901"]

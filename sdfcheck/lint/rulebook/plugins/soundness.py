@@ -169,6 +169,7 @@ _EXAMINED: dict[str, Callable[[Any], str | None]] = {
     "explains": _explains,
     "affects": _affects,
     "default": _instance("default", bool, "True or False"),
+    "preview": _instance("preview", bool, "True or False"),
     "scaffold": _instance("scaffold", str, "a text with {} where the examples go"),
     "bad": _examples("bad", Bad),
     "good": _examples("good", Good),
