@@ -1187,21 +1187,19 @@ def sch_impossible_cone__wrong_angle(light):
 def SCH021_applies(light):
     return light.has('spot') and light.type == 'spot' and bool(sch_impossible_cone__wrong_angle(light))
 
-def sch_zero_direction__zero_direction(part):
-    holder = part.find('plane') if part.kind == 'geometry' else part.element
-    if holder is None or (isinstance(part, sdfcheck_.Light) and part.type == 'point'):
-        return None
-    child = holder.find('normal' if part.kind == 'geometry' else 'direction')
-    if child is None:
-        return None
-    words = child.content.split()
-    is_zero = len(words) == 3 and all((word.strip('0.+-') == '' and '0' in word for word in words))
-    return child.own_value if is_zero else None
+def sch_zero_direction__zero_directions(root):
+    for element in (*root.elements.get('normal', ()), *root.elements.get('direction', ())):
+        holder = element.parent
+        if holder is None or holder.tag not in {'plane', 'light'}:
+            continue
+        if holder.tag == 'light' and holder.text_of('type', 'point').strip() == 'point':
+            continue
+        words = element.content.split()
+        if len(words) == 3 and all((word.strip('0.+-') == '' and '0' in word for word in words)):
+            yield element.own_value
 
-def SCH022_applies(part):
-    if part.kind == 'light':
-        return part.has('direction') and sch_zero_direction__zero_direction(part) is not None
-    return part.has('plane') and sch_zero_direction__zero_direction(part) is not None
+def SCH022_applies(root):
+    return any((True for _ in sch_zero_direction__zero_directions(root)))
 
 def sch_zero_mesh_scale__scale(geometry):
     mesh = geometry.find('mesh')

@@ -49,6 +49,7 @@ class UnknownPaletteColor(Rule):
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("shows the default color")}
     looks_at = (GazeboBlock, Material)
+    needs = ("<script", "<gazebo")
     scaffold = IN_ROBOT
 
     bad = (

@@ -69,4 +69,4 @@ class UnreferencedExtension(Rule):
 
 def _has(root: Root, kind: str, name: str) -> bool:
     """Is there an element of that kind and name?"""
-    return any(element.attributes.get("name") == name for element in root.elements.get(kind, ()))
+    return any(element.text_of("name") == name for element in root.elements.get(kind, ()))

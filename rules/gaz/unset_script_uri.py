@@ -20,6 +20,7 @@ class UnsetScriptUri(Rule):
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: {"sdf": REFUSES}, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Material,)
+    needs = ("<script",)
     scaffold = IN_VISUAL
 
     bad = (

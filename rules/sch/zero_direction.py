@@ -6,9 +6,8 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Geometry,
     Good,
-    Light,
+    Root,
     Rule,
     Severity,
     Value,
@@ -28,7 +27,8 @@ class ZeroDirection(Rule):
     name = "zero-direction"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("takes another direction, or none")}
-    looks_at = (Geometry, Light)
+    looks_at = (Root,)
+    needs = ("<normal", "<direction")
     scaffold = IN_COLLISION
 
     bad = (
@@ -49,25 +49,22 @@ class ZeroDirection(Rule):
     )
 
     @staticmethod
-    def applies(part: Geometry | Light) -> bool:
-        if part.kind == "light":
-            return part.has("direction") and zero_direction(part) is not None
-        return part.has("plane") and zero_direction(part) is not None
+    def applies(root: Root) -> bool:
+        return any(True for _ in zero_directions(root))
 
-    def check(self, part: Geometry | Light) -> Iterator[Diagnostic]:
-        value = zero_direction(part)
-        assert value is not None
-        yield self.diagnostic(value, f"`{value.element.name}` has no length")
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for value in zero_directions(root):
+            yield self.diagnostic(value, f"`{value.element.name}` has no length")
 
 
-def zero_direction(part: Geometry | Light) -> Value | None:
-    """The direction, if it is written as zero."""
-    holder = part.find("plane") if part.kind == "geometry" else part.element
-    if holder is None or (isinstance(part, Light) and part.type == "point"):
-        return None
-    child = holder.find("normal" if part.kind == "geometry" else "direction")
-    if child is None:
-        return None
-    words = child.content.split()
-    is_zero = len(words) == 3 and all(word.strip("0.+-") == "" and "0" in word for word in words)
-    return child.own_value if is_zero else None
+def zero_directions(root: Root) -> Iterator[Value]:
+    """The directions that are written as zero; a point light needs none."""
+    for element in (*root.elements.get("normal", ()), *root.elements.get("direction", ())):
+        holder = element.parent
+        if holder is None or holder.tag not in {"plane", "light"}:
+            continue
+        if holder.tag == "light" and holder.text_of("type", "point").strip() == "point":
+            continue
+        words = element.content.split()
+        if len(words) == 3 and all(word.strip("0.+-") == "" and "0" in word for word in words):
+            yield element.own_value

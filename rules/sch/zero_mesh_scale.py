@@ -29,6 +29,7 @@ class ZeroMeshScale(Rule):
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("flattens the mesh"), Consumer.URDFDOM: warns("takes it as it is")}
     looks_at = (Geometry,)
+    needs = ("<mesh",)
     scaffold = IN_VISUAL
 
     bad = (

@@ -69,15 +69,15 @@ class Dispatch:
         # The consumers that somebody asks about: as a target, or by a rule that is off by default.
         asked = active.targets.union(*(facts.affects for facts in active.facts if not facts.default))
         self.by_problem: dict[str, list[RuleFacts]] = {}
-        groups: dict[tuple[tuple[str, ...], tuple[str, ...]], list[RuleFacts]] = {}
+        groups: dict[tuple[tuple[str, ...], ...], list[RuleFacts]] = {}
         for facts in active.facts:
             for kind in facts.explains:
                 self.by_problem.setdefault(kind, []).append(facts)
             if facts.looks_at or facts.selects:
-                looked_at = (facts.looks_at, facts.selects)
+                looked_at = (facts.looks_at, facts.selects, facts.needs)
                 # A rule about a consumer's own elements judges the others for those who ask about the consumer.
                 if asked.isdisjoint(facts.affects) and not OF_VENDORS.keys().isdisjoint(facts.looks_at):
-                    looked_at = (tuple(name for name in facts.looks_at if name in OF_VENDORS), ())
+                    looked_at = (tuple(name for name in facts.looks_at if name in OF_VENDORS), (), ())
                 groups.setdefault(looked_at, []).append(facts)
         self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
         """What is looked at, and the rules that do."""

@@ -43,6 +43,8 @@ class Rule:
     """Classes of the robot; :class:`Element` may be named with ``selects``."""
     selects: ClassVar[tuple[str, ...]] = ()
     """The elements that are looked at, or where the objects of the classes in ``looks_at`` have to be."""
+    needs: ClassVar[tuple[str, ...]] = ()
+    """Texts such as ``<mesh``: in a document without any of them, nothing is looked at."""
     explains: ClassVar[tuple[type, ...]] = ()
     affects: ClassVar[Affects] = {}
     """Which consumers are concerned, and what they do; empty: none, the file itself is at fault."""

@@ -43,6 +43,8 @@ class RuleFacts(NamedTuple):
     """Module that holds the rule's class."""
     looks_at: tuple[str, ...] = ()
     """Names of the classes of the robot that the rule looks at."""
+    needs: tuple[str, ...] = ()
+    """Texts, one of which must be in a document: without them the rule has nothing to say."""
     preview: bool = False
     """True: not yet measured; off unless previews are asked for, or it is selected by code or name."""
 

@@ -34,13 +34,14 @@ _OF_ROBOTS = frozenset((Kind.SDF, Kind.URDF))
 class Subjects:
     """The objects of the named classes: all of them, or with selectors those that the selected elements make.
 
-    Where :class:`Element` is named, or no class is, the selected elements themselves. Made once for a run.
+    Where :class:`Element` is named, or no class is, the selected elements themselves. None in a document
+    without any of the texts in ``needs``. Made once for a run.
     """
 
-    __slots__ = ("_elsewhere", "_is_narrowed", "_parts", "_selectors", "looks_at", "selects")
+    __slots__ = ("_elsewhere", "_is_narrowed", "_parts", "_selectors", "looks_at", "needs", "selects")
 
-    def __init__(self, looks_at: Sequence[str], selects: Sequence[str]) -> None:
-        self.looks_at, self.selects = looks_at, selects
+    def __init__(self, looks_at: Sequence[str], selects: Sequence[str], needs: Sequence[str]) -> None:
+        self.looks_at, self.selects, self.needs = looks_at, selects, needs
         classes = [name for name in looks_at if name != Element.__name__]
         self._is_narrowed = bool(selects) and len(classes) == len(looks_at) > 0
         self._parts = [name for name in classes if name not in OF_TEXT and name not in OF_VENDORS]
@@ -54,7 +55,7 @@ class Subjects:
 
     def of(self, document: Document, tables: Sequence[Path] = ()) -> list[object]:
         """Those of a document; ``tables`` are those of the vendors whose prefix it seems to use."""
-        if document.root is None:
+        if document.root is None or (self.needs and not any(map(document.source.mentions, self.needs))):
             return []
         selected: list[Element] = []
         for name, around in self._selectors.get(document.kind.value, ()):

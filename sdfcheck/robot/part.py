@@ -265,7 +265,7 @@ class Part:
 
     def _text(self, name: str) -> str | None:
         """The text of an attribute."""
-        return self.element.attributes.get(name) if self.is_given else None
+        return self.element.text_of(name) if self.is_given else None
 
     def _number(self, name: str, default: float) -> Number:
         """A number: in SDFormat a child element, in URDF an attribute."""

@@ -211,7 +211,7 @@ class Scope(Node):
         if source.is_urdf:
             for kind in ("link", "joint"):
                 for child in source.element.children(kind):
-                    if name := child.attributes.get("name", ""):
+                    if name := child.text_of("name", ""):
                         self._take(source, nodes, name, child)
             return
         for kind, name, child in _named_children(source):

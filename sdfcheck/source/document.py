@@ -86,7 +86,7 @@ class Document:
     @property
     def version(self) -> str | None:
         """The text of the root element's ``version``."""
-        return None if self.root is None else self.root.attributes.get("version")
+        return None if self.root is None else self.root.text_of("version")
 
     @property
     def is_recognized(self) -> bool:

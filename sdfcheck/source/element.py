@@ -100,8 +100,8 @@ class Element(etree.ElementBase):
 
     @property
     def title(self) -> str:
-        """The element in a sentence: ``joint `elbow```, or ```axis``` without a name of its own."""
-        own = self.attributes.get("name", "").strip()
+        """What to call it in a sentence: ``joint `elbow```, or ```axis``` where it has no name of its own."""
+        own = self.text_of("name", "").strip()
         return f"{self.name} `{own}`" if own else f"`{self.name}`"
 
     @property
@@ -171,6 +171,14 @@ class Element(etree.ElementBase):
             if isinstance(node, Element) and (name is None or node.name == name):
                 return node
         return None
+
+    @overload
+    def text_of(self, name: str) -> str | None: ...
+    @overload
+    def text_of(self, name: str, default: str) -> str: ...
+    def text_of(self, name: str, default: str | None = None) -> str | None:
+        """The text of the attribute of that name (as written, prefix included)."""
+        return super().get(name, default) if ":" not in name else self.attributes.get(name, default)
 
     def attribute(self, name: str) -> Value | None:
         """The attribute of that name (as written, prefix included)."""

@@ -23,6 +23,6 @@ def lacks_links(document: Document) -> bool:
     root = document.root
     if root is None or document.kind is not Kind.URDF:
         return False
-    own = {link.attributes.get("name") for link in root.children("link")}
+    own = {link.text_of("name") for link in root.children("link")}
     ends = (end for joint in root.children("joint") for end in joint.children() if end.name in _ENDS)
-    return any(end.attributes.get("link") not in own for end in ends)
+    return any(end.text_of("link") not in own for end in ends)

@@ -35,11 +35,10 @@ def extensions(document: Document) -> Iterator[tuple[Element, Definition]]:
     if not blocks:
         return
     names = {
-        kind: {element.attributes.get("name", "") for element in surveyed.top(kind)}
-        for kind in ("link", "joint")
+        kind: {element.text_of("name", "") for element in surveyed.top(kind)} for kind in ("link", "joint")
     }
     for found in blocks:
-        reference = found.attributes.get("reference", "")
+        reference = found.text_of("reference", "")
         kinds = (
             tuple(kind for kind, known in names.items() if reference in known) if reference else ("model",)
         )

@@ -113,7 +113,7 @@ def _lights(surveyed: Survey) -> Iterator[object]:
 def _directions(surveyed: Survey) -> Iterator[object]:
     """Lights that shine somewhere, and do not say where to."""
     for light in surveyed.index.get("light", ()):
-        is_aimed = light.attributes.get("type", "").strip() in {"directional", "spot"}
+        is_aimed = light.text_of("type", "").strip() in {"directional", "spot"}
         if is_aimed and not _has(surveyed, light, "direction") and not _is_state(light):
             yield problems.MissingElement(light, "direction", "0 0 -1")
 
@@ -161,7 +161,7 @@ def _sensors(surveyed: Survey) -> Iterator[object]:
 
 def _shaders(surveyed: Survey) -> Iterator[object]:
     for shader in surveyed.index.get("shader", ()):
-        if shader.attributes.get("type", "").strip() in _NORMAL_MAPS and not shader.has("normal_map"):
+        if shader.text_of("type", "").strip() in _NORMAL_MAPS and not shader.has("normal_map"):
             yield problems.MissingElement(shader, "normal_map", None, refused=True)
 
 

@@ -112,6 +112,7 @@ def describe(rule: type[Rule]) -> RuleFacts:
         by_dialect(rule.affects),
         rule.__module__,
         tuple(kind.__name__ for kind in rule.looks_at),
+        rule.needs,
         rule.preview,
     )
 

@@ -23,7 +23,7 @@ class MaterialNames:
         """Materials that look otherwise than the first of their name, with that one."""
         nameless = 0
         for material in model.materials:
-            if name := material.element.attributes.get("name"):
+            if name := material.element.text_of("name"):
                 self.defined.setdefault(name, material)
             else:
                 nameless += 1

@@ -165,11 +165,11 @@ def position(part: Part) -> tuple[float, float, float] | None:
     """The position that a part's ``pose`` or ``origin`` writes; None if that alone does not say it."""
     if part.is_urdf:
         origin = part.find("origin")
-        return _three(origin.attributes.get("xyz", "0 0 0") if origin is not None else "0 0 0")
+        return _three(origin.text_of("xyz", "0 0 0") if origin is not None else "0 0 0")
     pose = part.find("pose")
     if pose is None or not pose.content:
         return 0.0, 0.0, 0.0
-    if pose.attributes.get("relative_to", "").strip():
+    if pose.text_of("relative_to", "").strip():
         return None
     return _three(pose.content)
 
