@@ -154,14 +154,13 @@ class Root(Part):
         name = kind if isinstance(kind, str) else kind.__name__
         found = self._each.get(name)
         if found is None:
-            if name in SPECIAL:
-                found = tuple(SPECIAL[name](self))
-            else:
-                index = self.elements
-                elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
-                found = tuple(self.made_of(elements, name)) if elements else ()
-            self._each[name] = found
+            found = self._each[name] = tuple(SPECIAL[name](self) if name in SPECIAL else self._written(name))
         return found
+
+    def _written(self, name: str) -> Iterator[Any]:
+        index = self.elements
+        elements = [element for tag in ELEMENTS.get(name, ()) for element in index.get(tag, ())]
+        return self.made_of(elements, name) if elements else iter(())
 
     def made_of(self, elements: Iterable[Element], kind: str) -> Iterator[Any]:
         """The parts of a class that elements of this file make; that of ``robot`` is its model."""

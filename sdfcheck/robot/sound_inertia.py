@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Any
 
 from sdfcheck.robot.parts import solids
 from sdfcheck.source.element import Element
@@ -33,34 +32,40 @@ _MAKERS = {
 
 def is_sound(link: Element) -> bool:
     """True only if there is surely nothing to say about a link's mass properties."""
-    parts: dict[Any, list[Element]] = {}
+    inertial: Element | None = None
+    collisions: list[Element] = []
+    visuals: list[Element] = []
     for child in link:
-        parts.setdefault(child.tag, []).append(child)
-    shapes = parts.get("collision") or parts.get("visual") or []
+        tag = child.tag
+        if tag == "collision":
+            collisions.append(child)
+        elif tag == "visual":
+            visuals.append(child)
+        elif tag == "inertial" and inertial is None:
+            inertial = child
     try:
-        mass, moments, center = _read(parts["inertial"][0])
-        return _is_possible(mass, moments) and _is_plausible(mass, moments, center, shapes)
+        mass, moments, center = _read(inertial)
+        return bool(moments) and _is_plausible(mass, moments, center, collisions or visuals)
     except (KeyError, TypeError, ValueError, ZeroDivisionError):
         return False
 
 
-def _read(inertial: Element) -> tuple[float, tuple[float, ...], list[float]]:
-    if any(key == "auto" for key, _ in inertial.items()):
+def _read(inertial: Element | None) -> tuple[float, tuple[float, ...], list[float]]:
+    if inertial is None or "auto" in inertial.keys():  # noqa: SIM118 - of lxml
         raise ValueError
-    mass, center = math.nan, _ORIGIN
-    moments: tuple[float, ...] = ()
+    mass, center = "", _ORIGIN
+    moments: list[str | None] = []
     for child in inertial:
         tag = child.tag
         if tag == "mass":
-            mass = float(_texts(child).get("value") or child.text or "")
+            mass = child.text_of("value") or child.text or ""
         elif tag == "inertia":
-            texts = _texts(child)
-            moments = tuple([float(texts.get(name) or 0) for name in _MOMENTS])
+            moments = list(map(_texts(child).get, _MOMENTS))
         elif tag in {"pose", "origin"}:
             center = _position(child)
         elif tag == "fluid_added_mass":
             raise ValueError
-    return mass, moments, center
+    return float(mass), _possible(mass, *moments), center
 
 
 def _texts(element: Element) -> dict[str, str | None]:
@@ -85,11 +90,13 @@ def _three(text: str | None) -> list[float]:
 
 
 @lru_cache(maxsize=1000)
-def _is_possible(mass: float, moments: tuple[float, ...]) -> bool:
-    if not (mass > 0 and math.isfinite(mass) and moments):
-        return False
+def _possible(mass: str, *texts: str | None) -> tuple[float, ...]:
+    """The moments of a body of this mass, in kg·m²; none if there is no such body."""
+    if not (0 < float(mass) < math.inf and texts):
+        return ()
+    moments = tuple([float(text or 0) for text in texts])
     low, middle, high = solids.Moments(*moments).principal()
-    return low > 0 and low + middle >= high
+    return moments if low > 0 and low + middle >= high else ()
 
 
 def _is_plausible(

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 # Among names, one a line: what may be reserved, has spaces at its ends, or a colon in it.
 _ODD_LINE = re.compile(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
+_ODD_MARKS = ("__", "world", ":", " ", "\t", "\r", "\n\n")
+"""Where none of these occurs in ASCII names, they need no closer look."""
 
 # One of these is all that a document may hold, which is reported with its structure.
 _SINGLE_AT_ROOT = frozenset({"model", "light", "actor"})
@@ -115,7 +117,8 @@ def _doubtful(root: Root) -> Iterator[Element]:
     """The cheap question whose children may have names that something is wrong with."""
     named = root.named
     lines = (name for children in named.values() for kind, name, _ in children if kind != "plugin")
-    if _ODD_LINE.search("\n".join(lines)):
+    text = "\n".join(("", *lines))
+    if (not text.isascii() or any(mark in text for mark in _ODD_MARKS)) and _ODD_LINE.search(text, 1):
         yield from named
         return
     for parent, children in named.items():

@@ -166,7 +166,7 @@ _EXAMINED: dict[str, Callable[[Any], str | None]] = {
     "severity": _severity,
     "looks_at": _looks_at,
     "selects": _selects,
-    "needs": lambda value: _tuple_of("needs", str, "texts, such as `<mesh`")(value),
+    "needs": _tuple_of("needs", str, "texts, such as `<mesh`"),
     "explains": _explains,
     "affects": _affects,
     "default": _instance("default", bool, "True or False"),
