@@ -27,20 +27,24 @@ SMALL = HERE.parent / "fixtures" / "robots" / "diff_drive" / "model.sdf"
 ROVER = HERE.parent / "fixtures" / "robots" / "rover" / "rover.urdf.xacro"
 REAL_FILES = HERE.parents[1] / "shared" / "corpus"
 REAL_WORLD = REAL_FILES / "gz-sim" / "examples" / "worlds" / "3k_shapes.sdf"
-LINT = [installed("sdfcheck"), "lint", "--isolated", "--output-format", "concise"]
+LINT = [installed("sdfcheck"), "lint", "--isolated", "--jobs", "1", "--output-format", "concise"]
 FLOOR = (sys.executable, str(HERE / "floor.py"))
 PEER = [sys.executable, str(HERE / "libsdformat.py")]
 GROWTH = (300, 3_000, 30_000)
 
 
 class Input(NamedTuple):
-    """The input of a series: the paths given to sdfcheck, the files in them, how often; and against what."""
+    """What is linted: the paths given to sdfcheck, the files they stand for, how often; and against what.
+
+    ``goal`` is what the project aims at.
+    """
 
     name: str
     given: tuple[Path, ...]
     files: tuple[Path, ...]
     pairs: int
     peer_runs: int
+    goal: str = ""
     against: tuple[str, ...] = FLOOR
 
     @property
@@ -60,6 +64,7 @@ class Result(NamedTuple):
     peak: int
     peer: float | None
     peer_ratio: float | None
+    goal: str
 
 
 def library() -> tuple[str, str] | None:
@@ -77,18 +82,18 @@ def inputs(folder: Path, factor: float) -> Iterator[Input]:
     def pairs(number: int) -> int:
         return max(3, round(number * factor))
 
-    yield Input("one small file", (SMALL,), (SMALL,), pairs(15), 5)
+    yield Input("one small file", (SMALL,), (SMALL,), pairs(15), 5, "1.25×")
     large = folder / "large.urdf"
     large.write_text(conversions.urdf("large", 100_000))
     yield Input("a URDF file of 100 kB", (large,), (large,), pairs(11), 0)
     expand = (installed("xacro"),)
-    yield Input("a xacro file, against `xacro`", (ROVER,), (ROVER,), pairs(11), 0, expand)
+    yield Input("a xacro file, against `xacro`", (ROVER,), (ROVER,), pairs(11), 0, "", expand)
     if REAL_WORLD.is_file():
-        yield Input("a real world of 3 000 models", (REAL_WORLD,), (REAL_WORLD,), pairs(7), 1)
+        yield Input("a real world of 3 000 models", (REAL_WORLD,), (REAL_WORLD,), pairs(7), 1, "2.5×, 80 MB")
         real = tuple(sorted(real_files()))
-        yield Input(f"{len(real)} real files", real, real, pairs(5), 0)
+        yield Input(f"{len(real)} real files", real, real, pairs(5), 0, "5×")
     robots = folder / "robots"
-    yield Input("a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1)
+    yield Input("a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1, "1.2 ms a file")
     for models, number in zip(GROWTH, (9, 7, 3), strict=True):
         world = write_world(folder / f"solids_{models}.sdf", models)
         name = f"a generated world of {models:,} models".replace(",", " ")
@@ -126,6 +131,7 @@ def compare(subject: Input, folder: Path, peer: str | None) -> Result:
         max(m.peak for m in lints),
         seconds,
         None if seconds is None else seconds / floor,
+        subject.goal,
     )
 
 
@@ -139,8 +145,9 @@ def growth(results: list[Result]) -> float:
 def table(results: list[Result], peer: str | None) -> Iterator[str]:
     """The results as a Markdown table."""
     other = f"libsdformat {peer}" if peer else "libsdformat"
-    yield f"| input | size | floor | sdfcheck | a file | sdfcheck / floor | peak memory | {other} | {other} / floor |"
-    yield "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+    own = "floor | sdfcheck | a file | sdfcheck / floor | peak memory | goal"
+    yield f"| input | size | {own} | {other} | {other} / floor |"
+    yield "|---|--:|--:|--:|--:|--:|--:|---|--:|--:|"
     for result in results:
         cells = [
             result.name,
@@ -150,6 +157,7 @@ def table(results: list[Result], peer: str | None) -> Iterator[str]:
             f"{result.lint / result.files * 1000:.2f} ms" if result.files > 1 else "",
             f"{result.ratio:.2f}×",
             _bytes(result.peak),
+            result.goal,
             "" if result.peer is None else _seconds(result.peer),
             "" if result.peer_ratio is None else f"{result.peer_ratio:.1f}×",
         ]
