@@ -93,7 +93,9 @@ def inputs(folder: Path, factor: float) -> Iterator[Input]:
         real = tuple(sorted(real_files()))
         yield Input(f"{len(real)} real files", real, real, pairs(5), 0, "5×")
     robots = folder / "robots"
-    yield Input("a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1, "1.2 ms a file")
+    yield Input(
+        "a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1, "1.2 ms a file"
+    )
     for models, number in zip(GROWTH, (9, 7, 3), strict=True):
         world = write_world(folder / f"solids_{models}.sdf", models)
         name = f"a generated world of {models:,} models".replace(",", " ")

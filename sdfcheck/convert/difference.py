@@ -17,7 +17,14 @@ from sdfcheck.convert.change import Change, ChangeKind
 from sdfcheck.convert.contents.contents import Contents
 from sdfcheck.convert.contents.difference import Settings
 from sdfcheck.convert.rewrite.reframing import reframed
-from sdfcheck.convert.rewrite.renaming import Names, filled, same_geometry, same_names, same_pose, seat
+from sdfcheck.convert.rewrite.renaming import (
+    Names,
+    filled,
+    same_geometry,
+    same_names,
+    same_pose,
+    seat,
+)
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
@@ -161,7 +168,7 @@ class _Comparison:
             yield self.changed("link", link, f"name of a {b.role}", a.name or "none", b.name or "none")
         if a.kind != b.kind:
             yield self.changed("link", link, f"{label} shape", _title(a), _title(b))
-        elif len(a.size) != len(b.size) or not np.allclose(a.size, b.size, rtol=1e-9, atol=self.tolerance):
+        elif not a.is_as_large_as(b, self.tolerance):
             yield self.changed("link", link, f"{label} size", *_pair(a.size, b.size))
         if self.uri(a) != self.uri(b):
             yield self.changed("link", link, f"{label} file", a.uri or "none", b.uri or "none")

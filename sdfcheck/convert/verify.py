@@ -260,12 +260,7 @@ class _Comparison:
                     self.shapes.append(Counterparts(name, geometry, equal))
 
     def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
-        if (mine.role, mine.kind, len(mine.size)) != (theirs.role, theirs.kind, len(theirs.size)):
-            return False
-        if not all(
-            math.isclose(*pair, rel_tol=1e-9, abs_tol=1e-12)
-            for pair in zip(mine.size, theirs.size, strict=True)
-        ):
+        if (mine.role, mine.kind) != (theirs.role, theirs.kind) or not mine.is_as_large_as(theirs, 1e-12):
             return False
         return bool((np.abs(offset @ mine.pose - theirs.pose) <= max(self.tolerance, 1e-9)).all())
 

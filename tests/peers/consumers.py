@@ -5,17 +5,14 @@ from __future__ import annotations
 import shutil
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from sdfcheck.consumers.reaction import Consumer
-from tests.peers import cmdcheck, drake, mujoco
+from tests.peers import cmdcheck, drake, libsdformat, mujoco
 
 
 def _gazebo(paths: Sequence[Path]) -> dict[Path, bool]:
-    with ThreadPoolExecutor() as executor:
-        opinions = executor.map(cmdcheck.check, paths)
-        return {path: opinion.accepted is True for path, opinion in zip(paths, opinions, strict=True)}
+    return {path: cmdcheck.check(path).accepted is True for path in paths}
 
 
 def _urdfdom(paths: Sequence[Path]) -> dict[Path, bool]:
@@ -32,7 +29,7 @@ def _mujoco(paths: Sequence[Path]) -> dict[Path, bool]:
 def installed() -> Mapping[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]]:
     """Consumer → the function that finds out which of some files it takes."""
     found: dict[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]] = {}
-    if cmdcheck.library() is not None:
+    if libsdformat.library() is not None:
         found[Consumer.GAZEBO] = _gazebo
     if drake.is_installed():
         found[Consumer.DRAKE] = drake.loads

@@ -9,7 +9,6 @@ from lxml import etree
 
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document
-from tests.peers.cmdcheck import library
 from tests.peers.cmdprint import Job, printed
 from tests.peers.findings import SHARED
 
@@ -35,5 +34,5 @@ def trees(texts: Sequence[tuple[Document, str]], folder: Path) -> list[etree._El
         file.write_text(text, encoding="utf-8")
         jobs.append(Job(file, document.path.parent))
     parser = etree.XMLParser(recover=True, remove_comments=True)
-    found = printed(library() or "", jobs, folder)
+    found = printed(jobs)
     return [etree.fromstring(text.encode(), parser) if text else None for text in found]

@@ -22,7 +22,7 @@ from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind, sniff
-from tests.peers import cmdcheck, drake_poses, own_conversion
+from tests.peers import cmdcheck, cmdprint, drake_poses, libsdformat
 from tests.peers.findings import SHARED
 
 VERSIONS = ("1.6", "1.9", "1.12")
@@ -102,7 +102,7 @@ def test_only_values_that_urdfdom_reads_convert(converted: list[Converted]) -> N
 
 def test_libsdformat_accepts_the_results(converted: list[Converted]) -> None:
     """All but those whose source has an inertia that no body has: it is carried over, and libsdformat refuses it."""
-    if cmdcheck.library() is None:
+    if libsdformat.library() is None:
         pytest.skip("libsdformat is not installed")
     wrong, accepted = [], 0
     for one in converted:
@@ -185,13 +185,13 @@ def links_with_moments_only(source: Path) -> list[str]:
 
 
 def test_merging_is_libsdformats_reduction(converted: list[Converted]) -> None:
-    if cmdcheck.library() is None:
+    if libsdformat.library() is None:
         pytest.skip("libsdformat is not installed")
     equal, wrong = 0, []
     for one in converted:
         if not one.results or excuse(one):
             continue
-        text = own_conversion.converted(one.source)
+        text = cmdprint.printed([cmdprint.Job(Path(one.source))])[0]
         theirs, ours = robot(text), robot(one.results["merged"].read_text())
         differences = [f"links {sorted(set(ours.links) ^ set(theirs.links))}"] * (
             set(ours.links) != set(theirs.links)

@@ -21,9 +21,9 @@ from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.source.document import Document, read
-from tests.peers.cmdcheck import library
 from tests.peers.cmdprint import version_of
 from tests.peers.findings import SHARED
+from tests.peers.libsdformat import library
 from tests.peers.migrations import documents, trees
 from tests.peers.trees import Difference, differences
 

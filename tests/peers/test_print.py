@@ -10,9 +10,9 @@ import pytest
 from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.document import Document
-from tests.peers.cmdcheck import library
 from tests.peers.cmdprint import version_of
 from tests.peers.findings import SHARED
+from tests.peers.libsdformat import library
 from tests.peers.migrations import documents, trees
 from tests.peers.trees import differences
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.peers import cmdcheck
+from tests.peers import cmdcheck, libsdformat
 
 ROBOTS = Path(__file__).parents[2] / "fixtures" / "robots"
 MISTAKEN = ROBOTS / "with_mistakes"
@@ -39,7 +39,7 @@ def expand(path: Path, folder: Path) -> Path:
 
 @pytest.mark.parametrize("path", correct(".sdf", ".world", ".urdf"), ids=lambda path: path.name)
 def test_libsdformat_accepts(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    if cmdcheck.library() is None:
+    if libsdformat.library() is None:
         pytest.skip("libsdformat is not installed")
     monkeypatch.setenv("SDF_PATH", str(ROBOTS))
     opinion = cmdcheck.check(path)

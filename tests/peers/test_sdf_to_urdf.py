@@ -19,7 +19,7 @@ from sdfcheck.convert.sdf_to_urdf.plan.choose import models
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
-from tests.peers import cmdcheck
+from tests.peers import cmdcheck, libsdformat
 from tests.peers.findings import SHARED
 from tests.there_and_back import there_and_back, untold
 
@@ -124,7 +124,7 @@ SAMPLE = 10
 
 
 def test_libsdformat_accepts_them(tmp_path: Path) -> None:
-    if cmdcheck.library() is None:
+    if libsdformat.library() is None:
         pytest.skip("libsdformat is not installed")
     target = tmp_path / "robot.urdf"
     for number, (document, done) in enumerate(conversions()):

@@ -88,11 +88,8 @@ def same_pose(a: Array, b: Array, tolerance: float) -> bool:
 
 def same_geometry(a: Geometry, b: Geometry, tolerance: float) -> bool:
     """Are they one shape at one place? Names and files do not matter."""
-    if (a.role, a.kind, len(a.size)) != (b.role, b.kind, len(b.size)):
-        return False
-    return bool(np.allclose(a.size, b.size, rtol=1e-9, atol=tolerance)) and same_pose(
-        a.pose, b.pose, tolerance
-    )
+    is_alike = (a.role, a.kind) == (b.role, b.kind) and a.is_as_large_as(b, tolerance)
+    return is_alike and same_pose(a.pose, b.pose, tolerance)
 
 
 def _unique_pairs(

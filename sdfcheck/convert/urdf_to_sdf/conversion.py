@@ -70,9 +70,10 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     context = Context(options, made)
     context.losses.extend(made.losses)
     writer = _Writer(document, robot, context)
-    text = with_line_ends(writer.write(), document.source.text)
-    written = read_result(text, document, Kind.SDF)
-    assert written.root is not None
+    try:
+        text = writer.write()
+    except DescriptionError as error:
+        raise refusal(error.element, str(error)) from None
     source = expected(robot, made, context)
     try:
         result = read_back(written, context, writer.sdf)

@@ -29,6 +29,14 @@ class Geometry:
     name: str = ""
     uri: str = ""
 
+    def is_as_large_as(self, other: Geometry, tolerance: float) -> bool:
+        """Are the sizes of two shapes of one kind equal? What is not a number is equal to itself."""
+        return len(self.size) == len(other.size) and all(
+            math.isclose(mine, theirs, rel_tol=1e-9, abs_tol=tolerance)
+            or (math.isnan(mine) and math.isnan(theirs))
+            for mine, theirs in zip(self.size, other.size, strict=True)
+        )
+
 
 @dataclass(slots=True)
 class Link:

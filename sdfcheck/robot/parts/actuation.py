@@ -9,6 +9,7 @@ from sdfcheck.robot.part import Part
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
+    from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.source.element import Element, Value
 
 
@@ -20,7 +21,10 @@ class JointNames(Part):
     @property
     def model(self) -> Model:
         """The robot."""
-        return cast("Model", self.holder)
+        holder = self.holder
+        if holder is not None and holder.kind == "gazebo":
+            return cast("GazeboBlock", holder).model
+        return cast("Model", holder)
 
     @property
     def joint_elements(self) -> tuple[Element, ...]:
