@@ -224,25 +224,18 @@ class Ledger:
         elif any(True for _ in element.itersiblings(element.tag, preceding=True)):
             text = f"{shown(element)} is left out: there is another one before it"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
+        elif not belongs(element):
+            text = f"{shown(element)} is left out: it means nothing there"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif any(shape in self._taken for shape in other_shapes(element)):
             text = f"{shown(element)} is left out: there is another shape before it"
             self.lose(LossKind.UNSUPPORTED_GEOMETRY, element, text)
         elif is_namesake(element, names):
             text = f"{shown(element)} is left out: another part of the model has its name"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
-        elif not belongs(element):
-            text = f"{shown(element)} is left out: it means nothing there"
-            self.lose(LossKind.DROPPED_ELEMENT, element, text)
         else:
             self._lost.add(element)
             self.forget(element, shown(element))
-
-    def _is_second_choice(self, element: Element) -> bool:
-        """Is it one more shape of a geometry?"""
-        at = element.parent
-        return (
-            at is not None and at.name == "geometry" and any(child in self._taken for child in at.children())
-        )
 
     def forget(self, element: Element, item: str) -> None:
         """An item should have been entered, and was not."""
