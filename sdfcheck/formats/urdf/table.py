@@ -161,14 +161,14 @@ def control() -> UrdfElement:
 
 @cache
 def known_parents(name: str) -> tuple[str, ...]:
-    """The elements that may hold one of this name, sorted."""
+    """The elements that may hold one of this name, sorted, of those that urdfdom reads."""
     found: set[str] = set()
     waiting = [urdf()]
     while waiting:
         element = waiting.pop()
         if name in element.children:
             found.add(element.name)
-        waiting += element.children.values()
+        waiting += [child for child in element.children.values() if not child.consumers]
     return tuple(sorted(found))
 
 

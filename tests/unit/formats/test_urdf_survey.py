@@ -102,6 +102,7 @@ def test_the_axis_of_a_fixed_joint_is_not_read() -> None:
     [
         ("<inertial/><inertial/>", problems.RepeatedElement),
         ("words", problems.StrayText),
+        ('<contact><lateral_friction value="high"/></contact>', problems.MalformedValue),
         (f'<visual><origin xyz=""/>{SHAPE}</visual>', problems.MissingAttribute),
         (f'<visual><origin xyz="1 2"/>{SHAPE}</visual>', problems.WrongComponentCount),
         (f'<visual><origin xyz="1 2 3m"/>{SHAPE}</visual>', problems.MalformedValue),
