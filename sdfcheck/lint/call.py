@@ -61,7 +61,7 @@ def lint(  # noqa: PLR0913
     return _run(paths, options, executor)
 
 
-def options_of(
+def options_of(  # noqa: PLR0913
     configuration: Configuration,
     *,
     select: Sequence[str] | None = None,

@@ -42,4 +42,5 @@ def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispat
         return []
     bodies = Bodies(document, pieces)
     found = list(explain(bodies.problems, document, dispatch))
-    return found + list(look_at(list(parts_in_macros(document, bodies.elements)), document, dispatch))
+    parts = list(parts_in_macros(document, bodies.elements))
+    return found + list(look_at(parts, bodies.elements, document, dispatch))

@@ -104,6 +104,20 @@ def is_extension(subject: object, document: Document) -> bool:
     return any(around.tag == "gazebo" for around in at.iterancestors())
 
 
+def selected_among(elements: Iterable[Element], selectors: Iterable[str], kind: Kind) -> Iterator[Element]:
+    """Those of the elements of a dialect that selectors mean: ``sdf:axis/limit`` is each ``limit`` in an ``axis``."""
+    for selector in selectors:
+        dialect, _, path = selector.partition(":")
+        *parents, name = path.split("/")
+        if dialect == kind.value:
+            yield from (each for each in elements if each.name == name and _is_in(each, parents[::-1]))
+
+
+def _selected(document: Document, selector: str) -> Iterator[Element]:
+    name = selector.rpartition("/")[2].rpartition(":")[2]
+    return selected_among(document.view(_elements).get(name, ()), (selector,), document.kind)
+
+
 def _elements(document: Document) -> Mapping[str, Sequence[Element]]:
     """Name → elements; in SDF and URDF those that are where the format places them."""
     if document.kind is Kind.SDF:

@@ -13,6 +13,7 @@ from sdfcheck.source.element import Element
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT
 
 _OWNERS: dict[str, type[Link | Joint]] = {
+    "axis": Joint,
     "collision": Link,
     "inertial": Link,
     "limit": Joint,

@@ -38,6 +38,8 @@ def codes(body: str, tmp_path: Path, *, params: str = "") -> list[tuple[str, str
         ),
         (f'<link name="a"><inertial><mass value="-1"/>{INERTIA}</inertial></link>', ("INR001", "-1")),
         (f'<link name="a"><visual>{SHAPE}<origin xyz="0 0"/></visual></link>', ("SCH013", "0 0")),
+        (f'<link name="a"><visual>{SHAPE}<origin rpy="90 0 0"/></visual></link>', ("FRM006", "90")),
+        ('<joint name="${n}" type="continuous"><axis xyz="0 0 0"/></joint>', ("JNT006", "0 0 0")),
     ],
 )
 def test_the_result_is_checked(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
@@ -54,6 +56,8 @@ def test_the_result_is_checked(body: str, expected: tuple[str, str], tmp_path: P
         "<material>Gazebo/Red</material><mu1>1</mu1><mu2>1</mu2>",
         f'<link name="a"><visual>{SHAPE}<origin xyz="0 0 ${{n}}" rpy="${{[0, n, 0]}}"/></visual></link>',
         '<mass value="${n}"/>',
+        f'<link name="a"><visual>{SHAPE}<origin rpy="${{n}} 0 90"/></visual></link>',
+        '<joint name="j" type="${n}"><parent link="a"/><child link="b"/><axis xyz="0 0 0"/></joint>',
     ],
 )
 def test_content_that_xacro_inserts_is_not_judged(body: str, tmp_path: Path) -> None:
