@@ -126,6 +126,10 @@ class Document:
         """Whether the text was made from others, in which the places are."""
         return False
 
+    def may_write(self, pattern: str) -> bool:
+        """Whether the texts that it was made from have a place that fits, which may become a part of it."""
+        return False
+
     def origins(self, element: Element) -> tuple[Step, ...]:
         """The macro calls and includes that led to an element, the nearest first."""
         return ()

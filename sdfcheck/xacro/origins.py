@@ -22,6 +22,7 @@ from sdfcheck.source.scanner.start_tag import START, StartTag
 from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source, Span, Step
 
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _WORD = re.compile(r"(?:\$\{[^}]*(?:\}|\Z)|\$\([^)]*(?:\)|\Z)|\S)+")
 
 
@@ -260,6 +261,10 @@ class ExpandedDocument(Document):
 
     def origins(self, element: Element) -> tuple[Step, ...]:
         return self.spans.origins(element)
+
+    def may_write(self, pattern: str) -> bool:
+        texts = (_COMMENT.sub("", source.text) for source in self.provenance.files)
+        return any(re.search(pattern, text) for text in texts)
 
     @property
     def top(self) -> Source:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, cast
 
@@ -66,12 +67,17 @@ class GazeboBlock(Part):
     def is_unresolved(self) -> bool:
         """Does its reference name no link or joint?
 
-        Expressions that are not expanded are left out, and names by which joints refer to a missing link.
+        What is yet to be expanded is left out, a name by which joints call a link that is not there, and one
+        of a link or joint that xacro writes with other arguments.
         """
         name = self.reference
         if not name or self.link is not None or self.joint is not None:
             return False
-        return not is_expression(name) and name not in self.model.link_names.unknown
+        if is_expression(name) or name in self.model.link_names.unknown:
+            return False
+        return not self.document.may_write(
+            rf'<(?:link|joint)\s[^<>]*\bname\s*=\s*["\']{re.escape(name)}["\']'
+        )
 
     @property
     def link(self) -> Link | None:

@@ -118,6 +118,20 @@ def test_a_macro_for_gazebo_is_not_urdf(folder: Path) -> None:
     assert found(folder, PART.format(macro)) == []
 
 
+@pytest.mark.parametrize("name", ["cage", "cages"])
+def test_a_block_for_a_link_that_other_arguments_bring_is_not_unreferenced(folder: Path, name: str) -> None:
+    (folder / "cage.xacro").write_text(
+        PART.format(
+            f'<xacro:if value="$(arg cage)"><link name="cage"/></xacro:if><!-- <link name="{name}s"/> -->'
+        )
+    )
+    blocks = (
+        f'<gazebo reference="{name}"><mu1>1</mu1></gazebo><gazebo reference="{name}s"><mu1>1</mu1></gazebo>'
+    )
+    text = f'<xacro:arg name="cage" default="false"/><xacro:include filename="cage.xacro"/><link name="a"/>{blocks}'
+    assert found(folder, text).count(("GAZ003", "error")) == (1 if name == "cage" else 2)
+
+
 def test_an_include_of_its_own_name_does_not_make_a_robot_a_library(folder: Path) -> None:
     for name in ("base_arm", "my_arm"):
         (folder / name).mkdir()
