@@ -13,6 +13,7 @@ from sdfcheck import (
     make_fix,
     problems,
 )
+from sdfcheck_rules.xml.strict import unless_xacro
 
 
 class ContentBeforeDeclaration(Rule):
@@ -20,7 +21,8 @@ class ContentBeforeDeclaration(Rule):
 
     `<?xml …?>` must be the very first thing in the file. A comment before it makes
     libsdformat, Drake and MuJoCo refuse the file. They take an empty line, which is a
-    warning because strict XML parsers refuse that, too.
+    warning because strict XML parsers refuse that, too; in a xacro file it is an error,
+    as xacro uses such a parser.
     """
 
     code = "XML004"
@@ -38,6 +40,12 @@ class ContentBeforeDeclaration(Rule):
         Bad(
             '<!-- my world -->\n«<?xml version="1.0"?>»\n<sdf version="1.12"><world name="w"/></sdf>',
             fixed='<?xml version="1.0"?>\n<!-- my world -->\n<sdf version="1.12"><world name="w"/></sdf>',
+        ),
+        Bad(
+            '\n«<?xml version="1.0"?>»\n<robot name="r"><link name="a"/></robot>',
+            file="robot.urdf.xacro",
+            fixed='<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>',
+            says="xacro refuses the file",
         ),
     )
     good = (
@@ -66,4 +74,5 @@ class ContentBeforeDeclaration(Rule):
             yield self.diagnostic(declaration, message, fix=fix)
             return
         affects = dict.fromkeys(Consumer, accepts("takes the blank"))
-        yield self.diagnostic(declaration, message, severity=Severity.WARNING, fix=fix, affects=affects)
+        own = unless_xacro(declaration, message, severity=Severity.WARNING, affects=affects)
+        yield self.diagnostic(declaration, fix=fix, **own)

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, refuses
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
+from sdfcheck_rules.xml.strict import unless_xacro
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -38,15 +39,5 @@ class DoubleHyphenInComment(Rule):
     def check(self, problem: problems.CommentHyphens) -> Iterator[Diagnostic]:
         edits = tuple(Edit(run, " ".join("-" * len(run.text))) for run in problem.runs)
         fix = make_fix("put spaces between the hyphens", edits)
-        message = "`--` inside a comment is not allowed in XML"
-        if problem.span.source.path.suffix != ".xacro":
-            yield self.diagnostic(problem.span, message, fix=fix)
-            return
-        affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
-        yield self.diagnostic(
-            problem.span,
-            f"{message}: xacro refuses the file",
-            fix=fix,
-            severity=Severity.ERROR,
-            affects=affects,
-        )
+        own = unless_xacro(problem.span, "`--` inside a comment is not allowed in XML")
+        yield self.diagnostic(problem.span, fix=fix, **own)

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
+from sdfcheck_rules.xml.strict import unless_xacro
 
 
 class UndefinedEntity(Rule):
@@ -8,7 +9,8 @@ class UndefinedEntity(Rule):
 
     XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;`, `&apos;` and characters by number.
     libsdformat and Drake keep any other name as it is written, urdfdom 3 drops the `&`, and all of them
-    take the number of a character for the character; every strict XML parser refuses the file.
+    take the number of a character for the character; every strict XML parser refuses the file,
+    that of xacro among them: in a xacro file it is an error.
     """
 
     code = "XML006"
@@ -29,6 +31,12 @@ class UndefinedEntity(Rule):
             says="`&nbsp;` is not defined",
         ),
         Bad('<robot name="r«&#7;»1"><link name="l"/></robot>', says="a character that XML does not allow"),
+        Bad(
+            '<robot name="r«&»1"><link name="l"/></robot>',
+            file="robot.urdf.xacro",
+            fixed='<robot name="r&amp;1"><link name="l"/></robot>',
+            says="xacro refuses the file",
+        ),
     )
     good = (
         Good('<sdf version="1.12"><model name="salt &amp; pepper"><link name="l"/></model></sdf>'),
@@ -40,12 +48,12 @@ class UndefinedEntity(Rule):
         span, name = problem.span, problem.name
         if name.startswith("#"):
             message = f"`{span.text}` is a character that XML does not allow"
-            yield self.diagnostic(
-                span, message, affects=dict.fromkeys(Consumer, warns("reads the character"))
-            )
+            reads = dict.fromkeys(Consumer, warns("reads the character"))
+            yield self.diagnostic(span, **unless_xacro(span, message, affects=reads))
             return
         message = (
             f"`{span.text}` is not defined in XML" if name else "a bare `&` begins nothing that XML knows"
         )
         ampersand = span.source.span(span.start, span.start + 1)
-        yield self.diagnostic(span, message, fix=make_fix("write `&amp;`", (Edit(ampersand, "&amp;"),)))
+        fix = make_fix("write `&amp;`", (Edit(ampersand, "&amp;"),))
+        yield self.diagnostic(span, fix=fix, **unless_xacro(span, message))
