@@ -19,7 +19,7 @@ _MESSAGES: Mapping[str, str] = {
     "text": "xacro cannot read the file here: {detail}",
     "syntax": "the included file is not well-formed: {detail}",
     "recursion": "macro `{detail}` calls itself without end",
-    "file": "an included file cannot be read: {detail}",
+    "file": "cannot read {detail}",
 }
 
 

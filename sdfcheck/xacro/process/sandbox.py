@@ -154,7 +154,7 @@ class Readable:
     def __call__(self, path: str) -> bool:
         real = os.path.realpath(path)
         inside = _below(_plain(real), self.roots) or _below(_plain(os.path.abspath(path)), self.links)
-        return inside and (os.path.isfile(real) or not os.path.exists(real))
+        return inside and (os.path.isfile(real) or os.path.isdir(real) or not os.path.exists(real))
 
 
 def _plain(path: str) -> str:

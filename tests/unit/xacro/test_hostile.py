@@ -155,6 +155,12 @@ def test_files_outside_the_project(expander: Expander, tmp_path: Path) -> None:
         assert "outside of the project" in found.detail
 
 
+def test_a_folder_is_no_file(expander: Expander, tmp_path: Path) -> None:
+    found = failure(expander, tmp_path, "<a b=\"${xacro.load_yaml('')}\"/>")
+    assert found.kind is Failure.FILE
+    assert found.detail.endswith("is a directory")
+
+
 def test_the_environment_stays_outside(
     expander: Expander, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
