@@ -77,7 +77,9 @@ class ExpansionError(Rule):
         is_dormant = problem.is_dormant and kind != "pattern"
         own = dict(unless_reached(is_dormant=is_dormant, help=advice))
         reason = problem.reason
-        labels = {reason.place: reason.label} if reason and reason.place else None
+        labels = {reason.place: reason.label} if reason and reason.place else {}
+        if problem.cause not in {None, problem.span}:
+            labels[problem.cause] = "here"
         if kind == "argument" and reason is not None:
             own["help"] = None
         elif kind in {"argument", "pattern"}:
@@ -85,7 +87,9 @@ class ExpansionError(Rule):
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
         origins = tuple(Origin(*step) for step in problem.origins)
-        yield self.diagnostic(problem.span, _message(problem), labels=labels, origins=origins, **own)
+        yield self.diagnostic(
+            problem.span, _message(problem), labels=labels, origins=origins, cause=problem.cause, **own
+        )
 
 
 def _message(problem: problems.ExpansionFailure) -> str:

@@ -89,6 +89,8 @@ class Diagnostic(NamedTuple):
     """The reaction of each consumer that is concerned, sorted by consumer."""
     missing: Missing | None = None
     """Given where the finding is about this computer, and the file may be sound."""
+    cause: Span | None = None
+    """The fault in a text that this follows from: where another error is reported on its line, this is not."""
 
     @property
     def concerned(self) -> frozenset[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.disk import Disk
-from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix.fix import Fix
 from sdfcheck.source.text import Source, Span
 
@@ -104,16 +104,29 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
 
 
 def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Those of a run without what a file is reported itself, and of the files that include it once more."""
-    foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins]
+    """Those of a run without what a file is reported itself, and of the files that include it once more.
+
+    Without what follows from a fault, too, where an error is reported on its line.
+    """
+    foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
         return list(diagnostics)
     disk = Disk()
+
+    def line(span: Span) -> tuple[str, int]:
+        return disk.real(span.source.path), span.begin.line
 
     def place(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
         span = diagnostic.span
         return diagnostic.code, disk.real(span.source.path), span.start, span.end
 
-    places = set(map(place, foreign))
-    own = places.intersection(place(each) for each in diagnostics if not each.origins)
-    return [each for each in diagnostics if not each.origins or place(each) not in own]
+    own = [each for each in diagnostics if not each.origins]
+    places = set(map(place, foreign)).intersection(map(place, own))
+    causes = {line(each.cause) for each in foreign if each.cause}
+    if causes:
+        causes &= {line(each.span) for each in own if each.severity is Severity.ERROR and not each.cause}
+    return [
+        each
+        for each in diagnostics
+        if not (each.origins and place(each) in places) and not (each.cause and line(each.cause) in causes)
+    ]

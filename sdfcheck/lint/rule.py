@@ -85,12 +85,14 @@ class Rule:
         origins: tuple[Origin, ...] = (),
         affects: Mapping[Consumer, Reaction] | None = None,
         missing: Missing | None = None,
+        cause: Span | None = None,
     ) -> Diagnostic:
         """A diagnostic of this rule; ``labels`` are further targets and what they have to do with it.
 
         ``severity`` is given only where it depends on the case; so is what consumers do in
         ``affects``, for some of those that the rule names. ``missing`` is what may be on
-        another computer: such findings are reported together, and fail no run.
+        another computer: such findings are reported together, and fail no run. ``cause`` is a fault
+        in a text: where another error is reported on its line, this is not.
         """
         return Diagnostic(
             self.code,
@@ -104,6 +106,7 @@ class Rule:
             origins,
             tuple((consumer.value, reaction) for consumer, reaction in (affects or {}).items()),
             missing,
+            cause,
         )
 
 

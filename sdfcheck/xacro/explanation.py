@@ -9,8 +9,10 @@ from typing import Any
 
 from sdfcheck.files.packages import Packages
 from sdfcheck.source.document import Document
+from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
 from sdfcheck.source.scanner.start_tag import StartTag
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span, Step
 from sdfcheck.xacro.origins import Provenance
 from sdfcheck.xacro.problems import (
@@ -36,7 +38,6 @@ _MISMATCHES = {
 _FAILURES: Mapping[str, Failure] = {
     "argument": Failure.ARGUMENT,
     "variable": Failure.VARIABLE,
-    "syntax": Failure.SYNTAX,
     "limit": Failure.LIMIT,
     "refused": Failure.REFUSED,
     "other": Failure.EXPRESSION,
@@ -52,8 +53,6 @@ def explain(report: Report, provenance: Provenance, document: Document, packages
         return take(case, packages)
     detail = str(report.get("name") or report.get("message") or "")
     failure = _FAILURES[kind]
-    if failure is Failure.SYNTAX and not report.get("place"):
-        failure = Failure.TEXT  # of the file itself: no include was under way
     if failure is Failure.VARIABLE and detail in os.environ:
         failure = Failure.WITHHELD
     return ExpansionFailure(case.span(), failure, detail, str(report.get("expression", "")), case.origins)
@@ -159,6 +158,21 @@ def _file(case: _Case, packages: Packages) -> Problem:
     return ExpansionFailure(case.span(), Failure.FILE, detail, expression, case.origins)
 
 
+def _syntax(case: _Case, packages: Packages) -> Problem:
+    file, line, column = case.report["at"]
+    source = case.provenance.files[file]
+    start = source.offset(line, column)
+    fault = source.span(start, start + 1)
+    detail: str = case.report["message"]
+    if not case.report.get("place"):  # the file itself: no include was under way
+        return ExpansionFailure(fault, Failure.TEXT, detail, cause=fault)
+    defects = (
+        each.span for each in Document(source, Kind.XACRO, []).problems if isinstance(each, SyntaxDefect)
+    )
+    cause = next(defects, fault)
+    return ExpansionFailure(case.span(), Failure.SYNTAX, detail, origins=case.origins, cause=cause)
+
+
 def _recursion(case: _Case, packages: Packages) -> Problem:
     name: str = case.report["name"]
     if case.report["what"] == "include":
@@ -183,6 +197,7 @@ _TAKE: Mapping[str, Callable[[_Case, Packages], Problem]] = {
     "macro": _macro,
     "package": _package,
     "file": _file,
+    "syntax": _syntax,
     "recursion": _recursion,
     "arguments": _arguments,
 }

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import partial
+from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.source.document import Document
-from sdfcheck.source.problems import CommentHyphens, SyntaxDefect
+from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion
@@ -35,7 +33,6 @@ from sdfcheck.xacro.static.definitions import is_robot
 from sdfcheck.xacro.static.project import is_included
 from sdfcheck.xacro.static.reasons import with_reason
 
-_AT = re.compile(r" \(line (\d+), column (\d+)\)$")
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
 
@@ -71,12 +68,7 @@ def prepare(
         found = [dormant(problem) for problem in found]
     elif not any(map(_stops, found)):
         failures = [problem for expansion in expansions for problem in expansion.problems]
-        wanted = [p for p in failures if not (_needs_includer(p) and is_included(document))]
-        found += [
-            p
-            for p in map(partial(_placed, document), wanted)
-            if not _is_known(p, [*found, *document.problems])
-        ]
+        found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
     documents = tuple(_documents(expansions, document))
     parts = [
         expander.expand_partly(document, arguments)
@@ -87,29 +79,6 @@ def prepare(
     shown = tuple(part.document for part in parts if part.document is not None)
     explained = [with_reason(problem, document) for problem in _merged(found)]
     return Prepared(tuple(explained), documents, shown)
-
-
-def _placed(document: Document, problem: Problem) -> Problem:
-    """A problem of the text of the file itself at its line and column, which the words name."""
-    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.TEXT:
-        return problem
-    match = _AT.search(problem.detail)
-    if match is None or problem.span.source is not document.source or problem.origins:
-        return problem
-    start = document.source.offset(int(match[1]), int(match[2]))
-    span = document.source.span(start, start + 1)
-    return ExpansionFailure(span, Failure.TEXT, problem.detail[: match.start()])
-
-
-def _is_known(problem: Problem, found: Sequence[object]) -> bool:
-    """Is broken text that of an expression or a comment that is reported for itself?"""
-    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.TEXT:
-        return False
-    line = problem.span.begin.line
-    return any(
-        isinstance(each, (ExpansionFailure, CommentHyphens)) and each.span.begin.line == line
-        for each in found
-    )
 
 
 def _is_certain(problem: Problem) -> bool:

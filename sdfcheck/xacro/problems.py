@@ -40,7 +40,10 @@ class Reason(Record):
 
 
 class ExpansionFailure(Record):
-    """xacro cannot expand the file; ``detail`` is the name or the reason that the kind of failure has."""
+    """xacro cannot expand the file; ``detail`` is the name or the reason that the kind of failure has.
+
+    ``cause`` is the fault in the text, of the file itself or of one that it includes.
+    """
 
     span: Span
     kind: Failure
@@ -49,6 +52,7 @@ class ExpansionFailure(Record):
     origins: tuple[Step, ...] = ()
     is_dormant: bool = False
     reason: Reason | None = None
+    cause: Span | None = None
 
 
 class UndeclaredXacroPrefix(Record):

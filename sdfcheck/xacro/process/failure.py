@@ -109,6 +109,8 @@ def describe(error: BaseException, tracer: Tracer) -> Record:
         if frame.f_globals.get("__name__", "").partition(".")[0] == "xacro":
             spot.take(frame, tracer)
     record = _judge(error, spot)
+    if "at" in record:
+        record["at"].insert(0, len(tracer.files) - 1)  # the file that was opened last
     if spot.data is not None:
         record["place"] = spot.data.place
         record["step"] = spot.data.step
@@ -132,7 +134,7 @@ def _judge(error: BaseException, spot: Spot) -> Record:
         return _recursion(spot)
     if isinstance(root, ExpatError):
         what = errors.messages.get(root.code, message)
-        return {"kind": "syntax", "message": f"{what} (line {root.lineno}, column {root.offset + 1})"}
+        return {"kind": "syntax", "message": what, "at": [root.lineno, root.offset + 1]}
     if isinstance(root, OSError):
         return {"kind": "file", "name": str(root.filename), "message": (root.strerror or "").lower()}
     return _of_xacro(root, spot)

@@ -1,0 +1,53 @@
+"""An included file that xacro cannot read: one diagnostic, in that file where the run reports it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+BROKEN = {
+    "empty": "",
+    "text": "solid cube\n",
+    "unclosed": f'{HEAD}\n<link name="a">\n</robot>\n',
+    "cut off": f'{HEAD}\n<link name="a"/>\n',
+    "two roots": "<robot/>\n<robot/>\n",
+    "repeated attribute": f'{HEAD}\n<link name="a"\n name="b"/>\n</robot>',
+    "undeclared prefix": '<robot>\n<link name="a"/>\n<xacro:leg/>\n</robot>',
+    "other prefix": f'{HEAD}\n<drake:joint name="a"/>\n</robot>',
+    "bare ampersand": f'{HEAD}\n<link name="a&b"/>\n</robot>',
+    "unknown entity": f'{HEAD}\n<link name="&a;"/>\n</robot>',
+    "hyphens": f"{HEAD}\n<!-- a -- b -->\n</robot>",
+    "no quotes": f"{HEAD}\n<link name=a/>\n</robot>",
+    "late declaration": f'\n<?xml version="1.0"?>\n{HEAD}</robot>',
+}
+
+
+def found(*paths: Path) -> list[tuple[str, str, int]]:
+    run = sdfcheck.lint(*paths, isolated=True)
+    errors = [each for each in run.diagnostics if each.severity is sdfcheck.Severity.ERROR]
+    return [(each.code, each.span.source.path.name, len(each.labels)) for each in errors]
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_a_broken_include_is_one_diagnostic(tmp_path: Path, name: str) -> None:
+    (tmp_path / "part.xacro").write_text(BROKEN[name])
+    (tmp_path / "middle.xacro").write_text(f'{HEAD}<xacro:include filename="part.xacro"/></robot>')
+    for file, includes in (("main", "part"), ("other", "middle")):
+        (tmp_path / f"{file}.urdf.xacro").write_text(
+            f'{HEAD}\n<xacro:include filename="{includes}.xacro"/>\n<link name="b"/>\n</robot>'
+        )
+    assert found(tmp_path / "main.urdf.xacro") == [("XAC001", "main.urdf.xacro", 1)]
+    assert found(tmp_path / "other.urdf.xacro") == [("XAC001", "middle.xacro", 1)]
+    ((code, file, _),) = found(tmp_path)
+    assert code != "XAC001"
+    assert file == "part.xacro"
+
+
+def test_it_stays_at_the_include_where_the_fault_is_not_reported(tmp_path: Path) -> None:
+    (tmp_path / "part.xacro").write_text(f"<!-- sdfcheck: ignore-file XML -->\n{BROKEN['unclosed']}")
+    (tmp_path / "main.urdf.xacro").write_text(f'{HEAD}\n<xacro:include filename="part.xacro"/>\n</robot>')
+    assert ("XAC001", "main.urdf.xacro", 1) in found(tmp_path)
