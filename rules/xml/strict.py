@@ -8,9 +8,12 @@ from sdfcheck import Consumer, Severity, Span, refuses
 _AFFECTS = dict.fromkeys(Consumer, refuses("gets no robot description"))
 
 
+def is_xacro(span: Span) -> bool:
+    return span.source.path.suffix == ".xacro" or span.source.mentions("<xacro:")
+
+
 def unless_xacro(span: Span, message: str, **own: Any) -> Mapping[str, Any]:
     """The message, with what is ``own`` to a diagnostic; for xacro files that of an error."""
-    source = span.source
-    if source.path.suffix != ".xacro" and not source.mentions("<xacro:"):
+    if not is_xacro(span):
         return {"message": message, **own}
     return {"message": f"{message}: xacro refuses the file", "severity": Severity.ERROR, "affects": _AFFECTS}

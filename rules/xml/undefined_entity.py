@@ -1,7 +1,10 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
-from sdfcheck_rules.xml.strict import unless_xacro
+from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, Span, make_fix, problems, warns
+from sdfcheck_rules.xml.strict import is_xacro, unless_xacro
+
+_NEAR = 500
+"""So many characters before an `&` are searched for the start of an expression."""
 
 
 class UndefinedEntity(Rule):
@@ -30,6 +33,10 @@ class UndefinedEntity(Rule):
             fixed='<robot name="r&amp;nbsp;1"><link name="l"/></robot>',
             says="`&nbsp;` is not defined",
         ),
+        Bad(
+            '<sdf version="1.12"><model name="salt «&»& pepper"><link name="l"/></model></sdf>',
+            fixed='<sdf version="1.12"><model name="salt &amp;&amp; pepper"><link name="l"/></model></sdf>',
+        ),
         Bad('<robot name="r«&#7;»1"><link name="l"/></robot>', says="a character that XML does not allow"),
         Bad(
             '<robot name="r«&»1"><link name="l"/></robot>',
@@ -42,6 +49,11 @@ class UndefinedEntity(Rule):
         Good('<sdf version="1.12"><model name="salt &amp; pepper"><link name="l"/></model></sdf>'),
         Good('<robot name="&#x52;2"><link name="l"/></robot>', why="a character by its number"),
         Good('<sdf version="1.12"><!-- salt & pepper --><world name="w"/></sdf>', why="a comment"),
+        Good(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="${1 && 2}"/></robot>',
+            file="robot.urdf.xacro",
+            why="expansion-error owns bad Python",
+        ),
     )
 
     def check(self, problem: problems.UnknownEntity) -> Iterator[Diagnostic]:
@@ -51,9 +63,20 @@ class UndefinedEntity(Rule):
             reads = dict.fromkeys(Consumer, warns("reads the character"))
             yield self.diagnostic(span, **unless_xacro(span, message, affects=reads))
             return
+        text, end = span.source.text, span.start + 1
+        while text.startswith("&", end):
+            end += 1
+        ampersands = span.source.span(span.start, end)
+        if text[span.start - 1 : span.start] == "&" or (len(ampersands.text) > 1 and _is_in_expression(span)):
+            return
         message = (
             f"`{span.text}` is not defined in XML" if name else "a bare `&` begins nothing that XML knows"
         )
-        ampersand = span.source.span(span.start, span.start + 1)
-        fix = make_fix("write `&amp;`", (Edit(ampersand, "&amp;"),))
+        fix = make_fix("write `&amp;`", (Edit(ampersands, "&amp;" * len(ampersands.text)),))
         yield self.diagnostic(span, fix=fix, **unless_xacro(span, message))
+
+
+def _is_in_expression(span: Span) -> bool:
+    """In one of xacro `&&` is bad Python, whatever XML makes of it."""
+    before = span.source.text[max(span.start - _NEAR, 0) : span.start]
+    return is_xacro(span) and before.rfind("${") > before.rfind("}")
