@@ -150,6 +150,8 @@ class Definitions:
             values = {read.arguments[name] for read in self.readings if name in read.arguments}
         elif match["code"] is not None and _SIMPLE.fullmatch(match["code"].strip()):
             name = match["code"].strip()
+            if any(p.name == name for r in self.readings for macro in r.macros for p in macro.parameters):
+                return None
             values = {p.value or "" for r in self.readings for p in r.properties if p.name == name}
         else:
             return None

@@ -64,3 +64,12 @@ def test_one_mistake_gives_one_diagnostic(body: str, expected: tuple[str, str], 
 )
 def test_text_that_may_be_sound_is_left_alone(body: str, tmp_path: Path) -> None:
     assert not found(body, tmp_path)
+
+
+def test_a_parameter_may_name_any_file(tmp_path: Path) -> None:
+    tip = '<xacro:macro name="tip" params="PARAMS"><link name="${a}"/></xacro:macro>'
+    for name, params in (("none", "a"), ("long", "a b")):
+        (tmp_path / f"{name}.xacro").write_text(f"{HEAD}{tip.replace('PARAMS', params)}</robot>")
+    body = """<xacro:if value="${kind == ''}"><xacro:property name="kind" value="none"/></xacro:if>"""
+    body += '<xacro:include filename="${kind}.xacro"/><xacro:tip a="1" b="2"/>'
+    assert found(macro(body, "kind"), tmp_path) == []
