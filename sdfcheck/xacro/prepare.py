@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.source.document import Document
@@ -64,19 +65,19 @@ def prepare(
         return Prepared(tuple(with_reason(problem, document) for problem in _merged(found)), ())
     sets = list(argument_sets) or [{}]
     expansions = [expander.expand(document, arguments) for arguments in sets]
-    if all(expansion.document is not None for expansion in expansions):
-        found = [dormant(problem) for problem in found]
-    elif not any(map(_stops, found)):
+    parts = {
+        index: expander.expand_partly(document, arguments)
+        for index, arguments in enumerate(sets)
+        if any(isinstance(problem, UnknownPackage) for problem in expansions[index].problems)
+    }
+    shown = tuple(part.document for part in parts.values() if part.document is not None)
+    if all(parts.get(index, whole).document is not None for index, whole in enumerate(expansions)):
+        found = list(_unreached(found, document, shown))
+    if not any(map(_stops, found)):
         failures = [problem for expansion in expansions for problem in expansion.problems]
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
+    found += [problem for part in parts.values() for problem in part.problems if _is_certain(problem)]
     documents = tuple(_documents(expansions, document))
-    parts = [
-        expander.expand_partly(document, arguments)
-        for arguments, expansion in zip(sets, expansions, strict=True)
-        if any(isinstance(problem, UnknownPackage) for problem in expansion.problems)
-    ]
-    found += [problem for part in parts for problem in part.problems if _is_certain(problem)]
-    shown = tuple(part.document for part in parts if part.document is not None)
     explained = [with_reason(problem, document) for problem in _merged(found)]
     return Prepared(tuple(explained), documents, shown)
 
@@ -100,8 +101,21 @@ def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[
         yield expanded
 
 
+def _unreached(
+    found: Iterable[Problem], document: Document, partial: Iterable[ExpandedDocument]
+) -> Iterator[Problem]:
+    """The problems as those that no expansion reached, but for what a partial one has left as it is."""
+    left = {start for part in partial for start in part.provenance.offsets_in(document.path)}
+    for problem in found:
+        starts = document.scan.starts if left else ()
+        element = bisect_right(starts, problem.span.start) - 1
+        yield problem if element >= 0 and starts[element] in left else dormant(problem)
+
+
 def _stops(problem: Problem) -> bool:
     """Whether an expansion that reaches a problem fails for it, in words that do not say so."""
+    if getattr(problem, "is_dormant", False):
+        return False
     if isinstance(problem, WrongXacroAttribute):
         return problem.is_fatal
     if isinstance(problem, OddParameter):

@@ -63,3 +63,20 @@ def test_broken_text_of_an_included_file_is_reported_at_the_include(tmp_path: Pa
     (tmp_path / "part.xacro").write_text("")
     content = '<link name="a"/><xacro:include filename="part.xacro"/>'
     assert ("XAC001", "part.xacro") in found(tmp_path, content)
+
+
+@pytest.mark.parametrize(
+    ("content", "severity"),
+    [
+        ('<xacro:property name="unread" value="${1 +}"/>', "warning"),
+        ('<xacro:if value="0"><link name="${1 +}"/></xacro:if>', "warning"),
+        ('<xacro:sensor name="${1 +}"/>', "error"),
+    ],
+)
+def test_what_the_rest_does_not_reach_is_no_error(tmp_path: Path, content: str, severity: str) -> None:
+    assert found(tmp_path, f'{MISSING}<link name="a"/>{content}') == [
+        ("XAC007", "nowhere_near"),
+        ("XAC001", "${1 +}"),
+    ]
+    (report,) = sdfcheck.lint(tmp_path / "robot.urdf.xacro", isolated=True, select=["XAC001"]).diagnostics
+    assert report.severity.value == severity
