@@ -152,6 +152,8 @@ def _of_xacro(root: BaseException, spot: Spot) -> Record:
         return {"kind": "macro", "name": text.rpartition("xacro:")[2]}
     if text.startswith(_COUNTED) and spot.macro is not None:
         return _arguments(text, spot)
+    if text.startswith("Property names must be valid"):
+        spot.attribute = "name"
     if text.startswith("Xacro conditional"):
         spot.attribute, spot.expression = "value", ""
         text = f"`{text.rpartition(' evaluated to ')[2].split(chr(34))[1]}` is neither true nor false"

@@ -105,8 +105,8 @@ def _ends(call: Call) -> tuple[Span, ...]:
 
 def _undefined_properties(document: Document, visible: Definitions) -> Iterator[Problem]:
     outside, inside = visible.properties, visible.properties | visible.parameters
-    # Of a name with a hyphen, which expressions take for a minus, the first part is reported.
-    dashed = {part for name in outside if "-" in name for part in name.split("-")[1:]}
+    # A name with a hyphen, which expressions take for a minus, is reported where it is defined.
+    dashed = {part for name in outside if "-" in name for part in name.split("-")}
     for found in reading(document).expressions:
         known = outside if found.macro is None else inside
         for name in sorted(free_names(found.code) - known - BUILT_IN - dashed):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from keyword import iskeyword
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -33,7 +34,13 @@ Found = ExpansionFailure | UndefinedArgument | UndefinedBlock | UnevaluatedExpre
 
 def expression_problems(document: Document, visible: Definitions) -> Iterator[Found]:
     """The problems of the expressions, substitutions, conditions and inclusions of a document."""
-    yield from _expressions(document)
+    invalid = {each.name: each for each in reading(document).properties if _is_invalid(each.name)}
+    for each in invalid.values():
+        detail = f"Property names must be valid python identifiers: {each.name}"
+        yield ExpansionFailure(
+            document.spans.attribute_value(each.element, "name"), Failure.EXPRESSION, detail
+        )
+    yield from _expressions(document, [*invalid])
     yield from _unevaluated(document, visible)
     yield from _commands(document, visible)
     yield from _conditions(document)
@@ -46,10 +53,15 @@ def expression_problems(document: Document, visible: Definitions) -> Iterator[Fo
             yield ExpansionFailure(_filename(include), Failure.PATTERN, include.filename)
 
 
-def _expressions(document: Document) -> Iterator[ExpansionFailure]:
+def _is_invalid(name: str) -> bool:
+    return name != "" and is_literal(name) and (iskeyword(name) or not name.isidentifier())
+
+
+def _expressions(document: Document, invalid: Sequence[str]) -> Iterator[ExpansionFailure]:
+    """The expressions that fail, unless they use one of the ``invalid`` names."""
     for found in reading(document).expressions:
         reason = _fault(found.code, found.element)
-        if reason is not None:
+        if reason is not None and not any(name in found.code for name in invalid):
             whole = f"${{{found.code}}}"
             span = place(found.element, found.attribute, whole)
             yield ExpansionFailure(span, Failure.EXPRESSION, reason, whole)

@@ -52,8 +52,6 @@ _OTHER_LANGUAGES = (
 )
 """A construct that expressions do not allow → its replacement."""
 
-_DASHED = re.compile(r"(?<![\w.])([^\W\d]\w*(?:-[^\W\d]\w*)+)(?!\w)")
-
 
 def with_reason(problem: Problem, document: Document) -> Problem:
     """The same problem with the reason for it, where that is known."""
@@ -85,7 +83,7 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
             return Reason(f"it is an argument: write `$(arg {name})`", place, "the argument")
     found = [each for read in visible.readings for each in read.properties if each.name == name]
     if not found:
-        return _dashed(problem, visible)
+        return None
     first = found[0]
     place = _name(first.element)
     if all(each.macro is not None for each in found):
@@ -98,17 +96,6 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
     if outside.value is None and not len(outside.element):
         return Reason("it has no value", _name(outside.element), "no `value` here")
     return _late(problem.span, _name(outside.element))
-
-
-def _dashed(problem: UndefinedProperty, visible: Definitions) -> Reason | None:
-    """A name that is a part of one with a hyphen, which expressions take for a minus."""
-    names = {each.name: each for read in visible.readings for each in read.properties if "-" in each.name}
-    line = problem.span.source.text[max(problem.span.start - 60, 0) : problem.span.end + 60]
-    for match in _DASHED.finditer(line):
-        if match[1] in names and problem.name in match[1].split("-"):
-            place = _name(names[match[1]].element)
-            return Reason(f"`-` in `{match[1]}` is a minus: write it with `_`", place, "the property")
-    return None
 
 
 def _is_inside(span: Span, found: list[Property]) -> bool:

@@ -186,7 +186,7 @@ def test_the_environment_stays_outside(
         ('<a b="${1 +}"/>', Failure.EXPRESSION, "${1 +}"),
         ("<a>${[][0]}</a>", Failure.EXPRESSION, "${[][0]}"),
         ('<xacro:if value="perhaps"/>', Failure.EXPRESSION, "perhaps"),
-        ('<xacro:property name="a b" value="1"/>', Failure.EXPRESSION, "xacro:property"),
+        ('<xacro:property name="a b" value="1"/>', Failure.EXPRESSION, "a b"),
         ('<xacro:macro params="x"/>', Failure.EXPRESSION, "xacro:macro"),
         ('<a b="$(dirname)"/>', Failure.EXPRESSION, "$(dirname)"),
         ('<a b="$(nonsense x)"/>', Failure.EXPRESSION, "$(nonsense x)"),

@@ -43,6 +43,11 @@ def macro(body: str, params: str = "side") -> str:
         ('<xacro:proprety name="long" value="1"/>' + macro('<link name="${long}"/>'), ("XAC003", "proprety")),
         ('<property name="long" value="1"/>' + macro('<link name="${long}"/>'), ("XAC012", "property")),
         (macro("") + '<xacro:m sied="left"/>', ("XAC008", "sied")),
+        (
+            '<xacro:property name="wheel-size" value="1"/>' + macro('<link name="${wheel-size}"/>'),
+            ("XAC001", "wheel-size"),
+        ),
+        ('<xacro:property name="is" value="1"/>' + macro('<link name="${is + 1}"/>'), ("XAC001", "is")),
     ],
 )
 def test_one_mistake_gives_one_diagnostic(body: str, expected: tuple[str, str], tmp_path: Path) -> None:
