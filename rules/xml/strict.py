@@ -9,7 +9,7 @@ _AFFECTS = dict.fromkeys(Consumer, refuses("gets no robot description"))
 
 
 def is_xacro(span: Span) -> bool:
-    return span.source.path.suffix == ".xacro" or span.source.mentions("<xacro:")
+    return span.source.path.suffix == ".xacro" or span.source.contains("<xacro:")
 
 
 def unless_xacro(span: Span, message: str, **own: Any) -> Mapping[str, Any]:

@@ -12,7 +12,7 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import EXTENSION, RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.lint.subjects import OF_VENDORS, is_extension, selected_among, subjects
+from sdfcheck.lint.subjects import OF_VENDORS, Subjects, is_extension
 from sdfcheck.source.document import Document
 from sdfcheck.source.document import problems as text_problems
 from sdfcheck.source.element import Element
@@ -132,11 +132,8 @@ def look_at(
     parts: Sequence[Part], elements: Sequence[Element], document: Document, dispatch: Dispatch
 ) -> Iterator[Diagnostic]:
     """What the rules have to say about some parts and elements of the robot that a document describes."""
-    for (looks_at, selects), rules in dispatch.by_subject.items():
-        seen: list[object] = [part for part in parts if type(part).__name__ in looks_at]
-        if Element.__name__ in looks_at:
-            seen += selected_among(elements, selects, Kind.URDF)
-        if seen:
+    for subjects, rules in dispatch.groups:
+        if seen := subjects.among(parts, elements):
             for rule in rules:
                 yield from _check(rule, _applying(rule, seen, dispatch), document, dispatch)
 

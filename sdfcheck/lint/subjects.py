@@ -6,12 +6,16 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from lxml import etree
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.part import Part
 
 OF_TEXT: dict[str, tuple[Kind | None, str]] = {
     "ModelConfig": (Kind.MODEL_CONFIG, "sdfcheck.robot.includes.model_config:model_configs"),
@@ -55,12 +59,11 @@ class Subjects:
 
     def of(self, document: Document, tables: Sequence[Path] = ()) -> list[object]:
         """Those of a document; ``tables`` are those of the vendors whose prefix it seems to use."""
-        if document.root is None or (self.needs and not any(map(document.source.mentions, self.needs))):
+        if document.root is None or (self.needs and not any(map(document.source.contains, self.needs))):
             return []
         selected: list[Element] = []
         for name, around in self._selectors.get(document.kind.value, ()):
-            named = document.view(_elements).get(name, ())
-            selected += (element for element in named if _is_in(element, around)) if around else named
+            selected += _in(document.view(_elements).get(name, ()), around)
         if self._is_narrowed and not selected:
             return []
         found = self._found_elsewhere(document, tables) if self._elsewhere else []
@@ -71,6 +74,14 @@ class Subjects:
             for name in self._parts:
                 found += root.made_of(selected, name) if self._is_narrowed else root.each(name)
         return found if self._is_narrowed else [*found, *selected]
+
+    def among(self, parts: Sequence[Part], elements: Sequence[Element]) -> list[object]:
+        """Those among some parts and elements of a robot in URDF."""
+        found: list[object] = [part for part in parts if type(part).__name__ in self.looks_at]
+        if Element.__name__ in self.looks_at:
+            for name, around in self._selectors.get(Kind.URDF.value, ()):
+                found += _in((each for each in elements if each.name == name), around)
+        return found
 
     def _found_elsewhere(self, document: Document, tables: Sequence[Path]) -> list[object]:
         found: list[object] = []
@@ -104,20 +115,6 @@ def is_extension(subject: object, document: Document) -> bool:
     return any(around.tag == "gazebo" for around in at.iterancestors())
 
 
-def selected_among(elements: Iterable[Element], selectors: Iterable[str], kind: Kind) -> Iterator[Element]:
-    """Those of the elements of a dialect that selectors mean: ``sdf:axis/limit`` is each ``limit`` in an ``axis``."""
-    for selector in selectors:
-        dialect, _, path = selector.partition(":")
-        *parents, name = path.split("/")
-        if dialect == kind.value:
-            yield from (each for each in elements if each.name == name and _is_in(each, parents[::-1]))
-
-
-def _selected(document: Document, selector: str) -> Iterator[Element]:
-    name = selector.rpartition("/")[2].rpartition(":")[2]
-    return selected_among(document.view(_elements).get(name, ()), (selector,), document.kind)
-
-
 def _elements(document: Document) -> Mapping[str, Sequence[Element]]:
     """Name → elements; in SDF and URDF those that are where the format places them."""
     if document.kind is Kind.SDF:
@@ -134,6 +131,11 @@ def _elements(document: Document) -> Mapping[str, Sequence[Element]]:
         if isinstance(node, Element):
             found.setdefault(node.name, []).append(node)
     return found
+
+
+def _in(elements: Iterable[Element], around: Sequence[str]) -> Iterable[Element]:
+    """Those of some elements that are in elements of these names, from the inside out."""
+    return (element for element in elements if _is_in(element, around)) if around else elements
 
 
 def _is_in(element: Element, parents: Sequence[str]) -> bool:

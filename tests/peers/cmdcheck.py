@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from tests.peers import libsdformat
 
-_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+_COLOR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class Opinion(NamedTuple):

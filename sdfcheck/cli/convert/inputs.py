@@ -124,7 +124,7 @@ class Reader:
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file))
         shown = [one for one in found if one.severity is Severity.ERROR or means_another_robot(one)]
-        stopping = obstacles(found, own_reader(document), ELSEWHERE)
+        stopping = obstacles(found, own_consumer(document), ELSEWHERE)
         return Input(file, document, shown, stopping, found=found)
 
     def judge(self, given: Input, result: Document) -> list[Diagnostic]:

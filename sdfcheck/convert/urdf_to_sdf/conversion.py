@@ -71,9 +71,11 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     context.losses.extend(made.losses)
     writer = _Writer(document, robot, context)
     try:
-        text = writer.write()
+        text = with_line_ends(writer.write(), document.source.text)
     except DescriptionError as error:
         raise refusal(error.element, str(error)) from None
+    written = read_result(text, document, Kind.SDF)
+    assert written.root is not None
     source = expected(robot, made, context)
     try:
         result = read_back(written, context, writer.sdf)

@@ -180,7 +180,7 @@ def uses(root: Element, prefix: str) -> bool:
     if prefix in root.nsmap:
         return True
     mark = f"{prefix}:"
-    if not root.document.source.mentions(mark):
+    if not root.document.source.contains(mark):
         return False
     elements = (element for element in root.iter() if isinstance(element, Element))
     return any(e.name.startswith(mark) or any(n.startswith(mark) for n in e.attributes) for e in elements)
