@@ -34,7 +34,7 @@ GROWTH = (300, 3_000, 30_000)
 
 
 class Input(NamedTuple):
-    """What is linted: the paths given to sdfcheck, the files they stand for, how often; and against what.
+    """An input: the paths given to sdfcheck, the files below them, how often it is measured, and against which command.
 
     ``goal`` is what the project aims at.
     """

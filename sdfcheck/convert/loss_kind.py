@@ -244,7 +244,7 @@ class LossKind(Enum):
 
     @property
     def facts(self) -> RuleFacts:
-        """What there is to say of the kind, the way it is said of rules; the severity is the highest."""
+        """The facts about the kind, in the form of those about rules; the severity is the highest."""
         severity = Severity.ERROR if self in _GRAVE else Severity.WARNING
         about = self.value[2]
         return RuleFacts(self.code, self.title, FAMILY, severity, about, "", True, (), (), {}, __name__)

@@ -17,7 +17,7 @@ class Difference(Record):
 
 
 class Verification(Record):
-    """What was compared, and the largest differences that were met (m, rad, relative for the mass)."""
+    """The compared quantities, and the largest differences (m, rad, relative for the mass)."""
 
     links: int
     configurations: int
@@ -26,7 +26,7 @@ class Verification(Record):
     inertia: float
     differences: tuple[Difference, ...]
     counts: Mapping[str, int] = MappingProxyType({})
-    """What else was compared: joints, shapes, sensors, plugins and so on."""
+    """Other compared quantities: joints, shapes, sensors, plugins and so on."""
 
     @property
     def is_equal(self) -> bool:

@@ -46,7 +46,7 @@ class Counterpart(Record):
 
 
 class Correspondence(Record):
-    """What became of the source's links and joints; what is not named keeps its name, or is ``dropped``."""
+    """The links and joints of the source in the result; those not named keep their name, or are ``dropped``."""
 
     links: Mapping[str, Counterpart] = _NONE
     joints: Mapping[str, str] = _NONE

@@ -177,7 +177,7 @@ def _gives_up_blanks(element: Element) -> bool:
 
 
 def comment_of(node: object) -> Comment | None:
-    """What to write for a node of lxml that is a comment; None for any other."""
+    """The comment to write for a comment of lxml; None for any other node."""
     return Comment(node.text or "") if isinstance(node, etree._Comment) else None
 
 

@@ -105,7 +105,7 @@ class Library:
         return document
 
     def turn_to(self, document: Document) -> None:
-        """Look at a document that is not kept; let go of the one before, unless another was reached through it."""
+        """Look at a document that is not kept; release the one before, unless another was reached through it."""
         if self._current is not None and not self._current.is_referred_to:
             self._current.release()
         self._current = document

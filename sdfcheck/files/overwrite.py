@@ -37,7 +37,7 @@ def overwrite(path: Path, data: bytes) -> None:
 
 
 def identity(path: Path) -> tuple[int, int] | str:
-    """What is equal for two paths that lead to one file, by whatever links."""
+    """A value that is equal for two paths that lead to one file, by whatever links."""
     try:
         status = os.stat(path)
     except OSError:

@@ -38,8 +38,7 @@ def lint(  # noqa: PLR0913
     """Lint files, folders, or a text.
 
     ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A text has
-    ``name`` as its path. The other arguments are the options of the command, configuration files
-    included.
+    ``name`` as its path. The other arguments are options of the command.
 
     The workers of an ``executor`` lint portions of the files: processes, threads, or a cluster that
     has the same files. Files whose worker died are in ``skipped``, with the reason.

@@ -81,7 +81,7 @@ class Dispatch:
                     looked_at = (tuple(name for name in facts.looks_at if name in OF_VENDORS), (), ())
                 groups.setdefault(looked_at, []).append(facts)
         self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
-        """What is looked at, and the rules that do."""
+        """Subjects, each with the rules that look at them."""
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
@@ -131,7 +131,7 @@ def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) 
 def look_at(
     parts: Sequence[Part], elements: Sequence[Element], document: Document, dispatch: Dispatch
 ) -> Iterator[Diagnostic]:
-    """What the rules have to say about some parts and elements of the robot that a document describes."""
+    """The diagnostics of the rules about some parts and elements of the robot that a document describes."""
     for subjects, rules in dispatch.groups:
         if seen := subjects.among(parts, elements):
             for rule in rules:

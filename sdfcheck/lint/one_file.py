@@ -90,7 +90,7 @@ class Caches:
                 if not own:
                     own.update(map(library.disk.real, files))
                 key = library.disk.real(document.path)
-                # Of what is no XML the parser cannot tell the kind, unless xacro includes it.
+                # The parser cannot determine the kind of a broken text, unless xacro includes it.
                 is_broken = document.root is None and document.kind is not Kind.XACRO
                 if key not in own and (document.kind in _INCLUDABLE or is_broken):
                     own.add(key)

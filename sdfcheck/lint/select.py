@@ -34,7 +34,7 @@ class UnknownSelector(WrongUsage):
 
 
 class Choice(NamedTuple):
-    """What one place (a configuration, the command line) says about rules; None: nothing."""
+    """The choice of rules in one place (a configuration, the command line); ``select`` None: no choice."""
 
     select: tuple[str, ...] | None = None
     extend_select: tuple[str, ...] = ()

@@ -100,7 +100,7 @@ class Element(etree.ElementBase):
 
     @property
     def title(self) -> str:
-        """What to call it in a sentence: ``joint `elbow```, or ```axis``` where it has no name of its own."""
+        """The element in a sentence: ``joint `elbow```, or ```axis``` without a name of its own."""
         own = self.text_of("name", "").strip()
         return f"{self.name} `{own}`" if own else f"`{self.name}`"
 

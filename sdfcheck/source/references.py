@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 IN_QUOTES = {'"': "&quot;", "'": "&apos;"}
-"""What a value in quotes of either kind cannot hold."""
+"""The characters that a value in quotes of either kind cannot hold."""
 IN_ATTRIBUTE = {'"': "&quot;", "\n": "&#10;", "\t": "&#9;", "\r": "&#13;"}
-"""What an attribute in double quotes cannot hold, or would be read as a space."""
+"""The characters that an attribute in double quotes cannot hold, or that would be read as a space."""
 
 
 def escape(text: str, others: Mapping[str, str] | None = None) -> str:
@@ -19,7 +19,7 @@ def escape(text: str, others: Mapping[str, str] | None = None) -> str:
 
 
 def unescape(text: str) -> str:
-    """What a text means that :func:`escape` may have written."""
+    """The text before :func:`escape`."""
     for character, reference in IN_QUOTES.items():
         text = text.replace(reference, character)
     return text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")

@@ -1,4 +1,4 @@
-"""What libsdformat prints of files: converted to its own version, with defaults written out."""
+"""Files as libsdformat prints them: converted to its own version, with defaults written out."""
 
 from __future__ import annotations
 

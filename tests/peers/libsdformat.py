@@ -26,7 +26,7 @@ _ASKING = threading.Lock()
 
 
 class Answer(NamedTuple):
-    """What a function of libsdformat returned (None: it crashed or took too long) and wrote."""
+    """The status that a function of libsdformat returned (None: it crashed or took too long), and its output."""
 
     status: int | None
     output: str

@@ -55,7 +55,7 @@ class Subject:
 
 
 class Outcome(NamedTuple):
-    """What came of a change: whether it was reported, and on its line; where it was made."""
+    """The result of a change: whether it was reported, and on its line; where it was made."""
 
     kind: str
     is_caught: bool

@@ -9,7 +9,7 @@ from sdfcheck.formats.plugins import known
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.sniff import Kind
 from tests.planted.page import Change, Page, around, is_number, literal, words, write
-from tests.planted.slips import SLIPS, misspelled
+from tests.planted.typing_errors import TYPING_ERRORS, misspelled
 
 Mistake = Callable[[Page], Iterator[Change]]
 
@@ -175,7 +175,7 @@ MISTAKES: tuple[Mistake, ...] = (
     *(wrong_version, misspelled_type, flag_in_words, unknown_reference, doubled_name, ring_of_joints),
     *(swapped_limits, negative_mass, impossible_inertia, degrees, missing_child, missing_attribute),
     *(empty_name, zero_axis, missing_mesh, wrong_extension_reference, undefined_material),
-    *(wrong_name_in_plugin, *SLIPS),
+    *(wrong_name_in_plugin, *TYPING_ERRORS),
 )
 
 

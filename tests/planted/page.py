@@ -15,7 +15,7 @@ from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.splice import Replacement
 
 OPAQUE = {"gazebo", "plugin", "ros2_control", "transmission"}
-"""What is in these is not checked against the tables of the formats."""
+"""The content of these is not checked against the tables of the formats."""
 KINDS = {Kind.SDF, Kind.URDF, Kind.XACRO}
 _WORD = re.compile(r"\S+")
 _NUMBER = re.compile(r"[+-]?\d+(\.\d*)?([eE][+-]?\d+)?|[+-]?\.\d+")

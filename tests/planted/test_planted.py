@@ -61,7 +61,7 @@ def test_harmless_changes_change_no_finding() -> None:
     assert [each for each in changed if each.is_caught] == []
 
 
-def test_what_is_missed_is_listed(
+def test_a_missed_mistake_is_listed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     (tmp_path / "arm").mkdir()

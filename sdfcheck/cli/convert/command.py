@@ -24,7 +24,8 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.cli.convert.outcome import Convert
+    from sdfcheck.cli.convert.inputs import Input, Reader
+    from sdfcheck.cli.convert.outcome import Convert, Outcome
     from sdfcheck.cli.convert.reporting import Reporting
     from sdfcheck.convert.result import Conversion
     from sdfcheck.source.document import Document
@@ -94,11 +95,7 @@ def convert_files(
         for file, target in zip(files, places, strict=True):
             try:
                 given = reader.read(file, kinds)
-                outcome = converted(given, convert, request)
-                if outcome.conversion is not None and not outcome.failed:
-                    outcome = outcome.judged(reader.judge(given, outcome.conversion.document))
-                if request.report is not None:
-                    write_page(request.report, given, outcome)
+                outcome = _convert(given, convert, request, reader)
                 if outcome.conversion is not None and not outcome.failed:
                     _write(outcome.conversion, file, target)
             except WrongUsage as error:
@@ -110,8 +107,18 @@ def convert_files(
     return done.finish()
 
 
+def _convert(given: Input, convert: Convert, request: Request, reader: Reader) -> Outcome:
+    """Convert one input, and judge the result."""
+    outcome = converted(given, convert, request)
+    if outcome.conversion is not None and not outcome.failed:
+        outcome = outcome.judged(reader.judge(given, outcome.conversion.document))
+    if request.report is not None:
+        write_page(request.report, given, outcome)
+    return outcome
+
+
 def _release(source: Document | None, done: Conversion | None) -> None:
-    """Let go of trees and robots: they refer to themselves, and those of many files would pile up."""
+    """Release trees and robots: they refer to themselves, and those of many files would fill the memory."""
     if source is not None:
         source.release()
     if done is not None:

@@ -137,7 +137,7 @@ class Reader:
         after = lint_document(result, dispatch)
         found = new_errors(source, given.found, result, after)
         if found and (brought := _included(source)):
-            # What an included file brings may be as faulty there.
+            # An included file may have the same faults in the source.
             before = [*given.found, *(one for other in brought for one in lint_document(other, dispatch))]
             found = new_errors(source, before, result, after)
         return found

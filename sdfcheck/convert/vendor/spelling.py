@@ -187,13 +187,13 @@ def uses(root: Element, prefix: str) -> bool:
 
 
 def spellings(
-    source: Kind, target: Kind, around: Surroundings, mentions: Callable[[str], bool] = lambda _: True
+    source: Kind, target: Kind, around: Surroundings, contains: Callable[[str], bool] = lambda _: True
 ) -> dict[str, Spelling]:
-    """Prefix → how to write its tags, of all that a table is about and that the source ``mentions``."""
+    """Prefix → how to write its tags, of all that a table is about and that the source ``contains``."""
     return {
         prefix_of(table): Spelling(vendor(table, source.value), vendor(table, target.value), around)
         for table in BUILT_IN
-        if mentions(f"{prefix_of(table)}:")
+        if contains(f"{prefix_of(table)}:")
     }
 
 

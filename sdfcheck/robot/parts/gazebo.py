@@ -67,8 +67,8 @@ class GazeboBlock(Part):
     def is_unresolved(self) -> bool:
         """Does its reference name no link or joint?
 
-        What is yet to be expanded is left out, a name by which joints call a link that is not there, and one
-        of a link or joint that xacro writes with other arguments.
+        Names with expressions are left out, names of missing links that joints use, and names of links and
+        joints that xacro writes with other arguments.
         """
         name = self.reference
         if not name or self.link is not None or self.joint is not None:

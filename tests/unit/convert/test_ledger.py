@@ -163,7 +163,7 @@ def test_stray_text_and_second_elements_are_losses() -> None:
     assert any("there is another one before it" in message for message in messages)
 
 
-def test_what_is_no_shape_is_not_called_one() -> None:
+def test_an_element_that_is_not_a_shape_is_not_called_one() -> None:
     text = URDF.replace('<box size="1 1 1"/>', '<box size="1 1 1"/><material name="red"/>')
     messages = [loss.message for loss in urdf_to_sdf(document_of(text, ".urdf"), Options()).losses]
     assert "material `red` in `geometry` is left out: it means nothing there" in messages

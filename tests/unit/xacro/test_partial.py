@@ -73,7 +73,9 @@ def test_broken_text_of_an_included_file_is_reported_at_the_include(tmp_path: Pa
         ('<xacro:sensor name="${1 +}"/>', "error"),
     ],
 )
-def test_what_the_rest_does_not_reach_is_no_error(tmp_path: Path, content: str, severity: str) -> None:
+def test_a_link_that_the_rest_does_not_reach_is_not_an_error(
+    tmp_path: Path, content: str, severity: str
+) -> None:
     assert found(tmp_path, f'{MISSING}<link name="a"/>{content}') == [
         ("XAC007", "nowhere_near"),
         ("XAC001", "${1 +}"),

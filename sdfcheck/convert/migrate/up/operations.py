@@ -1,4 +1,4 @@
-"""What libsdformat changes when it reads an older file, from data/migration.txt."""
+"""The changes that libsdformat makes when it reads an older file, from data/migration.txt."""
 
 from __future__ import annotations
 

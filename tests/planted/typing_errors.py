@@ -1,4 +1,4 @@
-"""Slips of the keyboard: names, numbers and tags, in SDFormat, URDF and xacro alike."""
+"""Typing errors: names, numbers and tags, in SDFormat, URDF and xacro alike."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ def wrong_macro_parameter(page: Page) -> Iterator[Change]:
             yield Change(((span.start, span.end, f"{name}_x"),), each.span.start)
 
 
-SLIPS = (
+TYPING_ERRORS = (
     *(misspelled_element, misspelled_attribute, one_number_less, comma_for_dot, letter_in_number),
     *(undeclared_prefix, unclosed_tag, wrong_end_tag, repeated_attribute, missing_quote),
     *(undefined_property, undefined_macro, wrong_macro_parameter),
