@@ -23,7 +23,8 @@ def new_errors(
     """The errors for which a result, linted without what is ``ELSEWHERE``, is not written.
 
     Those that its source does not have are placed at the element of the source that has the name of what
-    they are in. Those of the source in ``<gazebo>`` blocks, which only consumers of the result read, are in the source as well.
+    they are in. Those of the source in ``<gazebo>`` blocks, which only consumers of the result read, are in
+    the source as well.
     """
     found = [one for one in after if one.severity is Severity.ERROR]
     if not found:

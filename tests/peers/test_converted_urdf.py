@@ -37,6 +37,7 @@ FOR_DRAKE = {"joint_parsing_test.urdf": "joints without limits: urdfdom refuses 
 
 pytestmark = [
     pytest.mark.peers,
+    pytest.mark.xdist_group("converted"),
     pytest.mark.skipif(not CORPUS.is_dir(), reason="the files to convert are not here"),
 ]
 

@@ -10,7 +10,7 @@ from lsprotocol import types
 from tests.unit.lsp.texts import ROBOT, URDF
 from tests.unit.lsp.wire import Session, Text
 
-pytestmark = pytest.mark.asyncio(loop_scope="module")
+pytestmark = [pytest.mark.asyncio(loop_scope="module"), pytest.mark.xdist_group(__name__)]
 
 MODEL = """\
 <sdf version="1.12">

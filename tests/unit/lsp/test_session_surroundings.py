@@ -16,7 +16,7 @@ from tests.unit.lsp.conftest import begin
 from tests.unit.lsp.wire import Session
 from tests.unit.preview import preview_example
 
-pytestmark = pytest.mark.asyncio(loop_scope="module")
+pytestmark = [pytest.mark.asyncio(loop_scope="module"), pytest.mark.xdist_group(__name__)]
 
 MODEL = """\
 <sdf version="1.12">
