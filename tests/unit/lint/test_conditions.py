@@ -182,3 +182,10 @@ def test_a_condition_from_elsewhere_is_refused(pack: Path) -> None:
     changed(pack, "    def check", "    applies = staticmethod(len)\n\n    def check")
     with pytest.raises(PackError, match="builtins: a condition cannot be in a module outside of the pack"):
         render(find_pack(pack.name))
+
+
+def test_a_condition_may_use_the_classes_of_sdfcheck(pack: Path) -> None:
+    changed(pack, "limit.name != TALL", "isinstance(limit, Element)")
+    text = render(find_pack(pack.name))
+    assert "import sdfcheck as sdfcheck_\n" in text
+    assert "isinstance(limit, sdfcheck_.Element)" in text
