@@ -24,6 +24,7 @@ class ColonInComment(Rule):
 
     bad = (
         Bad("<!-- author«:» me -->", fixed="<!-- author - me -->", says="a colon in a comment"),
+        Bad("<!-- note«:» -->", fixed="<!-- note - -->"),
         Bad(
             "<!-- author«:» me --><!-- a:b -->\n<!-- to do:\n  a joint -->",
             fixed="<!-- author - me --><!-- a:b -->\n<!-- to do -\n  a joint -->",

@@ -62,6 +62,15 @@ def test_a_sound_pack_passes(capsys: pytest.CaptureFixture[str]) -> None:
     ]
 
 
+def test_one_example_fails_alone() -> None:
+    pack(good="Good('<link name=\"bad\"/>')")
+    *sound, faulty = examples(Path("checks"))
+    for example in sound:
+        example.check()
+    with pytest.raises(AssertionError, match="TST001 bad-name, good example 1: expected no diagnostic"):
+        faulty.check()
+
+
 @pytest.mark.parametrize(
     ("bad", "reason"),
     [

@@ -128,3 +128,16 @@ def test_a_model_without_root_is_known_by_the_name_of_its_file(tmp_path: Path) -
     assert diagnostic.code == "XML011"
     path = path.rename(tmp_path / "model.config")
     assert "XML011" not in {found.code for found in sdfcheck.lint(path, isolated=True).diagnostics}
+
+
+@pytest.mark.parametrize(
+    ("text", "is_refused"),
+    [
+        ("<pose>1 <!-- m --> 0 0 0 0 0</pose>", True),
+        ("<pose>0 0 1 0 0 0 <!-- rpy --> 1</pose>", False),
+        ("<inertial><mass>1 <!-- kg --> 2</mass></inertial>", False),
+    ],
+)
+def test_a_pose_that_a_comment_cuts_off_is_refused(text: str, is_refused: bool) -> None:
+    (found,) = sdfcheck.lint(in_link(text), isolated=True, select=["SCH012"]).diagnostics
+    assert dict(found.affects)["gazebo"].is_refusal is is_refused

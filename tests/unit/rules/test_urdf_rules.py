@@ -258,3 +258,9 @@ def test_macros_that_nothing_calls(inside: str, messages: list[str], tmp_path: P
     found = [d.message for d in sdfcheck.lint([path], isolated=True).diagnostics if d.name in wanted]
     assert len(found) == len(messages)
     assert all(message in text for message, text in zip(messages, found, strict=True)), found
+
+
+@pytest.mark.parametrize(("shape", "is_refused"), [("drake:ellipsoid", False), ("sphear", True)])
+def test_drake_knows_its_own_shapes(shape: str, is_refused: bool) -> None:
+    (found,) = reported(f'<link name="a">{MASS}<visual><geometry><{shape}/></geometry></visual></link>')
+    assert dict(found.affects)["drake"].is_refusal is is_refused
