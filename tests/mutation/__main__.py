@@ -33,6 +33,7 @@ TESTS = (
         "tests/unit/cli/test_targets.py",
         "tests/unit/cli/test_nothing_lost.py",
         "tests/unit/cli/test_add_ignore.py",
+        "tests/unit/cli/test_rules_test.py",
     ),
 )
 LEFT_OUT = (

@@ -121,35 +121,15 @@ def test_files_can_do_without_rules() -> None:
     assert [facts.code for facts in select(RULES, SILENT).facts] == sorted(DEFAULT)
 
 
-PREVIEW = (*RULES, rule("AAA003", "new-flaw", preview=True, affects=("gazebo",)))
-
-
 @pytest.mark.parametrize(
-    ("configured", "given", "runs"),
+    ("module", "has_page"),
     [
-        (SILENT, SILENT, False),
-        (Choice(select=("ALL", "AAA", "AAA00")), SILENT, False),
-        (SILENT, Choice(extend_select=("AAA",)), False),
-        (Choice(select=("AAA003",)), SILENT, True),
-        (SILENT, Choice(extend_select=("new-flaw",)), True),
-        (Choice(preview=True), SILENT, True),
-        (SILENT, Choice(preview=True), True),
-        (Choice(preview=True), Choice(preview=False), False),
-        (Choice(select=("AAA",), preview=True), SILENT, True),
-        (Choice(select=("BBB",), preview=True), SILENT, False),
-        (Choice(ignore=("AAA",), preview=True), SILENT, False),
+        ("sdfcheck_rules.jnt.zero_limit", True),
+        ("sdfcheck.lint.suppress.rules", True),
+        ("workshop_rules.xyz", False),
     ],
 )
-@pytest.mark.parametrize("targets", [(), ("gazebo",)])
-def test_rules_in_preview_run_where_they_are_asked_for(
-    configured: Choice, given: Choice, runs: bool, targets: tuple[str, ...]
-) -> None:
-    active = select(PREVIEW, configured, given, targets=targets)
-    assert ("AAA003" in active.codes) is runs
-
-
-def test_a_prefix_of_rules_in_preview_alone_is_known() -> None:
-    assert select(PREVIEW, Choice(select=("AAA003",))).codes == {"AAA003"}
-    assert (
-        select((*RULES, rule("CCC001", "newest-flaw", preview=True)), Choice(select=("CCC",))).codes == set()
-    )
+def test_only_built_in_rules_have_pages(module: str, has_page: bool) -> None:
+    facts = RuleFacts("XYZ001", "odd-flaw", "XYZ", Severity.ERROR, "", "", True, (), (), {}, module)
+    assert facts.is_built_in is has_page
+    assert (facts.page is not None) is has_page
