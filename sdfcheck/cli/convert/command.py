@@ -95,7 +95,9 @@ def convert_files(
         for file, target in zip(files, places, strict=True):
             try:
                 given = reader.read(file, kinds)
-                outcome = _convert(given, convert, request, reader)
+                outcome = _judged(given, converted(given, convert, request), reader)
+                if request.report is not None:
+                    write_page(request.report, given, outcome)
                 if outcome.conversion is not None and not outcome.failed:
                     _write(outcome.conversion, file, target)
             except WrongUsage as error:
@@ -107,14 +109,11 @@ def convert_files(
     return done.finish()
 
 
-def _convert(given: Input, convert: Convert, request: Request, reader: Reader) -> Outcome:
-    """Convert one input, and judge the result."""
-    outcome = converted(given, convert, request)
-    if outcome.conversion is not None and not outcome.failed:
-        outcome = outcome.judged(reader.judge(given, outcome.conversion.document))
-    if request.report is not None:
-        write_page(request.report, given, outcome)
-    return outcome
+def _judged(given: Input, outcome: Outcome, reader: Reader) -> Outcome:
+    """An outcome whose result was linted, if there is one."""
+    if outcome.conversion is None or outcome.failed:
+        return outcome
+    return outcome.judged(reader.judge(given, outcome.conversion.document))
 
 
 def _release(source: Document | None, done: Conversion | None) -> None:
