@@ -32,8 +32,8 @@ class Outcome(NamedTuple):
     """The result, until it is written."""
     verification: Verification | None = None
     failed: bool = False
-    is_unsound: bool = False
-    """Whether errors of the source stopped it."""
+    way_out: str = ""
+    """The option that converts it anyway, and how."""
     stopping: Sequence[Diagnostic] = ()
     """For what it is not written."""
     broken: Span | None = None
@@ -63,9 +63,7 @@ class Outcome(NamedTuple):
     def verdict(self) -> str:
         """Whether the result is the same robot, and how that is known."""
         if self.failed:
-            return "not converted, nothing written" + (
-                "; --no-lint converts it anyway" if self.is_unsound else ""
-            )
+            return "; ".join(filter(None, ("not converted, nothing written", self.way_out)))
         if self.verification is not None:
             return f"verified: {self.verification}" + (
                 f", poses also by {self.also_by}" if self.also_by else ""
@@ -91,8 +89,10 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
     from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 
     if given.document is None or given.stopping:
-        is_unsound = given.document is not None
-        return Outcome(given.file, given.errors, failed=True, is_unsound=is_unsound, stopping=given.stopping)
+        way_out = "--no-lint converts it anyway" if given.document is not None else ""
+        if given.document is None and given.file.suffix == ".urdf":
+            way_out = "--no-expand leaves out what is for xacro"
+        return Outcome(given.file, given.errors, failed=True, way_out=way_out, stopping=given.stopping)
     try:
         done = convert(given.document, request.verify)
     except NotConvertible as error:

@@ -15,6 +15,7 @@ from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, is_expression, urdf
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
+from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -41,7 +42,8 @@ class UrdfSurvey:
     def __init__(self, document: Document) -> None:
         self.document = document
         root = document.root
-        self.root = root if root is not None and root.name == "robot" and not _is_xacro(root) else None
+        is_robot = root is not None and root.name == "robot"
+        self.root = root if is_robot and not _is_unexpanded(document) else None
         """The element ``robot``; None where there is none to check."""
         self.version = VERSIONS[0]
         """The declared version of URDF; the first where none or an unknown one is declared."""
@@ -187,9 +189,9 @@ class UrdfWalk:
                         self.findings.setting(child, definition.value)
 
 
-def _is_xacro(root: Element) -> bool:
-    """Whether elements are left that xacro is to replace."""
-    if "<xacro:" not in root.document.source.text:
+def _is_unexpanded(document: Document) -> bool:
+    """Are there elements that xacro is to replace? In what is read as URDF they are elements that nobody knows."""
+    if document.kind is not Kind.XACRO or document.root is None or "<xacro:" not in document.source.text:
         return False
-    below: Iterable[Element] = root.iterdescendants("*")  # type: ignore[assignment]
+    below: Iterable[Element] = document.root.iterdescendants("*")  # type: ignore[assignment]
     return any(element.name.startswith("xacro:") for element in below)

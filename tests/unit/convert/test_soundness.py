@@ -44,7 +44,16 @@ def test_a_xacro_file_that_lacks_an_argument_is_refused_with_this_reason(
     source = tmp_path / "r.xacro"
     source.write_text('<robot name="$(arg n)" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
     assert main(["convert", "urdf-to-sdf", str(source), "-o", str(tmp_path / "r.sdf"), "--isolated"]) == 1
-    assert "argument `n` has no value" in capsys.readouterr().out
+    out, err = capsys.readouterr()
+    assert "argument `n` has no value" in out
+    assert "--no-expand" not in err
+    left_over = source.rename(tmp_path / "r.urdf")
+    impossible = LINK.format("<xacro:grey/>").replace('ixx="1"', 'ixx="9"')
+    left_over.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{impossible}</robot>')
+    arguments = ["convert", "urdf-to-sdf", str(left_over), "-o", str(tmp_path / "r.sdf"), "--isolated"]
+    assert main(arguments) == 1
+    assert "--no-expand leaves out what is for xacro" in capsys.readouterr().err
+    assert main([*arguments, "--no-expand"]) == 0, "the source has the error of the result"
 
 
 def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,6 +12,7 @@ from sdfcheck.formats.urdf import problems as urdf_problems
 from sdfcheck.formats.urdf.survey import UrdfSurvey, survey
 from sdfcheck.formats.urdf.table import VERSIONS
 from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
 
 T = TypeVar("T")
 
@@ -50,13 +51,15 @@ def test_the_index_lists_elements_in_their_places() -> None:
     assert [element.name for element in surveyed.customs] == ["drake:joint"]
 
 
-def test_a_description_for_xacro_is_left_alone() -> None:
-    surveyed = walk(
-        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
-        '<xacro:if value="1"><lnk/></xacro:if><lnk/></robot>'
+def test_a_description_for_xacro_is_left_alone_unless_it_is_read_as_urdf() -> None:
+    text = (
+        b'<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r">'
+        b'<xacro:if value="1"><lnk/></xacro:if><lnk/></robot>'
     )
+    surveyed = survey(read(text, Path("r.urdf"), Kind.XACRO))
     assert surveyed.root is None
     assert surveyed.problems == []
+    assert survey(read(text, Path("r.urdf"), Kind.URDF)).problems
 
 
 def test_a_declared_prefix_of_xacro_alone_is_nothing() -> None:
