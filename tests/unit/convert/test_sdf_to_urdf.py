@@ -239,3 +239,15 @@ def test_custom_data_of_an_inertia_is_carried(old: str, new: str, written: str) 
     model = f'<model name="m"><link name="a">{_BODY.replace(old, new)}</link></model>'
     text = f'<sdf version="1.9" xmlns:shop="urn:shop">{model}</sdf>'
     assert written in convert(read(text.encode(), Path("m.sdf"), Kind.SDF)).text
+
+
+def test_settings_of_an_include_are_accounted_for(tmp_path: Path) -> None:
+    tmp_path.joinpath("part.sdf").write_text(f'<sdf version="1.9"><model name="p">{_LINKS}</model></sdf>')
+    include = "<include><uri>part.sdf</uri><name>q</name><static>0</static><placement_frame>b</placement_frame></include>"
+    tmp_path.joinpath("m.sdf").write_text(
+        f'<sdf version="1.9"><model name="m"><link name="l"/>{include}</model></sdf>'
+    )
+    document = Library().document(tmp_path / "m.sdf")
+    assert document is not None
+    lost = {loss.span.text for loss in convert(document, Options(forest=Unsupported.FIXED)).losses}
+    assert not lost & {"name", "static", "placement_frame"}

@@ -139,3 +139,13 @@ def test_a_file_is_written_only_if_it_changes(tmp_path: Path) -> None:
     assert file.stat().st_ino == before
     sdfcheck.edit(file).save(tmp_path / "copy.sdf")
     assert (tmp_path / "copy.sdf").read_text() == SDF
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize("before", ["", "  ", "<!-- x -->"])
+def test_an_element_is_removed_with_its_line(end: str, before: str) -> None:
+    text = end.join(['<robot name="r">', '  <link name="a"/>', f'{before}<link name="b"/>', "</robot>"])
+    robot = sdfcheck.edit(text)
+    robot.remove(robot.model("r").link("b"))
+    rest = f"{before}{end}</robot>" if before.strip() else "</robot>"
+    assert robot.text == end.join(['<robot name="r">', '  <link name="a"/>', rest])

@@ -51,3 +51,25 @@ def test_the_moments_of_a_cone() -> None:
     assert cone.volume == pytest.approx(16 / 3 * math.pi)
     assert tuple(cone.moments) == pytest.approx((2.4 / 2, 2.4 / 2, 1.2, 0, 0, 0)[: len(tuple(cone.moments))])
     assert cone.center == -1
+
+
+@pytest.mark.parametrize(
+    ("shape", "half"),
+    [
+        ("<box><size>1 2 3</size></box>", (0.5, 1, 1.5)),
+        ("<sphere><radius>2</radius></sphere>", (2, 2, 2)),
+        ("<ellipsoid><radii>1 2 3</radii></ellipsoid>", (1, 2, 3)),
+        ("<cylinder><radius>2</radius><length>3</length></cylinder>", (2, 2, 1.5)),
+        ("<capsule><radius>2</radius><length>3</length></capsule>", (2, 2, 3.5)),
+    ],
+)
+def test_the_bounds_of_a_link_are_those_of_its_shapes(shape: str, half: tuple[float, ...]) -> None:
+    text = (
+        '<sdf version="1.12"><model name="m"><link name="l"><visual name="v"><pose>1 2 3 0 0 0</pose><geometry>'
+        f"{shape}</geometry></visual></link></model></sdf>"
+    )
+    bounds = sdfcheck.parse(text).models[0].link("l").bounds
+    assert bounds is not None
+    low, high = bounds.tolist()
+    assert low == pytest.approx([at - size for at, size in zip((1, 2, 3), half, strict=True)])
+    assert high == pytest.approx([at + size for at, size in zip((1, 2, 3), half, strict=True)])
