@@ -243,7 +243,8 @@ def test_custom_data_of_an_inertia_is_carried(old: str, new: str, written: str) 
 
 def test_settings_of_an_include_are_accounted_for(tmp_path: Path) -> None:
     tmp_path.joinpath("part.sdf").write_text(f'<sdf version="1.9"><model name="p">{_LINKS}</model></sdf>')
-    include = "<include><uri>part.sdf</uri><name>q</name><static>0</static><placement_frame>b</placement_frame></include>"
+    inside = "<name>q</name><static>0</static><placement_frame>b</placement_frame>"
+    include = f"<include><uri>part.sdf</uri>{inside}</include>"
     tmp_path.joinpath("m.sdf").write_text(
         f'<sdf version="1.9"><model name="m"><link name="l"/>{include}</model></sdf>'
     )
