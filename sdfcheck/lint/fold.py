@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
@@ -106,7 +107,8 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
 def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     """Those of a run without what a file is reported itself, and of the files that include it once more.
 
-    Without what follows from a fault, too, where an error is reported on its line.
+    What several files reach is said for the first of them that it is worst for; what follows
+    from a fault is left out where an error is reported on its line.
     """
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
@@ -125,8 +127,15 @@ def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     causes = {line(each.cause) for each in foreign if each.cause}
     if causes:
         causes &= {line(each.span) for each in own if each.severity is Severity.ERROR and not each.cause}
-    return [
-        each
-        for each in diagnostics
-        if not (each.origins and place(each) in places) and not (each.cause and line(each.cause) in causes)
-    ]
+    worst: dict[tuple[object, ...], Diagnostic] = {}
+    turns: Counter[tuple[object, ...]] = Counter()
+    for each in diagnostics:
+        if (each.origins and place(each) in places) or (each.cause and line(each.cause) in causes):
+            continue
+        top = each.origins[-1].span if each.origins else each.span
+        by = (place(each), disk.real(top.source.path))
+        turns[by] += 1
+        known = worst.setdefault((place(each), turns[by]), each)
+        if each.severity.rank > known.severity.rank:
+            worst[place(each), turns[by]] = each
+    return [*worst.values()]

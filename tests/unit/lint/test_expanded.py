@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch
@@ -130,31 +131,16 @@ def test_a_cycle_of_includes_is_reported_without_expanding(tmp_path: Path) -> No
     assert problem.span.text == "b.xacro"
 
 
-def test_a_label_at_the_place_of_the_diagnostic_shows_the_call(expander: Expander, tmp_path: Path) -> None:
-    text = (
-        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
-        '<xacro:macro name="m"><link name="a"/></xacro:macro>\n<xacro:m/>\n<xacro:m/>\n</robot>'
+def test_a_defect_that_several_robots_reach_is_one(tmp_path: Path) -> None:
+    xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    leg = '<link name="${side}"><visual><geometry><sphere radius="${0 * size}"/></geometry></visual></link>'
+    (tmp_path / "leg.xacro").write_text(
+        f'<robot {xacro}><xacro:macro name="leg" params="side size">{leg}</xacro:macro></robot>'
     )
-    (found,) = (d for d in lint(expander, tmp_path / "r.xacro", text) if d.code == "NAM001")
-    assert found.span.begin.line == 2
-    assert [(label.span.begin.line, label.text) for label in found.labels] == [
-        (3, "the first one, from here")
-    ]
-
-
-@pytest.mark.parametrize(
-    ("mass", "words"),
-    [
-        ("${m}", "(`${m}`, with `m` = -1 set at line 2)"),
-        ("${-1 * 1}", "(`${-1 * 1}`)"),
-        ("${m * 2}", "with `m` = -1"),
-    ],
-)
-def test_the_value_of_an_expression_is_given_with_its_source(
-    expander: Expander, tmp_path: Path, mass: str, words: str
-) -> None:
-    text = f"""<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-<xacro:property name="m" value="-1"/><link name="a"><inertial><mass value="{mass}"/>
-<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>"""
-    (found,) = (d for d in lint(expander, tmp_path / "r.xacro", text) if d.code == "INR001")
-    assert words in found.message
+    for name in "ab":
+        (tmp_path / f"{name}.urdf.xacro").write_text(
+            f'<robot name="{name}" {xacro}><xacro:include filename="leg.xacro"/>'
+            f'<xacro:leg side="{name}" size="1"/></robot>'
+        )
+    (found,) = sdfcheck.lint(tmp_path, isolated=True, select=["SCH014"]).diagnostics
+    assert found.origins[-1].span.source.path.name == "a.urdf.xacro"
