@@ -105,10 +105,10 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
 
 
 def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Those of a run without what a file is reported itself, and of the files that include it once more.
+    """The diagnostics of a run, each defect once, also where it is in a file that others include.
 
-    What several files reach is said for the first of them that it is worst for; what follows
-    from a fault is left out where an error is reported on its line.
+    A defect that several files reach is reported with its highest severity. A consequence is left out
+    where an error is reported on the line of its ``cause``.
     """
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
