@@ -1,8 +1,10 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
+
+_IGNORES = warns("ignores the element, unless xacro comes before it")
 
 
 class UndefinedMacro(Rule):
@@ -10,7 +12,8 @@ class UndefinedMacro(Rule):
 
     xacro stops at an element with its prefix that is neither its own nor a macro. In
     a macro library a call is reported only if no file of the project defines the macro
-    and a known name is close to it: who includes the library may bring the rest.
+    and a known name is close to it: who includes the library may bring the rest. Where the name of
+    the file ends in `.urdf`, simulators read it without xacro, and ignore the element.
     """
 
     code = "XAC003"
@@ -55,4 +58,7 @@ class UndefinedMacro(Rule):
     )
 
     def check(self, problem: problems.UndefinedMacro) -> Iterator[Diagnostic]:
-        yield report(self, problem, "macro")
+        found = report(self, problem, "macro")
+        if problem.span.source.path.suffix.lower() == ".urdf":
+            found = found._replace(affects=tuple((consumer.value, _IGNORES) for consumer in Consumer))
+        yield found
