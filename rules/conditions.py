@@ -70,7 +70,9 @@ def DRK021_applies(tag):
 drk_remote_mesh__SCHEMES = ('http://', 'https://', 'fuel://')
 
 def DRK022_applies(resource):
-    return resource.what == 'mesh' and (not resource.is_extension) and resource.uri.startswith(drk_remote_mesh__SCHEMES)
+    if resource.is_extension or resource.within(sdfcheck_.Actor) is not None:
+        return False
+    return resource.what == 'mesh' and resource.uri.startswith(drk_remote_mesh__SCHEMES)
 
 def FRM001_applies(reference):
     return reference.is_unresolved

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Resource, Rule, Severity
+from sdfcheck import IN_WORLD, REFUSES, Actor, Bad, Consumer, Diagnostic, Good, Resource, Rule, Severity
 from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT_LINK
 
 SCHEMES = ("http://", "https://", "fuel://")
@@ -36,11 +36,18 @@ class RemoteMesh(Rule):
     good = (
         Good(MESH.format("package://arm/meshes/arm.obj"), why="found in the package map"),
         Good(MESH.format("model://arm/meshes/arm.obj"), why="means the same"),
+        Good(
+            '<actor name="a"><skin><filename>https://example.org/walk.dae</filename></skin></actor>',
+            why="Drake ignores actors",
+            scaffold=IN_WORLD,
+        ),
     )
 
     @staticmethod
     def applies(resource: Resource) -> bool:
-        return resource.what == "mesh" and not resource.is_extension and resource.uri.startswith(SCHEMES)
+        if resource.is_extension or resource.within(Actor) is not None:
+            return False
+        return resource.what == "mesh" and resource.uri.startswith(SCHEMES)
 
     def check(self, resource: Resource) -> Iterator[Diagnostic]:
         scheme = resource.uri.partition("://")[0]

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_WORLD,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -22,14 +23,14 @@ INCLUDE = (
 class MisplacedDegrees(Rule):
     """`degrees` is an attribute of what a pose belongs to, not of the pose.
 
-    Simulators look for it on `<pose>` only: the angles are read as radians. SDFormat has the
-    attribute since version 1.9.
+    libsdformat looks for it on `<pose>` only: the angles are read as radians. Drake refuses the file.
+    SDFormat has the attribute since version 1.9.
     """
 
     code = "FRM010"
     name = "misplaced-degrees"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: warns("reads radians"), Consumer.DRAKE: warns("reads radians")}
+    affects = {Consumer.GAZEBO: warns("reads radians"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownAttribute,)
     scaffold = IN_WORLD
 

@@ -19,8 +19,8 @@ BOUNDED = frozenset({"revolute", "prismatic"})
 class MissingUpperLimit(Rule):
     """A joint has a lower limit and no upper one.
 
-    In SDFormat it then has no end on that side. In URDF urdfdom, and Gazebo with it, takes 0, Drake takes
-    no limit: the robots differ.
+    In SDFormat it then has no end on that side. In URDF urdfdom, and Gazebo with it, takes 0, Drake and
+    MuJoCo take no limit: the robots differ.
     """
 
     code = "JNT015"
@@ -31,7 +31,7 @@ class MissingUpperLimit(Rule):
         Consumer.GAZEBO: {"sdf": warns("sets no limit"), "urdf": warns("takes 0")},
         Consumer.DRAKE: warns("sets no limit"),
         Consumer.URDFDOM: warns("takes 0"),
-        Consumer.MUJOCO: warns("takes 0"),
+        Consumer.MUJOCO: warns("sets no limit"),
     }
     looks_at = (Limit,)
     scaffold = IN_JOINT

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Joint, Number, Rule, Severity, warns
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Number, Rule, Severity, warns
 
 ENDS = '<link name="a"/><link name="b"/><joint name="j" type="{}"><parent>a</parent><child>b</child>'
 AXIS = "<axis><xyz>0 0 1</xyz></axis>"
@@ -42,8 +42,10 @@ class ZeroRatio(Rule):
         return joint.type in {"gearbox", "screw"} and bool(zeros(joint))
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        affects = {Consumer.DRAKE: REFUSES} if joint.type == "gearbox" else {}
         for name, number in zeros(joint).items():
-            yield self.diagnostic(number, f"`{name}` of {joint.title} is 0, so that turning moves nothing")
+            message = f"`{name}` of {joint.title} is 0, so that turning moves nothing"
+            yield self.diagnostic(number, message, affects=affects)
 
 
 def zeros(joint: Joint) -> dict[str, Number]:

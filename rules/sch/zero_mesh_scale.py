@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_URDF_LINK,
     IN_VISUAL,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -11,6 +12,8 @@ from sdfcheck import (
     Rule,
     Severity,
     Vector,
+    Visual,
+    accepts,
     warns,
 )
 
@@ -20,14 +23,19 @@ MESH = "<geometry><mesh><uri>https://example.org/m.dae</uri><scale>{}</scale></m
 class ZeroMeshScale(Rule):
     """A mesh is scaled by zero, so that nothing is left of it.
 
-    One zero makes it flat, without volume; three make it a point. Physics engines cannot
-    build a shape of it.
+    One zero makes it flat, without volume; three make it a point. Drake refuses such a mesh, and MuJoCo
+    one that is to collide.
     """
 
     code = "SCH023"
     name = "zero-mesh-scale"
     severity = Severity.WARNING
-    affects = {Consumer.GAZEBO: warns("flattens the mesh"), Consumer.URDFDOM: warns("takes it as it is")}
+    affects = {
+        Consumer.GAZEBO: warns("flattens the mesh"),
+        Consumer.DRAKE: REFUSES,
+        Consumer.URDFDOM: warns("takes it as it is"),
+        Consumer.MUJOCO: REFUSES,
+    }
     looks_at = (Geometry,)
     needs = ("<mesh",)
     scaffold = IN_VISUAL
@@ -47,7 +55,9 @@ class ZeroMeshScale(Rule):
 
     def check(self, geometry: Geometry) -> Iterator[Diagnostic]:
         factors = scale(geometry)
-        yield self.diagnostic(factors, f"`scale` of the mesh has a zero: {factors.text}")
+        is_seen_only = geometry.within(Visual) is not None
+        affects = {Consumer.MUJOCO: accepts("does not read visuals")} if is_seen_only else {}
+        yield self.diagnostic(factors, f"`scale` of the mesh has a zero: {factors.text}", affects=affects)
 
 
 def scale(geometry: Geometry) -> Vector:
