@@ -1120,6 +1120,23 @@ def RES018_applies(world):
 def RES019_applies(plugin):
     return any(plugin.misspelled_parameters)
 
+def res_unknown_performer__unknown(plugin):
+    world = plugin.holder
+    if not isinstance(world, sdfcheck_.World) or plugin.name not in {'gz::sim', 'ignition::gazebo'}:
+        return
+    actors = {actor.name for actor in world.actors}
+    for performer in plugin.children('performer'):
+        reference = performer.find('ref')
+        name = '' if reference is None else reference.content
+        if reference is None or not name or '$' in name or (name in actors):
+            continue
+        node = world.resolve(name)
+        if (node is None or node.kind != 'model') and (not world.may_hold(name)):
+            yield (reference.own_value, world)
+
+def RES020_applies(plugin):
+    return any((True for _ in res_unknown_performer__unknown(plugin)))
+
 def SCH001_applies(root):
     if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):
         return False
@@ -1584,6 +1601,7 @@ CONDITIONS = {
     'RES017': RES017_applies,
     'RES018': RES018_applies,
     'RES019': RES019_applies,
+    'RES020': RES020_applies,
     'SCH001': SCH001_applies,
     'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,
