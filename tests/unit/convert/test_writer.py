@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.convert.result_paths import seen_from
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.convert.writer import (
@@ -86,3 +87,26 @@ def test_mass_properties_of_links_that_were_joined_are_written_without_noise() -
 def test_angles_in_a_text_are_escaped() -> None:
     node = Node("a", "1 < 2 > 1 & 3 ]]> 4")
     assert "1 &lt; 2 &gt; 1 &amp; 3 ]]&gt; 4" in render(node)
+
+
+@pytest.mark.parametrize(
+    ("written", "moved"),
+    [
+        ("a.stl", "../source/a.stl"),
+        ("  a.stl ", "  ../source/a.stl "),
+        ("b.stl", "b.stl"),
+        ("model://m/a.stl", "model://m/a.stl"),
+    ],
+)
+def test_files_are_named_as_seen_from_the_folder_of_the_result(
+    tmp_path: Path, written: str, moved: str
+) -> None:
+    source, target = tmp_path / "source", tmp_path / "target"
+    for folder in (source, target):
+        folder.mkdir()
+    (source / "a.stl").touch()
+    text = (
+        '<sdf version="1.9"><model name="m"><link name="l"><visual name="v"><geometry><mesh>'
+        "<uri>{}</uri></mesh></geometry></visual></link></model></sdf>"
+    )
+    assert seen_from(text.format(written), Kind.SDF, source, target) == text.format(moved)
