@@ -59,11 +59,11 @@ def test_impossible_requests(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "no such file" in capsys.readouterr().err
 
 
-def test_what_xacro_left_in_urdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_xacro_elements_left_in_urdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Simulators ignore it; a file for xacro is refused."""
     text = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/><xacro:grey/></robot>'
     for name, verdict in (("r.urdf", "warn"), ("r.urdf.xacro", "reject")):
         (tmp_path / name).write_text(text)
         main(["targets", str(tmp_path / name), "--isolated", "--output-format", "json"])
-        told = json.loads(capsys.readouterr().out)
-        assert {row["consumer"]: row["verdict"] for row in told["consumers"]}["urdfdom"] == verdict
+        answer = json.loads(capsys.readouterr().out)
+        assert {row["consumer"]: row["verdict"] for row in answer["consumers"]}["urdfdom"] == verdict
