@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.result_paths import seen_from
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
@@ -109,4 +110,6 @@ def test_files_are_named_as_seen_from_the_folder_of_the_result(
         '<sdf version="1.9"><model name="m"><link name="l"><visual name="v"><geometry><mesh>'
         "<uri>{}</uri></mesh></geometry></visual></link></model></sdf>"
     )
-    assert seen_from(text.format(written), Kind.SDF, source, target) == text.format(moved)
+    document = read(text.format(written).encode(), source / "m.sdf", Kind.SDF)
+    done = Conversion(document.source.text, document)
+    assert seen_from(done, source, target) == text.format(moved)
