@@ -78,7 +78,7 @@ def test_a_change_elsewhere_leaves_a_sample_as_it_is() -> None:
 
 
 def test_the_quickest_tests_come_first() -> None:
-    covering = Covering({"a.py": {3: ("slow", "quick", "medium")}}, {"slow": 80, "quick": 1, "medium": 15})
+    covering = Covering({"a.py": {3: ("slow", "quick", "medium")}}, {"slow": 80, "quick": 1, "medium": 20})
     assert covering.of(Path("a.py"), 3) == ["quick", "medium", "slow"]
     assert covering.of(Path("a.py"), 5) == ["quick", "medium", "slow"]
     assert covering.of(Path("a.py"), 2) == []
