@@ -108,8 +108,10 @@ def is_extension(subject: object, document: Document) -> bool:
     known: bool | None = getattr(subject, "is_extension", None)
     if known is not None:
         return known
-    at = getattr(subject, "value", None) or getattr(subject, "lower", None) or subject
-    at = getattr(at, "element", at)
+    at = subject
+    if not isinstance(at, Element):
+        at = getattr(subject, "value", None) or getattr(subject, "lower", None) or subject
+        at = getattr(at, "element", at)
     if not isinstance(at, Element):
         return False
     return any(around.tag == "gazebo" for around in at.iterancestors())

@@ -18,7 +18,8 @@ from sdfcheck.lint.rulebook.pack import describe
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.select import SILENT, ActiveRules, select
 from sdfcheck.lint.source_file import lint_source
-from sdfcheck.source.document import Document
+from sdfcheck.lint.subjects import is_extension
+from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 
@@ -219,3 +220,13 @@ def test_a_rule_for_one_simulator_runs_for_its_target_only() -> None:
 @pytest.mark.parametrize("text", ["<model><name>long</name></model>", "", "<!-- nothing -->"])
 def test_other_documents_have_no_objects(text: str) -> None:
     assert lint(LongName, AnyLink, text=text) == []
+
+
+def test_elements_in_gazebo_blocks_are_extensions() -> None:
+    text = b'<robot name="r"><link name="a"/><gazebo reference="a"><mu1 value="1"/></gazebo></robot>'
+    document = read(text, Path("r.urdf"))
+    root = document.root
+    assert root is not None
+    of_robot, of_gazebo = root.find("link"), next(root.iterdescendants("mu1"))
+    assert is_extension(of_gazebo, document)
+    assert not is_extension(of_robot, document)
