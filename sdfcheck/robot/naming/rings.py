@@ -41,7 +41,10 @@ def rings(root: Root) -> tuple[Ring, ...]:
         for reference in root.frame_references
         if reference.role != "expressed_in" and (node := _node(reference.owner)) is not None
     ]
-    return (*_search("attached_to", starts, _attachment), *_search("relative_to", starts, _placement))
+    # A ring of attachments that counts holds a frame.
+    has_frames = bool(root.includes) or any(each.role == "attached_to" for each in root.frame_references)
+    attached = _search("attached_to", starts, _attachment) if has_frames else ()
+    return (*attached, *_search("relative_to", starts, _placement))
 
 
 def _node(part: Part) -> Node | None:

@@ -70,10 +70,12 @@ def reference_of(pose: Element | None) -> str:
 
 def reference_value(pose: Element | None) -> Value | None:
     """The reference of a pose with its place: until 1.6 it was called ``frame``."""
-    from sdfcheck.formats.sdf.survey import survey
-
     if pose is None or pose.tag != "pose":
         return None
-    if survey(pose.document).version < _SEVEN and (old := pose.attribute("frame")) is not None:
-        return old
+    old = pose.attribute("frame")
+    if old is not None:
+        from sdfcheck.formats.sdf.survey import survey
+
+        if survey(pose.document).version < _SEVEN:
+            return old
     return pose.attribute("relative_to")
