@@ -11,9 +11,7 @@ from sdfcheck.report.frame import Mark, frame
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.source.visible import visible, width_of
-
-_HINT_COLUMN = 53
+from sdfcheck.source.visible import visible
 
 
 class Style(NamedTuple):
@@ -41,11 +39,12 @@ def block(
         arrow, first = (":::", first_of(marks)) if number else ("-->", marks[0])
         yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span))}"
         yield from frame(marks, gutter, paint, ink, width)
-    hint = f"sdfcheck rule {diagnostic.name}" if is_explained else ""
     remarks = list(_remarks(diagnostic, paths))
     if others:
         remarks.append(("and", others))
-    yield from _notes(remarks, hint, f"{'':{gutter}} ", paint, width)
+    if is_explained:
+        remarks.append(("more", f"sdfcheck rule {diagnostic.name}"))
+    yield from _notes(remarks, f"{'':{gutter}} ", paint)
 
 
 def marks_by_file(diagnostic: Diagnostic) -> Iterator[list[Mark]]:
@@ -76,16 +75,7 @@ def _remarks(diagnostic: Diagnostic, paths: Paths) -> Iterator[tuple[str, str]]:
         yield "note", f"{origin.text}: {paths.place(origin.span)}"
 
 
-def _notes(
-    remarks: list[tuple[str, str]], hint: str, indent: str, paint: Paint, width: int | None
-) -> Iterator[str]:
-    """The lines below the frames; the hint is beside the last one if the width allows it."""
-    widths = [width_of(f"{indent}= {kind}: {visible(text)}") for kind, text in remarks]
-    is_wide = width is None or _HINT_COLUMN + len(hint) <= width
-    if hint and not (widths and is_wide and widths[-1] + 2 <= _HINT_COLUMN):
-        remarks, widths, hint = [*remarks, ("more", hint)], [*widths, 0], ""
-    for number, (kind, text) in enumerate(remarks):
-        line = f"{indent}{paint('=', Ink.GUTTER)} {paint(f'{kind}:', Ink.STRONG)} {visible(text)}"
-        if hint and number == len(remarks) - 1:
-            line += " " * (_HINT_COLUMN - widths[number]) + paint(hint, Ink.FAINT)
-        yield line
+def _notes(remarks: Iterable[tuple[str, str]], indent: str, paint: Paint) -> Iterator[str]:
+    """The lines below the frames."""
+    for kind, text in remarks:
+        yield f"{indent}{paint('=', Ink.GUTTER)} {paint(f'{kind}:', Ink.STRONG)} {visible(text)}"
