@@ -25,6 +25,17 @@ _NEWEST, _OLDEST = 20, 9
 _ASKING = threading.Lock()
 
 
+class Question(NamedTuple):
+    """A call of a function with a file: where from, where its output goes, and with which environment."""
+
+    function: str
+    path: str
+    folder: str
+    output: str
+    errors: str
+    environment: dict[str, str]
+
+
 class Answer(NamedTuple):
     """The status that a function of libsdformat returned (None: it crashed or took too long), and its output."""
 
@@ -52,8 +63,9 @@ def ask(function: str, path: Path, folder: Path | None = None) -> Answer:
         process = _process()
         assert process.stdin is not None
         assert process.stdout is not None
-        question = [function, str(path.absolute()), str(folder or Path.cwd()), str(output), str(errors)]
-        process.stdin.write(json.dumps(question) + "\n")
+        files = str(output), str(errors)
+        place = str(path.absolute()), str(folder or Path.cwd())
+        process.stdin.write(json.dumps(Question(function, *place, *files, dict(os.environ))) + "\n")
         process.stdin.flush()
         status: int | None = json.loads(process.stdout.readline())
         return Answer(status, *(file.read_text(errors="replace") for file in (output, errors)))
@@ -75,18 +87,20 @@ def _serve(name: str) -> None:
     for line in sys.stdin:
         child = os.fork()
         if not child:
-            _call(loaded, *json.loads(line))
+            _call(loaded, Question(*json.loads(line)))
         _, status = os.waitpid(child, 0)
         print(json.dumps(os.WEXITSTATUS(status) if os.WIFEXITED(status) else None), flush=True)
 
 
-def _call(loaded: ctypes.CDLL, function: str, path: str, folder: str, output: str, errors: str) -> None:
+def _call(loaded: ctypes.CDLL, question: Question) -> None:
     """Ends without the library's exit handlers, which may crash."""
-    os.chdir(folder)
-    for number, file in ((1, output), (2, errors)):
+    os.environ.clear()
+    os.environ.update(question.environment)
+    os.chdir(question.folder)
+    for number, file in ((1, question.output), (2, question.errors)):
         os.dup2(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), number)
     signal.alarm(SECONDS)
-    status = getattr(loaded, function)(os.fsencode(path))
+    status = getattr(loaded, question.function)(os.fsencode(question.path))
     ctypes.CDLL(None).fflush(None)
     os._exit(0 if status == 0 else 1)
 
