@@ -25,15 +25,15 @@ ROBOT = '<model name="robot"><link name="l"/></model>'
 class UnknownPerformer(Rule):
     """A performer names a model or actor that its world does not have.
 
-    Gazebo loads the levels around performers. It reports an error for this one, and loads no level
-    where it goes.
+    Gazebo loads the levels of a world around performers. It reports an error for this one, and does not
+    load levels around it.
     """
 
     code = "RES020"
     name = "unknown-performer"
     severity = Severity.WARNING
     preview = True
-    affects = {Consumer.GAZEBO: warns("loads no levels around it")}
+    affects = {Consumer.GAZEBO: warns("does not load levels around it")}
     looks_at = (Plugin,)
     needs = ("<performer",)
     scaffold = IN_WORLD
@@ -44,7 +44,7 @@ class UnknownPerformer(Rule):
             ROBOT + LEVELS.format("«robbot»"),
             fixed=ROBOT + LEVELS.format("robot"),
             unsafe=True,
-            says="performer `one` is to be `robbot`, and world `w` has no model or actor of that name; "
+            says="performer `one` refers to `robbot`, which is not a model or actor of world `w`; "
             "did you mean `robot`?",
         ),
     )
@@ -64,9 +64,7 @@ class UnknownPerformer(Rule):
         for value, world in unknown(plugin):
             performer, name = value.element.parent, value.text.strip()
             assert performer is not None
-            message = (
-                f"{performer.title} is to be `{name}`, and {world.title} has no model or actor of that name"
-            )
+            message = f"{performer.title} refers to `{name}`, which is not a model or actor of {world.title}"
             meant = world.guess(name, kind="model").meant
             if meant is not None:
                 message += f"; did you mean `{meant}`?"

@@ -185,7 +185,7 @@ def _adapted(
 
 
 def _internal_error(facts: RuleFacts, error: BaseException, document: Document) -> Diagnostic:
-    """The rules that failed, and where; for each document the first failure of a rule counts."""
+    """The diagnostic of a rule that failed; for each document the first failure of a rule counts."""
     import os
 
     if os.environ.get("SDFCHECK_DEBUG"):

@@ -68,7 +68,7 @@ class Document:
         self.included_by: tuple[Value, ...] = ()
         """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
         self.is_referred_to = False
-        """Is it in the way there of some other document?"""
+        """Was another document reached through an include in it?"""
         self.is_wellformed = False
         """Did a strict parser, aware of namespaces, take the text as it is?"""
         self.root: Element | None = self._parse()

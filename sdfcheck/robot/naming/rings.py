@@ -41,7 +41,7 @@ def rings(root: Root) -> tuple[Ring, ...]:
         for reference in root.frame_references
         if reference.role != "expressed_in" and (node := _node(reference.owner)) is not None
     ]
-    # A ring of attachments that counts holds a frame.
+    # A reported ring of attachments contains a frame: rings of joints alone are left out.
     has_frames = bool(root.includes) or any(each.role == "attached_to" for each in root.frame_references)
     attached = _search("attached_to", starts, _attachment) if has_frames else ()
     return (*attached, *_search("relative_to", starts, _placement))
