@@ -13,9 +13,10 @@ from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.motion import mechanism
-from sdfcheck.robot.motion.mass import of_link, urdf_number
+from sdfcheck.robot.motion.mass import of_link
 from sdfcheck.robot.motion.mechanism import Geometry, Mechanism, Mimic
-from sdfcheck.robot.motion.poses import numbers_of, origin_of
+from sdfcheck.robot.motion.origin import numbers_of, urdf_number
+from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.motion.vendor_joints import as_vendors_have_it, joints_of_vendors, mimic_of_vendors
 from sdfcheck.robot.node import Node

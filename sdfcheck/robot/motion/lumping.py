@@ -9,15 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import reduce
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
-    from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.solids import Moments
 
@@ -92,27 +89,9 @@ class Lumping:
 
         They are nan where that cannot be worked out.
         """
-        from sdfcheck.robot.parts.solids import Moments
+        from sdfcheck.robot.motion.merging import merged_moments
 
-        try:
-            (xx, xy, xz), (_, yy, yz), (_, _, zz) = self._body(base).moments
-        except (DescriptionError, ArithmeticError):
-            return Moments(math.nan, math.nan, math.nan)
-        return Moments(*map(float, (xx, yy, zz, xy, xz, yz)))
-
-    def _body(self, base: Link) -> MassProperties:
-        from sdfcheck.robot.motion.mass_properties import MassProperties
-        from sdfcheck.robot.motion.rotations import inverse
-
-        poses = self.model.root.poses
-        bodies = [
-            body.seen_from(inverse(poses.in_scope(base)) @ poses.in_scope(link))
-            for link in self.members(base)
-            if (body := link.mass_properties) is not None
-        ]
-        if not bodies:
-            raise DescriptionError("no link has mass", base.element)
-        return reduce(MassProperties.joined_with, bodies)
+        return merged_moments(self.members(base))
 
 
 def _mass(link: Link) -> float:

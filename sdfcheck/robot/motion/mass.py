@@ -10,6 +10,7 @@ import numpy as np
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion import poses
 from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.origin import urdf_number
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.parts.inertial import MOMENTS
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.inertial import Inertial
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.shape import Collision
-    from sdfcheck.source.element import Element
 
 
 def default_mass() -> MassProperties:
@@ -110,17 +110,3 @@ def of_model(model: Model) -> MassProperties | None:
 def tensor(ixx: float, iyy: float, izz: float, ixy: float, ixz: float, iyz: float) -> Array:
     """The inertia tensor of six moments, shape (3, 3)."""
     return np.array([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]], dtype=float)
-
-
-def urdf_number(element: Element, name: str, default: float) -> float:
-    """A number of URDF, infinite in a limit only; raises DescriptionError for anything else."""
-    text = element.attributes.get(name)
-    if text is None:
-        return default
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if math.isnan(value) or (math.isinf(value) and element.name != "limit"):
-        raise DescriptionError(f"{name} {text!r} is not a finite number", element)
-    return value

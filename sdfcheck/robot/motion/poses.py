@@ -13,6 +13,7 @@ import numpy as np
 
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.motion.origin import origin_in
 from sdfcheck.robot.motion.rotations import Array, from_quaternion, from_rpy, inverse, transform
 from sdfcheck.robot.parts.placement import reference_of
 
@@ -56,29 +57,8 @@ def origin_of(element: Element) -> Array:
 
     Raises DescriptionError where a number is not one.
     """
-    origin = element.find("origin")
-    if origin is None:
-        return np.eye(4)
-    position = numbers_of(origin, "xyz", (0.0, 0.0, 0.0))
-    if "quat_xyzw" in origin.attributes:
-        x, y, z, w = numbers_of(origin, "quat_xyzw", (0.0, 0.0, 0.0, 1.0))
-        return transform(from_quaternion(x, y, z, w), position)
-    roll, pitch, yaw = numbers_of(origin, "rpy", (0.0, 0.0, 0.0))
-    return transform(from_rpy(roll, pitch, yaw), position)
-
-
-def numbers_of(element: Element, name: str, default: tuple[float, ...]) -> tuple[float, ...]:
-    """The finite numbers of an attribute of URDF, as many as the default has; raises DescriptionError."""
-    text = element.attributes.get(name)
-    if text is None:
-        return default
-    try:
-        numbers = tuple(float(part) for part in text.split())
-    except ValueError:
-        numbers = ()
-    if len(numbers) != len(default) or not all(map(math.isfinite, numbers)):
-        raise DescriptionError(f"{name} {text!r} is not {len(default)} finite numbers", element)
-    return numbers
+    origin = origin_in(element)
+    return transform(np.array(origin.rotation), origin.position)
 
 
 class Poses:

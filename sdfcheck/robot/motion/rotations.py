@@ -13,6 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
+from sdfcheck.robot.motion.origin import of_quaternion, of_rpy
+
 Array = npt.NDArray[np.float64]
 
 _POLE = 1e-9
@@ -21,16 +23,7 @@ _POLE = 1e-9
 
 def from_rpy(roll: float, pitch: float, yaw: float) -> Array:
     """The 3×3 rotation of roll, pitch, yaw (rad)."""
-    cr, sr = math.cos(roll), math.sin(roll)
-    cp, sp = math.cos(pitch), math.sin(pitch)
-    cy, sy = math.cos(yaw), math.sin(yaw)
-    return np.array(
-        [
-            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-            [-sp, cp * sr, cp * cr],
-        ]
-    )
+    return np.array(of_rpy(roll, pitch, yaw))
 
 
 def to_rpy(rotation: Array) -> tuple[float, float, float]:
@@ -45,17 +38,7 @@ def to_rpy(rotation: Array) -> tuple[float, float, float]:
 
 def from_quaternion(x: float, y: float, z: float, w: float) -> Array:
     """The 3×3 rotation of a quaternion, normalized first; of the zero quaternion, no rotation."""
-    norm = math.sqrt(x * x + y * y + z * z + w * w)
-    if norm == 0:
-        return np.eye(3)
-    x, y, z, w = x / norm, y / norm, z / norm, w / norm
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return np.array(of_quaternion(x, y, z, w))
 
 
 def about_axis(axis: Sequence[float] | Array, angle: float | Array) -> Array:

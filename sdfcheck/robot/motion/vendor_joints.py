@@ -10,7 +10,7 @@ import numpy as np
 
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.motion import mechanism
-from sdfcheck.robot.motion.mass import urdf_number
+from sdfcheck.robot.motion.origin import urdf_number
 from sdfcheck.robot.parts.joint import Joint
 
 _IN_SDF = frozenset({"curvilinear", "planar"})

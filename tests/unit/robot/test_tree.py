@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from sdfcheck.robot.model import Model
@@ -165,6 +166,39 @@ def test_moments_of_merged_links() -> None:
     # 2 kg, 1 m off their common center on either side.
     assert lumping.moments(a) == (2, 4, 12, 0, 0, 0)
     assert lumping.masses[a] == 2
+
+
+def test_moments_of_merged_links_that_are_turned() -> None:
+    """The same as the sum of the links' mass properties, each seen from the first link."""
+    body = (
+        '<inertial><origin xyz="{0} 0.3 -0.1" {1}/><mass value="{0}"/>'
+        '<inertia ixx="1" ixy="0.1" ixz="-0.2" iyy="2" iyz="0.3" izz="2.5"/></inertial>'
+    )
+    fixed = (
+        '<joint name="{0}{1}" type="fixed"><origin xyz="0.5 -1 2" {2}/>'
+        '<parent link="{0}"/><child link="{1}"/></joint>'
+    )
+    model = robot(
+        links("a", body.format(2, 'rpy="0.1 0.2 0.3"'))
+        + links("b", body.format(3, 'quat_xyzw="0.1 0.2 0.3 0.9"'))
+        + links("c", body.format(0.5, ""))
+        + fixed.format("a", "b", 'rpy="1 -0.5 0.7"')
+        + fixed.format("b", "c", 'quat_xyzw="0 0 1 1"')
+    )
+    a, b, c = model.links
+    poses, bodies = model.root.poses, []
+    for link in (a, b, c):
+        properties = link.mass_properties
+        assert properties is not None
+        bodies.append(properties.seen_from(poses.in_scope(link)))
+    whole = bodies[0].joined_with(bodies[1]).joined_with(bodies[2]).moments
+    merged = model.lumping.moments(a)
+    tensor = [
+        [merged.ixx, merged.ixy, merged.ixz],
+        [merged.ixy, merged.iyy, merged.iyz],
+        [merged.ixz, merged.iyz, merged.izz],
+    ]
+    assert np.allclose(tensor, whole, rtol=1e-12, atol=1e-12)
 
 
 def test_moments_that_cannot_be_summed() -> None:
