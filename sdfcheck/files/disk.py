@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import TypeVar, cast
+
+T = TypeVar("T")
 
 
 class Disk:
     """Answers about paths; those that were given stay as they are for a run."""
 
-    __slots__ = ("_existing", "_listings", "_real")
+    __slots__ = ("_existing", "_listings", "_real", "_views")
 
     def __init__(self) -> None:
         self._existing: dict[str, bool] = {}
         self._listings: dict[str, Mapping[str, str]] = {}
         self._real: dict[str, str] = {}
+        self._views: dict[str, object] = {}
+
+    def view(self, folder: str, compute: Callable[[str, Disk], T]) -> T:
+        """The result of ``compute`` for a folder as it is written, computed once; there is one kind of them."""
+        if folder not in self._views:
+            self._views[folder] = compute(folder, self)
+        return cast(T, self._views[folder])
 
     def has(self, path: str) -> bool:
         """Is there a file or folder?"""

@@ -72,44 +72,13 @@ def scheme_of(uri: str) -> str:
 def locate(document: Document, uri: str) -> Location:
     """Find what a URI in a document names; nothing is fetched, nothing is read.
 
-    Each URI of a document is looked up once.
+    Each URI in the documents of a folder is looked up once.
     """
-    known = document.view(_Located)
-    found = known.get(uri)
+    surroundings = _surroundings(document)
+    found = surroundings.located.get(uri)
     if found is None:
-        found = known[uri] = _locate(document, uri.strip())
+        found = surroundings.located[uri] = _locate(document, uri.strip(), surroundings)
     return found
-
-
-class _Located(dict[str, Location]):
-    def __init__(self, document: Document) -> None:
-        super().__init__()
-
-
-def _locate(document: Document, text: str) -> Location:
-    match = _SCHEME.match(text)
-    scheme = match[1].lower() if match else ""
-    if scheme and scheme not in LOCAL_SCHEMES:
-        return Location(scheme, None)
-    disk = _disk(document)
-    rest = text[match.end() :] if match else text
-    folder = document.view(_above)[0]
-    if scheme == "file":
-        return _first(disk, scheme, (folder,), file_path(text))
-    name, _, inside = rest.partition("/")
-    if scheme:
-        owners = _owners(document, scheme, name)
-        found = _first(disk, scheme, owners.there or owners.near, inside)
-        if not owners.there:
-            # Only the case of letters can be wrong then.
-            near = found.path or found.near
-            return Location(scheme, None, owners.tried, inside, near, name)
-        return found._replace(name=name, owner=Path(owners.there[0]))
-    beside = os.path.join(folder, rest)
-    if disk.has(beside):
-        return Location(scheme, Path(beside))
-    models = _owners(document, "model", name).tried
-    return _first(disk, "", (beside, *(os.path.join(model, inside) for model in models)))
 
 
 class _Owners(NamedTuple):
@@ -120,22 +89,65 @@ class _Owners(NamedTuple):
     near: tuple[str, ...]
 
 
-class _KnownOwners(dict[tuple[str, str], _Owners]):
-    def __init__(self, document: Document) -> None:
-        super().__init__()
+class _Surroundings:
+    """A folder of documents: the folders above it, and what was looked up from there."""
+
+    __slots__ = ("above", "disk", "folder", "located", "owners")
+
+    def __init__(self, folder: str, disk: Disk) -> None:
+        self.folder = folder
+        """As it is known."""
+        self.above = _above(folder)
+        self.disk = disk
+        self.located: dict[str, Location] = {}
+        self.owners: dict[tuple[str, str], _Owners] = {}
 
 
-def _owners(document: Document, scheme: str, name: str) -> _Owners:
-    """The folders of a model or package, looked up once for each document."""
-    known = document.view(_KnownOwners)
-    if (scheme, name) not in known:
-        candidates = _models(document, name) if scheme == "model" else _packages(document, name)
+def _surroundings(document: Document) -> _Surroundings:
+    library = library_of(document)
+    disk = document.view(_own_disk) if library is None else library.disk
+    folder = os.path.dirname(document.path) or os.curdir
+    return disk.view(folder, _Surroundings)
+
+
+def _own_disk(document: Document) -> Disk:
+    return Disk()
+
+
+def _locate(document: Document, text: str, around: _Surroundings) -> Location:
+    match = _SCHEME.match(text)
+    scheme = match[1].lower() if match else ""
+    if scheme and scheme not in LOCAL_SCHEMES:
+        return Location(scheme, None)
+    disk = around.disk
+    rest = text[match.end() :] if match else text
+    if scheme == "file":
+        return _first(disk, scheme, (around.folder,), file_path(text))
+    name, _, inside = rest.partition("/")
+    if scheme:
+        owners = _owners(document, scheme, name, around)
+        found = _first(disk, scheme, owners.there or owners.near, inside)
+        if not owners.there:
+            # Only the case of letters can be wrong then.
+            near = found.path or found.near
+            return Location(scheme, None, owners.tried, inside, near, name)
+        return found._replace(name=name, owner=Path(owners.there[0]))
+    beside = os.path.join(around.folder, rest)
+    if disk.has(beside):
+        return Location(scheme, Path(beside))
+    models = _owners(document, "model", name, around).tried
+    return _first(disk, "", (beside, *(os.path.join(model, inside) for model in models)))
+
+
+def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -> _Owners:
+    """The folders of a model or package."""
+    if (scheme, name) not in around.owners:
+        candidates = (_models if scheme == "model" else _packages)(document, name, around)
         tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
         there = tuple(path for path in tried if os.path.isdir(path))
-        disk = _disk(document)
-        near = () if there else tuple(found for path in tried if (found := disk.ignoring_case(path)))
-        known[scheme, name] = _Owners(tried, there, near)
-    return known[scheme, name]
+        near = () if there else tuple(found for path in tried if (found := around.disk.ignoring_case(path)))
+        around.owners[scheme, name] = _Owners(tried, there, near)
+    return around.owners[scheme, name]
 
 
 def file_path(uri: str) -> str:
@@ -153,40 +165,30 @@ def _first(disk: Disk, scheme: str, folders: tuple[str, ...], inside: str = "") 
     return Location(scheme, None, folders, inside, None if near is None else Path(near))
 
 
-def _disk(document: Document) -> Disk:
-    library = library_of(document)
-    return document.view(_own_disk) if library is None else library.disk
-
-
-def _own_disk(document: Document) -> Disk:
-    return Disk()
-
-
-def _models(document: Document, name: str) -> Iterator[str]:
+def _models(document: Document, name: str, around: _Surroundings) -> Iterator[str]:
     if (library := library_of(document)) is not None:
         for folder in library.model_folders:
             yield os.path.join(folder, name)
     # The usual layout needs no setting: models side by side, or in a `models` folder near by.
-    for above in document.view(_above)[1:]:
+    for above in around.above:
         yield os.path.join(above, name)
         yield os.path.join(above, "models", name)
 
 
-def _packages(document: Document, name: str) -> Iterator[str]:
+def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[str]:
     if (library := library_of(document)) is not None:
         found = library.packages(document.path).find(name)
         if found is not None:
             yield str(found)
-    for above in document.view(_above)[1:]:
+    for above in around.above:
         if os.path.basename(above) == name:
             yield above
         yield os.path.join(above, name)
 
 
-def _above(document: Document) -> list[str]:
-    """The document's folder as it is known; that folder and those above, up to where everybody's files begin."""
-    given = os.path.dirname(document.path) or "."
+def _above(given: str) -> list[str]:
+    """A folder and those above it, up to where everybody's files begin."""
     folder = Path(os.path.abspath(given))  # resolve() would follow links
     home = Path(os.path.expanduser("~"))
     shared = {home, *home.parents, Path(folder.anchor)} - {folder}
-    return [given, *(str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared)]
+    return [str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared]
