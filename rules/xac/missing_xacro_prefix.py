@@ -1,7 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, warns
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Rule,
+    Severity,
+    make_fix,
+    problems,
+    used,
+    warns,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
+from sdfcheck_rules.xac.undefined import SHOWN
 
 
 class MissingXacroPrefix(Rule):
@@ -30,6 +44,13 @@ class MissingXacroPrefix(Rule):
             says="`property` without the prefix `xacro:` is left as it is",
         ),
         Bad(
+            '<«property» name="w" value="1"/><property name="v" value="2"/><link name="a"/>',
+            fixed='<xacro:property name="w" value="1"/><xacro:property name="v" value="2"/><link name="a"/>',
+            unsafe=True,
+            file=FILE,
+            says="is left as it is (used 2 times)",
+        ),
+        Bad(
             '<«if» value="1"><link name="a"/></if><xacro:if value="1"><link name="b"/></xacro:if>',
             fixed='<xacro:if value="1"><link name="a"/></xacro:if><xacro:if value="1"><link name="b"/></xacro:if>',
             unsafe=True,
@@ -48,5 +69,11 @@ class MissingXacroPrefix(Rule):
     def check(self, problem: problems.MissingXacroPrefix) -> Iterator[Diagnostic]:
         name = problem.name
         edits = tuple(Edit(span, f"xacro:{name}") for span in problem.edits)
-        fix = make_fix(f"make it `xacro:{name}`", edits, unsafe=True)
-        yield self.diagnostic(problem.span, f"`{name}` without the prefix `xacro:` is left as it is", fix=fix)
+        which = "each of them" if problem.others else "it"
+        fix = make_fix(f"make {which} `xacro:{name}`", edits, unsafe=True)
+        yield self.diagnostic(
+            problem.span,
+            f"`{name}` without the prefix `xacro:` is left as it is{used(1 + len(problem.others))}",
+            labels=dict.fromkeys(problem.others[:SHOWN], "also here"),
+            fix=fix,
+        )

@@ -31,6 +31,7 @@ def report(rule: Rule, problem: problems.UndefinedName, what: str) -> Diagnostic
         labels=labels,
         fix=_fix(problem),
         origins=tuple(Origin(*step) for step in problem.origins),
+        cause=None if reason is None else reason.cause,
         **unless_reached(is_dormant=problem.is_dormant),
     )
 

@@ -32,11 +32,15 @@ class Failure(Enum):
 
 
 class Reason(Record):
-    """Why xacro stops at something, in words, and a place that has to do with it."""
+    """Why xacro stops at something, in words, and a place that has to do with it.
+
+    ``cause`` is a fault that is reported by itself where its file is looked at.
+    """
 
     words: str
     place: Span | None = None
     label: str = ""
+    cause: Span | None = None
 
 
 class ExpansionFailure(Record):
@@ -138,10 +142,11 @@ class IgnoredIncludeContent(Record):
 
 
 class MissingXacroPrefix(Record):
-    """An element that is xacro's but for the prefix; ``edits`` are where that goes."""
+    """Elements of one name that are xacro's but for the prefix: the first, the others, and where it goes."""
 
     span: Span
     name: str
+    others: tuple[Span, ...]
     edits: tuple[Span, ...]
 
 

@@ -68,17 +68,21 @@ Found = MissingXacroPrefix | WrongXacroAttribute | IgnoredIncludeContent
 def element_problems(document: Document) -> Iterator[Found]:
     """Problems of the elements of the language in a document, their prefix and attributes."""
     assert document.root is not None
+    without_prefix: dict[str, list[Element]] = {}
     for element in document.root.iterdescendants("*"):
         if not isinstance(element, Element) or _is_in_include(element):
             continue
         if element.name == _INCLUDE:
             yield from (IgnoredIncludeContent(child.span, child.name) for child in element.children())
         if lacks_prefix(element):
-            end = document.spans.end_name(element)
-            names = tuple(span for span in (element.span, end) if span is not None)
-            yield MissingXacroPrefix(element.span, element.name, names)
+            without_prefix.setdefault(element.name, []).append(element)
         elif element.name.startswith(PREFIX) and element.name[len(PREFIX) :] in REQUIRED:
             yield from _wrong_attributes(element, element.name[len(PREFIX) :])
+    for name, elements in without_prefix.items():
+        first, *others = (element.span for element in elements)
+        ends = (document.spans.end_name(element) for element in elements)
+        places = (first, *others, *(end for end in ends if end is not None))
+        yield MissingXacroPrefix(first, name, tuple(others), places)
 
 
 def _is_in_include(element: Element) -> bool:

@@ -13,6 +13,7 @@ from sdfcheck.xacro.language import PREFIX, is_literal
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
+    MissingXacroPrefix,
     Problem,
     Reason,
     UndefinedBlock,
@@ -20,6 +21,7 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
 )
 from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
+from sdfcheck.xacro.static.elements import element_problems, lacks_prefix
 from sdfcheck.xacro.static.reading import Property
 
 _FOREIGN = {
@@ -85,6 +87,8 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
     if not found:
         return None
     first = found[0]
+    if all(lacks_prefix(each.element) for each in found):
+        return _unprefixed(first.element)
     place = _name(first.element)
     if all(each.macro is not None for each in found):
         if _is_inside(problem.span, found):
@@ -113,6 +117,8 @@ def _of_macro(problem: UndefinedMacro, visible: Definitions) -> Reason | None:
     if name in _FOREIGN:
         return Reason(_FOREIGN[name])
     macros = visible.macros.get(name, [])
+    if macros and all(lacks_prefix(each.element) for each in macros):
+        return _unprefixed(macros[0].element)
     return _late(problem.span, _name(macros[0].element)) if macros else None
 
 
@@ -178,13 +184,22 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
 def _late(span: Span, place: Span) -> Reason | None:
     """That a name is defined after its use, or in another file."""
     line = place.begin.line
-    if place.source is span.source:
+    if place.source.path == span.source.path:
         if place.start < span.start:
             return None
         return Reason(f"it is defined in line {line}, after this", place, "defined here")
     return Reason(
         f"it is defined in {place.source.path.name}:{line}, which comes later", place, "defined here"
     )
+
+
+def _unprefixed(definition: Element) -> Reason:
+    """That a definition lacks the prefix of xacro, which is reported at the first such element of its file."""
+    document = definition.document
+    found = (each for each in element_problems(document) if isinstance(each, MissingXacroPrefix))
+    cause = next((each.span for each in found if each.name == definition.name), None)
+    words = f"{document.path.name}:{definition.span.begin.line} lacks the prefix `xacro:`"
+    return Reason(words, definition.span, "without the prefix `xacro:`", cause)
 
 
 def _name(element: Element) -> Span:

@@ -51,3 +51,22 @@ def test_it_stays_at_the_include_where_the_fault_is_not_reported(tmp_path: Path)
     (tmp_path / "part.xacro").write_text(f"<!-- sdfcheck: ignore-file XML -->\n{BROKEN['unclosed']}")
     (tmp_path / "main.urdf.xacro").write_text(f'{HEAD}\n<xacro:include filename="part.xacro"/>\n</robot>')
     assert ("XAC001", "main.urdf.xacro", 1) in found(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("use", "code", "line"),
+    [("<link name='${width}'/>", "XAC004", 2), ("<xacro:leg/>", "XAC003", 4)],
+)
+def test_a_definition_without_the_prefix_is_one_diagnostic(
+    tmp_path: Path, use: str, code: str, line: int
+) -> None:
+    (tmp_path / "part.xacro").write_text(
+        f"{HEAD}\n<property name='width' value='1'/>\n<property name='height' value='1'/>\n"
+        "<macro name='leg' params=''><link name='l'/></macro>\n</robot>"
+    )
+    robot = tmp_path / "main.urdf.xacro"
+    robot.write_text(f'{HEAD}\n<xacro:include filename="part.xacro"/>\n<link name="b"/>{use}</robot>')
+    [alone] = sdfcheck.lint(robot, isolated=True).diagnostics
+    assert alone.code == code
+    assert alone.message.endswith(f" is not defined here: part.xacro:{line} lacks the prefix `xacro:`")
+    assert found(tmp_path) == [("XAC012", "part.xacro", 1), ("XAC012", "part.xacro", 0)]
