@@ -6,12 +6,14 @@ from sdfcheck import (
     ConfigFault,
     Consumer,
     Diagnostic,
+    Element,
     Good,
     Include,
     ModelConfig,
     Rule,
     Severity,
     Value,
+    accepts,
     refuses,
     warns,
     write_instead,
@@ -33,7 +35,19 @@ MESSAGES = {
 }
 SEVERITIES = {
     ConfigFault.NO_NAME: Severity.WARNING,
+    ConfigFault.NO_VERSION: Severity.WARNING,
+    ConfigFault.TOO_NEW: Severity.WARNING,
     ConfigFault.UNMADE_FILE: Severity.INFO,
+}
+READ = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("reads the model, and warns"))
+REACTIONS = {
+    ConfigFault.NO_NAME: dict.fromkeys(READ, accepts("reads the model")),
+    ConfigFault.NO_VERSION: READ,
+    ConfigFault.TOO_NEW: READ,
+    ConfigFault.BAD_VERSION: {
+        Consumer.GAZEBO: refuses("crashes before version 13"),
+        Consumer.DRAKE: accepts("reads the model"),
+    },
 }
 
 
@@ -41,10 +55,11 @@ class InvalidModelConfig(Rule):
     """A `model.config` does not say which file is the model.
 
     A model folder is included through it: libsdformat takes the `sdf` element of the
-    highest version that it knows. A missing file or version, or a version from the
-    future, fails the including document; with neither `name` nor `sdf` libsdformat
-    crashes. A missing name alone is a warning. A file that a build is to make from a
-    template beside it is only pointed out.
+    highest version that it knows, else the first one. A missing file fails the including
+    document. A version that is missing or from the future is a warning; so is a missing
+    name, unless libsdformat has something else to say of the model, when it crashes.
+    libsdformat 12 crashes at a version that is not a number, too. A file that a build is
+    to make from a template beside it is only pointed out.
     """
 
     code = "RES007"
@@ -118,16 +133,26 @@ class InvalidModelConfig(Rule):
             yield self.diagnostic(subject.uri_value, message)
 
     def misconfigured(self, config: ModelConfig) -> Iterator[Diagnostic]:
+        is_named = config.element.has("name")
         for place, fault, near in config.faults:
             named = place.text.strip() if isinstance(place, Value) else place.name
             message = MESSAGES[fault].format(named, near)
             if near is not None and fault is not ConfigFault.UNMADE_FILE:
                 message += f", did you mean `{near}`?"
-            affects = dict.fromkeys(self.affects, warns("reads the model, and warns"))
+            is_fatal = not is_named and fault is ConfigFault.NO_NAME and _is_spoken_of(config)
             yield self.diagnostic(
                 place,
                 message,
                 fix=write_instead(near, place) if fault is ConfigFault.MISSING_FILE else None,
-                severity=SEVERITIES.get(fault, Severity.ERROR),
-                affects=affects if fault is ConfigFault.NO_NAME else {},
+                severity=Severity.ERROR if is_fatal else SEVERITIES.get(fault, Severity.ERROR),
+                affects=dict.fromkeys(READ, refuses("crashes")) if is_fatal else REACTIONS.get(fault, {}),
             )
+
+
+def _is_spoken_of(config: ModelConfig) -> bool:
+    """Has libsdformat a message with the model's name in it: about a version, or a file that is not named?"""
+    return any(
+        fault in {ConfigFault.TOO_NEW, ConfigFault.EMPTY_FILE}
+        or (fault is ConfigFault.NO_VERSION and isinstance(place, Element) and not place.attributes)
+        for place, fault, _ in config.faults
+    )

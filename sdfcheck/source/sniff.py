@@ -211,7 +211,8 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
         return Kind.XACRO
     if name in _ROOTS:
         return _ROOTS[name]
-    if name == "model" and ("<sdf" in text or path.name.lower() == "model.config"):
+    # Two of its three signs are enough.
+    if sum((name == "model", "<sdf" in text, path.name.lower() == "model.config")) > 1:
         return Kind.MODEL_CONFIG
     forgotten_root = name in {"model", "world"} and suffix in {".sdf", ".world"}
     # The root of SDFormat 1.0 to 1.2.

@@ -120,11 +120,14 @@ class ModelConfig:
 
 
 def chosen_entry(root: Element) -> Element | None:
-    """The ``sdf`` element that is read: the highest version that is not newer than the format's newest."""
+    """The ``sdf`` element that is read: of the highest version that is not newer than the format's, else the first.
+
+    Source: getBestSupportedModelVersion in libsdformat 17's parser.cc.
+    """
 
     def rank(entry: Element) -> tuple[int, ...]:
         version = _version(entry) or (0, 0)
-        return (-1,) if version > NEWEST else version
+        return (0, 0) if version > NEWEST else version
 
     return max(root.children("sdf"), key=rank, default=None)
 

@@ -51,7 +51,7 @@ class Origin(NamedTuple):
 
 
 def origin_in(element: Element) -> Origin:
-    """What an element's ``origin`` writes; no displacement without one.
+    """The pose that an element's ``origin`` writes; no displacement without one.
 
     Raises DescriptionError where a number is not one.
     """

@@ -29,6 +29,7 @@ def chosen(folder: Path, entries: str) -> str | None:
         ('<sdf version="1.9">nine.sdf</sdf><sdf version="1.99">new.sdf</sdf>', "nine.sdf"),
         ('<sdf version="1.99">new.sdf</sdf>', "new.sdf"),
         ("<sdf>bare.sdf</sdf>", "bare.sdf"),
+        ('<sdf version="1.99">new.sdf</sdf><sdf>bare.sdf</sdf>', "new.sdf"),
         ('<sdf>bare.sdf</sdf><sdf version="1.5">five.sdf</sdf>', "five.sdf"),
         ('<sdf version="1.10">six.sdf</sdf><sdf version="1.9">nine.sdf</sdf>', "six.sdf"),
         ('<sdf version="1.9">gone.sdf</sdf>', None),
