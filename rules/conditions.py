@@ -312,7 +312,7 @@ def GAZ010_applies(part):
     return any(gaz_unknown_palette_color__strange(part))
 
 def inr_moments__is_remarkable(inertial):
-    return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
+    return not (inertial.is_unremarkable or inertial.is_automatic)
 
 def inr_moments__has_moments_only(inertial):
     if not inertial.is_legible or not any(inertial.tensor):
@@ -325,6 +325,8 @@ def INR001_applies(inertial):
         return False
     mass = inertial.mass
     if mass.number == 0:
+        if inertial.link.may_be_static:
+            return False
         return not inertial.is_urdf or inr_moments__has_moments_only(inertial)
     return mass.number < 0 or mass.text.lower() == 'nan'
 
@@ -332,6 +334,8 @@ def inr_moments__has_moments(inertial):
     if not inr_moments__is_remarkable(inertial) or not inertial.is_legible:
         return False
     mass = inertial.mass
+    if mass.number == 0 and mass.is_given:
+        return not inertial.is_urdf
     return not mass.is_given or mass.number > 0 or '$' in mass.text
 
 def inr_moments__is_indefinite(inertial):
@@ -352,7 +356,9 @@ def INR004_applies(link):
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
 def inr_moments__ratio(inertial):
-    if not inr_moments__has_moments(inertial) or inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
+    if inertial.link.may_be_static or not inr_moments__has_moments(inertial):
+        return math_.nan
+    if inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
         return math_.nan
     expected, trace = (inertial.solid_trace, inertial.tensor.trace)
     return trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
@@ -397,7 +403,7 @@ def INR008_applies(inertial):
     return not collisions or any((inr_unusable_automatic_inertia___has_no_mass(inr_unusable_automatic_inertia___density(inertial, collision)) or collision.geometry.shape in inr_unusable_automatic_inertia___NO_SOLID for collision in collisions))
 
 def INR009_applies(inertial):
-    if not inr_moments__has_moments(inertial) or inertial.inertia is None or any(inertial.tensor):
+    if inertial.link.may_be_static or not inr_moments__has_moments(inertial) or inertial.inertia is None or any(inertial.tensor):
         return False
     if not (inertial.mass.is_given and inertial.mass.number > 0):
         return False

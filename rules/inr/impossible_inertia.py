@@ -16,9 +16,9 @@ class ImpossibleInertia(Rule):
     """Principal moments break the triangle inequality, which no distribution of mass can.
 
     However a mass is spread, each principal moment of inertia is at most the sum of the
-    other two. libsdformat refuses the model, MuJoCo unless configured otherwise; Drake takes a solid sphere
-    in place of the inertia. In URDF libsdformat merges links that fixed joints tie together first, and
-    judges the sum.
+    other two. libsdformat refuses the model, also a static one, MuJoCo unless configured
+    otherwise; Drake takes a solid sphere in place of the inertia. In URDF libsdformat merges
+    links that fixed joints tie together first, and judges the sum.
     """
 
     code = "INR003"
@@ -46,6 +46,11 @@ class ImpossibleInertia(Rule):
             "<inertial><mass>1</mass><inertia><ixx>«0.001»</ixx><iyy>0.001</iyy><izz>0.001</izz>"
             "<ixy>0.001</ixy><ixz>0.001</ixz><iyz>0.001</iyz></inertia></inertial>",
             says="0.003 > 0 + 0",
+        ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><static>true</static><link name="a">'
+            "<inertial><inertia><ixx>1</ixx><iyy>1</iyy><izz>«3»</izz></inertia></inertial></link></model></sdf>",
+            scaffold="",
         ),
         Bad(MERGED, scaffold="", says="9 > 1 + 1"),
     )

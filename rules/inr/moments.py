@@ -1,7 +1,8 @@
 """Shared checks of the moments of inertia in this family.
 
-The hard conditions are those of libsdformat. The soft ones compare with homogeneous solids
-of the link's own primitive shapes; only traces are compared, which no rotation changes.
+The hard conditions are those of libsdformat, which has them for what is static, too. The soft
+ones compare with homogeneous solids of the link's own primitive shapes, of what moves; only traces
+are compared, which no rotation changes.
 """
 
 from __future__ import annotations
@@ -15,15 +16,17 @@ _FACTOR = 100.0
 
 
 def is_remarkable(inertial: Inertial) -> bool:
-    """Are the numbers of a body that moves written, and not beyond doubt?"""
-    return not (inertial.is_unremarkable or inertial.is_automatic or inertial.link.may_be_static)
+    """Are the numbers of a body written, and not beyond doubt?"""
+    return not (inertial.is_unremarkable or inertial.is_automatic)
 
 
 def has_moments(inertial: Inertial) -> bool:
-    """The same of moments that can be read, with a mass that no rule reports."""
+    """The same of moments that can be read, with a mass that libsdformat takes, which 0 is in SDFormat."""
     if not is_remarkable(inertial) or not inertial.is_legible:
         return False
     mass = inertial.mass
+    if mass.number == 0 and mass.is_given:
+        return not inertial.is_urdf
     return not mass.is_given or mass.number > 0 or "$" in mass.text  # which xacro has yet to fill in
 
 
@@ -72,7 +75,9 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
 
 def ratio(inertial: Inertial) -> float:
     """The moments to those of a solid of this mass in the link's shapes; nan where that says nothing."""
-    if not has_moments(inertial) or is_indefinite(inertial) or is_impossible(inertial):
+    if inertial.link.may_be_static or not has_moments(inertial):
+        return math.nan
+    if is_indefinite(inertial) or is_impossible(inertial):
         return math.nan
     expected, trace = inertial.solid_trace, inertial.tensor.trace
     return trace / expected if 0 < expected < math.inf and 0 < trace < math.inf else math.nan

@@ -56,6 +56,11 @@ class NonPositiveMass(Rule):
             '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>',
             scaffold="",
         ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><static>true</static><link name="a">'
+            "<inertial><mass>«-1»</mass></inertial></link></model></sdf>",
+            scaffold="",
+        ),
         Bad(FIXED.format("«0»", 1), scaffold="", says="link `b` has moments of inertia and a mass of 0"),
     )
     good = (
@@ -75,6 +80,8 @@ class NonPositiveMass(Rule):
             return False
         mass = inertial.mass
         if mass.number == 0:
+            if inertial.link.may_be_static:
+                return False
             return not inertial.is_urdf or has_moments_only(inertial)
         # A text that is not a number is malformed.
         return mass.number < 0 or mass.text.lower() == "nan"

@@ -39,7 +39,12 @@ class ZeroInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if not has_moments(inertial) or inertial.inertia is None or any(inertial.tensor):
+        if (
+            inertial.link.may_be_static
+            or not has_moments(inertial)
+            or inertial.inertia is None
+            or any(inertial.tensor)
+        ):
             return False
         if not (inertial.mass.is_given and inertial.mass.number > 0):
             return False

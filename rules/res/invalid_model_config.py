@@ -6,7 +6,6 @@ from sdfcheck import (
     ConfigFault,
     Consumer,
     Diagnostic,
-    Element,
     Good,
     Include,
     ModelConfig,
@@ -28,6 +27,7 @@ MESSAGES = {
     ConfigFault.NO_FILE: "no `sdf` says which file is the model",
     ConfigFault.EMPTY_FILE: "`sdf` names no file",
     ConfigFault.NO_VERSION: "`sdf` has no `version`",
+    ConfigFault.EMPTY_VERSION: "the `version` of `sdf` is empty",
     ConfigFault.BAD_VERSION: "`{}` is not a version of SDFormat",
     ConfigFault.TOO_NEW: "version {} is newer than any consumer knows",
     ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
@@ -35,31 +35,34 @@ MESSAGES = {
 }
 SEVERITIES = {
     ConfigFault.NO_NAME: Severity.WARNING,
-    ConfigFault.NO_VERSION: Severity.WARNING,
-    ConfigFault.TOO_NEW: Severity.WARNING,
+    ConfigFault.EMPTY_VERSION: Severity.WARNING,
     ConfigFault.UNMADE_FILE: Severity.INFO,
 }
-READ = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("reads the model, and warns"))
-REACTIONS = {
-    ConfigFault.NO_NAME: dict.fromkeys(READ, accepts("reads the model")),
-    ConfigFault.NO_VERSION: READ,
-    ConfigFault.TOO_NEW: READ,
-    ConfigFault.BAD_VERSION: {
-        Consumer.GAZEBO: refuses("crashes before version 13"),
-        Consumer.DRAKE: accepts("reads the model"),
-    },
+READ = {consumer: accepts("reads the model") for consumer in (Consumer.GAZEBO, Consumer.DRAKE)}
+NEWLY_REFUSED = {
+    Consumer.GAZEBO: refuses("refuses the model; version 12 warns"),
+    Consumer.DRAKE: warns("reads the model, and warns"),
 }
+REACTIONS = {
+    ConfigFault.NO_NAME: READ,
+    ConfigFault.EMPTY_VERSION: READ,
+    ConfigFault.NO_VERSION: NEWLY_REFUSED,
+    ConfigFault.TOO_NEW: NEWLY_REFUSED,
+    ConfigFault.BAD_VERSION: {**READ, Consumer.GAZEBO: refuses("version 12 crashes")},
+}
+NAMING_MODEL = {ConfigFault.NO_VERSION, ConfigFault.TOO_NEW, ConfigFault.EMPTY_FILE}
+"""Where libsdformat writes a message with the model's name in it."""
 
 
 class InvalidModelConfig(Rule):
     """A `model.config` does not say which file is the model.
 
     A model folder is included through it: libsdformat takes the `sdf` element of the
-    highest version that it knows, else the first one. A missing file fails the including
-    document. A version that is missing or from the future is a warning; so is a missing
-    name, unless libsdformat has something else to say of the model, when it crashes.
-    libsdformat 12 crashes at a version that is not a number, too. A file that a build is
-    to make from a template beside it is only pointed out.
+    highest version that it knows, else the first one. A missing file or version, or a
+    version from the future, fails the including document (libsdformat 12 only warned of
+    versions, and crashed at one that is not a number). A missing name alone is a warning;
+    libsdformat crashes where it has something else to say of that model. A file that a
+    build is to make from a template beside it is only pointed out.
     """
 
     code = "RES007"
@@ -133,13 +136,15 @@ class InvalidModelConfig(Rule):
             yield self.diagnostic(subject.uri_value, message)
 
     def misconfigured(self, config: ModelConfig) -> Iterator[Diagnostic]:
-        is_named = config.element.has("name")
+        crashes = not config.element.has("name") and not NAMING_MODEL.isdisjoint(
+            each.fault for each in config.faults
+        )
         for place, fault, near in config.faults:
             named = place.text.strip() if isinstance(place, Value) else place.name
             message = MESSAGES[fault].format(named, near)
             if near is not None and fault is not ConfigFault.UNMADE_FILE:
                 message += f", did you mean `{near}`?"
-            is_fatal = not is_named and fault is ConfigFault.NO_NAME and _is_spoken_of(config)
+            is_fatal = fault is ConfigFault.NO_NAME and crashes
             yield self.diagnostic(
                 place,
                 message,
@@ -147,12 +152,3 @@ class InvalidModelConfig(Rule):
                 severity=Severity.ERROR if is_fatal else SEVERITIES.get(fault, Severity.ERROR),
                 affects=dict.fromkeys(READ, refuses("crashes")) if is_fatal else REACTIONS.get(fault, {}),
             )
-
-
-def _is_spoken_of(config: ModelConfig) -> bool:
-    """Has libsdformat a message with the model's name in it: about a version, or a file that is not named?"""
-    return any(
-        fault in {ConfigFault.TOO_NEW, ConfigFault.EMPTY_FILE}
-        or (fault is ConfigFault.NO_VERSION and isinstance(place, Element) and not place.attributes)
-        for place, fault, _ in config.faults
-    )

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_COLLISION,
+    IN_LINK,
     IN_ROBOT,
     IN_WORLD,
     REFUSES,
@@ -29,9 +30,10 @@ class OutOfRange(Rule):
     """A number lies outside the range that the format states or that its quantity has.
 
     libsdformat enforces the bounds of its specification: outside them it refuses the
-    document, which is an error. Of other bounds it checks none, or takes a default instead,
-    as for a shape whose size is not positive. In URDF, Drake aborts at such a shape (it takes
-    a sphere of radius 0 for a point), and MuJoCo refuses it as a collision.
+    document, which is an error; so it does for moments of inertia that are not finite. Of
+    other bounds it checks none, or takes a default instead, as for a shape whose size is
+    not positive. In URDF, Drake aborts at such a shape (it takes a sphere of radius 0 for a
+    point), and MuJoCo refuses it as a collision.
     """
 
     code = "SCH014"
@@ -74,6 +76,12 @@ class OutOfRange(Rule):
             says="`radius` should be above 0, not -1, so libsdformat takes 1",
         ),
         Bad(
+            "<inertial><mass>1</mass><inertia><ixx>«nan»</ixx><ixy>0</ixy><ixz>0</ixz>"
+            "<iyy>1</iyy><iyz>0</iyz><izz>1</izz></inertia></inertial>",
+            scaffold=IN_LINK,
+            says="`ixx` must be finite, not nan",
+        ),
+        Bad(
             '<physics type="ode"><max_step_size>0.001</max_step_size>'
             "<ode><solver><min_step_size>«0.01»</min_step_size></solver></ode></physics>",
             scaffold=IN_WORLD,
@@ -92,12 +100,21 @@ class OutOfRange(Rule):
             )
             return
         name = problem.value.attribute or problem.value.element.name
-        must = "must" if problem.refused else "should"
+        is_refused = problem.refused or _is_moment(problem)
+        must = "must" if is_refused else "should"
         message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
         if problem.instead is not None:
             message += f", so libsdformat takes {problem.instead}"
         severity, affects = None, {**OTHER_VALUE, **undersized(problem.value)}
-        if problem.refused:
+        if is_refused:
             severity = Severity.ERROR
+            affects[Consumer.GAZEBO] = REFUSES
+        if problem.refused:
             affects = {**dict.fromkeys(Consumer, REFUSES), **unreadable(problem.value)}
         yield self.diagnostic(problem.span, message, severity=severity, affects=affects)
+
+
+def _is_moment(problem: problems.ValueOutOfRange) -> bool:
+    """Is it a moment of inertia of SDFormat? libsdformat refuses those that are not finite."""
+    around = problem.value.element.parent
+    return around is not None and around.name == "inertia"

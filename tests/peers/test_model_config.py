@@ -48,4 +48,5 @@ def test_an_error_means_that_the_model_is_not_read(
     answer = ask("cmdCheck", tmp_path / "w.sdf", tmp_path)
     found = sdfcheck.lint(config, isolated=True).diagnostics
     errors = [each.message for each in found if each.severity is Severity.ERROR]
-    assert bool(errors) == (answer.status != 0), (errors, answer)
+    # Of what libsdformat 12 warns here, later versions make an error.
+    assert bool(errors) == (answer.status != 0 or "Warning" in answer.errors), (errors, answer)

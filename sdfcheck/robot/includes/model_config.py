@@ -37,6 +37,7 @@ class ConfigFault(Enum):
     NO_FILE = "no sdf"
     EMPTY_FILE = "empty sdf"
     NO_VERSION = "no version"
+    EMPTY_VERSION = "empty version"
     BAD_VERSION = "bad version"
     TOO_NEW = "too new"
     MISSING_FILE = "missing file"
@@ -155,8 +156,10 @@ def _of_entry(document: Document, entry: Element, *, is_chosen: bool) -> list[Mi
     version = entry.attribute("version")
     if _PLACEHOLDER.search(entry.content) or (version is not None and _PLACEHOLDER.search(version.text)):
         return []  # a template, which a build fills in
-    if version is None or not version.text.strip():
+    if version is None:
         found.append(Misconfiguration(entry, ConfigFault.NO_VERSION))
+    elif not version.text.strip():
+        found.append(Misconfiguration(version, ConfigFault.EMPTY_VERSION))
     elif (numbers := _version(entry)) is None:
         found.append(Misconfiguration(version, ConfigFault.BAD_VERSION))
     elif numbers > NEWEST:

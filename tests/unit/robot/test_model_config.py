@@ -50,6 +50,7 @@ def test_the_newest_readable_version_is_chosen(tmp_path: Path, entries: str, fil
         ('<model><sdf version="1.9">nine.sdf</sdf></model>', [ConfigFault.NO_NAME]),
         ('<model><name/><sdf version="1.9">nine.sdf</sdf></model>', [ConfigFault.NO_NAME]),
         ("<model><name>a</name><sdf>nine.sdf</sdf></model>", [ConfigFault.NO_VERSION]),
+        ('<model><name>a</name><sdf version=" ">nine.sdf</sdf></model>', [ConfigFault.EMPTY_VERSION]),
         ('<model><name>a</name><sdf version="one">nine.sdf</sdf></model>', [ConfigFault.BAD_VERSION]),
         ('<model><name>a</name><sdf version="2.0">nine.sdf</sdf></model>', [ConfigFault.TOO_NEW]),
         ('<model><name>a</name><sdf version="1.9"/></model>', [ConfigFault.EMPTY_FILE]),
