@@ -48,7 +48,7 @@ REACTIONS = {
     ConfigFault.EMPTY_VERSION: READ,
     ConfigFault.NO_VERSION: NEWLY_REFUSED,
     ConfigFault.TOO_NEW: NEWLY_REFUSED,
-    ConfigFault.BAD_VERSION: {**READ, Consumer.GAZEBO: refuses("version 12 crashes")},
+    ConfigFault.BAD_VERSION: {**READ, Consumer.GAZEBO: refuses("crashes")},
 }
 NAMING_MODEL = {ConfigFault.NO_VERSION, ConfigFault.TOO_NEW, ConfigFault.EMPTY_FILE}
 """Where libsdformat writes a message with the model's name in it."""
@@ -59,10 +59,10 @@ class InvalidModelConfig(Rule):
 
     A model folder is included through it: libsdformat takes the `sdf` element of the
     highest version that it knows, else the first one. A missing file or version, or a
-    version from the future, fails the including document (libsdformat 12 only warned of
-    versions, and crashed at one that is not a number). A missing name alone is a warning;
-    libsdformat crashes where it has something else to say of that model. A file that a
-    build is to make from a template beside it is only pointed out.
+    version from the future, fails the including document (libsdformat 12 only warns of
+    versions). It crashes at a version that is not a number, and where it has something to
+    say of a model without a name; a missing name alone is a warning. A file that a build is
+    to make from a template beside it is only pointed out.
     """
 
     code = "RES007"

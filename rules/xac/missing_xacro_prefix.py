@@ -19,10 +19,11 @@ from sdfcheck_rules.xac.undefined import SHOWN
 
 
 class MissingXacroPrefix(Rule):
-    """An element of xacro lacks the prefix `xacro:`.
+    """An element of xacro, or the call of a macro, lacks the prefix `xacro:`.
 
     Since ROS Noetic xacro leaves it in the description as it is, where no consumer knows
-    it: the property is not defined, the macro not called, the block not inserted.
+    it: the property is not defined, the macro not called, the block not inserted. A call is
+    an element that URDF does not know, with the name and the parameters of a macro.
     """
 
     code = "XAC012"
@@ -51,6 +52,13 @@ class MissingXacroPrefix(Rule):
             says="is left as it is (used 2 times)",
         ),
         Bad(
+            '<xacro:macro name="leg" params="side"><link name="${side}"/></xacro:macro><«leg» side="left"/>',
+            fixed='<xacro:macro name="leg" params="side"><link name="${side}"/></xacro:macro><xacro:leg side="left"/>',
+            unsafe=True,
+            file=FILE,
+            says="`leg` without the prefix",
+        ),
+        Bad(
             '<«if» value="1"><link name="a"/></if><xacro:if value="1"><link name="b"/></xacro:if>',
             fixed='<xacro:if value="1"><link name="a"/></xacro:if><xacro:if value="1"><link name="b"/></xacro:if>',
             unsafe=True,
@@ -58,6 +66,12 @@ class MissingXacroPrefix(Rule):
         ),
     )
     good = (
+        Good(
+            '<xacro:macro name="leg" params="side"><link name="${side}"/></xacro:macro>'
+            '<xacro:leg side="a"/><gazebo><leg side="left"/></gazebo>',
+            why="the settings of a plugin may have the name of a macro",
+            file=FILE,
+        ),
         Good("<include><uri>model://a</uri></include>", why="SDFormat's own", file=FILE),
         Good(
             '<plugin name="p" filename="p"><property name="w" value="1"/></plugin>',

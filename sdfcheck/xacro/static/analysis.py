@@ -28,6 +28,7 @@ from sdfcheck.xacro.static.elements import element_problems
 from sdfcheck.xacro.static.expressions import expression_problems
 from sdfcheck.xacro.static.names import free_names
 from sdfcheck.xacro.static.oversights import oversights
+from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
 from sdfcheck.xacro.static.suggestions import guess, nearest
@@ -42,6 +43,7 @@ def problems(document: Document) -> Iterator[Problem]:
         return
     yield from _undeclared(document)
     visible = visible_definitions(document)
+    yield from missing_prefixes(document)
     yield from element_problems(document)
     yield from expression_problems(document, visible)
     yield from _undefined_macros(document, visible)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, PREFIX, REQUIRED
-from sdfcheck.xacro.problems import IgnoredIncludeContent, MissingXacroPrefix, WrongXacroAttribute
+from sdfcheck.xacro.problems import IgnoredIncludeContent, WrongXacroAttribute
 from sdfcheck.xacro.static.suggestions import nearest
 
 _INCLUDE = "xacro:include"
@@ -62,30 +62,22 @@ def own_attributes(element: Element, own: str) -> dict[str, str]:
     return meant
 
 
-Found = MissingXacroPrefix | WrongXacroAttribute | IgnoredIncludeContent
+Found = WrongXacroAttribute | IgnoredIncludeContent
 
 
 def element_problems(document: Document) -> Iterator[Found]:
-    """Problems of the elements of the language in a document, their prefix and attributes."""
+    """Problems of the elements of the language in a document: their attributes, and what is not read."""
     assert document.root is not None
-    without_prefix: dict[str, list[Element]] = {}
     for element in document.root.iterdescendants("*"):
-        if not isinstance(element, Element) or _is_in_include(element):
+        if not isinstance(element, Element) or is_in_include(element):
             continue
         if element.name == _INCLUDE:
             yield from (IgnoredIncludeContent(child.span, child.name) for child in element.children())
-        if lacks_prefix(element):
-            without_prefix.setdefault(element.name, []).append(element)
-        elif element.name.startswith(PREFIX) and element.name[len(PREFIX) :] in REQUIRED:
+        if element.name.startswith(PREFIX) and element.name[len(PREFIX) :] in REQUIRED:
             yield from _wrong_attributes(element, element.name[len(PREFIX) :])
-    for name, elements in without_prefix.items():
-        first, *others = (element.span for element in elements)
-        ends = (document.spans.end_name(element) for element in elements)
-        places = (first, *others, *(end for end in ends if end is not None))
-        yield MissingXacroPrefix(first, name, tuple(others), places)
 
 
-def _is_in_include(element: Element) -> bool:
+def is_in_include(element: Element) -> bool:
     """Whether an element is where xacro looks at nothing."""
     above = element.parent
     while above is not None and above.name != _INCLUDE:

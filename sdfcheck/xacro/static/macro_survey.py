@@ -17,6 +17,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.static.definitions import visible_definitions
 from sdfcheck.xacro.static.elements import is_free, lacks_prefix
+from sdfcheck.xacro.static.prefixes import is_plain_call
 
 _PREFIX = "xacro:"
 _BLOCK = "xacro:insert_block"
@@ -58,10 +59,10 @@ class _BodyWalk(UrdfWalk):
         """Check each child for itself: what else will be there is not known."""
         for child in content(parent):
             definition = place.children.get(child.name)
-            if definition is None:
-                self.findings.unexpected(child, parent, place)
-            else:
+            if definition is not None:
                 self.element(child, definition)
+            elif not is_plain_call(child, visible_definitions(child.document)):
+                self.findings.unexpected(child, parent, place)
 
 
 def is_unfinished(element: Element) -> bool:

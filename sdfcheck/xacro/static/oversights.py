@@ -29,6 +29,7 @@ from sdfcheck.xacro.oversights import (
 from sdfcheck.xacro.parameters import Parameter
 from sdfcheck.xacro.static.definitions import Definitions, knows_all
 from sdfcheck.xacro.static.elements import is_conditional
+from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.reading import Macro, Property, Reading, own_words, place, reading
 from sdfcheck.xacro.static.suggestions import nearest
 
@@ -55,7 +56,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _blocks(read, visible)
     yield from _namespace(document)
     if knows_all(document):
-        yield from _unused(read, visible)
+        yield from _unused(document, read, visible)
 
 
 def _symbols(read: Reading) -> Iterator[Oversight]:
@@ -213,8 +214,9 @@ def _namespace(document: Document) -> Iterator[Oversight]:
                 yield UnusualXacroNamespace(span, span.text, near=_NAMESPACE)
 
 
-def _unused(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+def _unused(document: Document, read: Reading, visible: Definitions) -> Iterator[Oversight]:
     called = {call.name.rpartition(".")[2] for each in visible.readings for call in each.calls}
+    called.update(each.name for each in missing_prefixes(document))
     for macro in read.macros:
         if macro.name and macro.name not in called and macro.name not in visible.words:
             yield UnusedMacro(_named(macro.element), macro.name)

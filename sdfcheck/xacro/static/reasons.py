@@ -13,7 +13,6 @@ from sdfcheck.xacro.language import PREFIX, is_literal
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
-    MissingXacroPrefix,
     Problem,
     Reason,
     UndefinedBlock,
@@ -21,7 +20,8 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
 )
 from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.elements import element_problems, lacks_prefix
+from sdfcheck.xacro.static.elements import lacks_prefix
+from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.reading import Property
 
 _FOREIGN = {
@@ -196,8 +196,7 @@ def _late(span: Span, place: Span) -> Reason | None:
 def _unprefixed(definition: Element) -> Reason:
     """That a definition lacks the prefix of xacro, which is reported at the first such element of its file."""
     document = definition.document
-    found = (each for each in element_problems(document) if isinstance(each, MissingXacroPrefix))
-    cause = next((each.span for each in found if each.name == definition.name), None)
+    cause = next((each.span for each in missing_prefixes(document) if each.name == definition.name), None)
     words = f"{document.path.name}:{definition.span.begin.line} lacks the prefix `xacro:`"
     return Reason(words, definition.span, "without the prefix `xacro:`", cause)
 
