@@ -751,7 +751,7 @@ nam_reserved_name___ROOT = '__root__'
 
 def nam_reserved_name___is_reserved(name, root):
     text = name.name
-    is_word = text == 'world' and (not root.is_urdf)
+    is_word = text == 'world' and (not (root.is_urdf and name.kind == 'link'))
     is_framed = len(text) >= 4 and text.startswith('__') and text.endswith('__')
     return (is_word or is_framed) and name.is_compared
 

@@ -16,13 +16,14 @@ class ReservedName(Rule):
     """A name is one of those that libsdformat keeps for itself.
 
     `world`, and whatever begins and ends with two underscores, are names of implicit
-    frames. libsdformat refuses to give them to anything (1.7 on, in files of all versions).
+    frames. libsdformat refuses to give them to anything (1.7 on, in files of all versions),
+    in URDF, too, but for a link `world`.
     """
 
     code = "NAM003"
     name = "reserved-name"
     severity = Severity.ERROR
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
+    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL
 
@@ -33,6 +34,9 @@ class ReservedName(Rule):
             '<custom_rpy parent_frame="«__root__»">0 0 0</custom_rpy>',
             scaffold=IN_LINK.format(IMU),
             says="`__root__` cannot be referred to",
+        ),
+        Bad(
+            '<robot name="«world»"><link name="a"/></robot>', scaffold="", says="the name `world` is reserved"
         ),
     )
     good = (
@@ -59,6 +63,6 @@ class ReservedName(Rule):
 
 def _is_reserved(name: Name, root: Root) -> bool:
     text = name.name
-    is_word = text == "world" and not root.is_urdf  # many robots of URDF begin with this link
+    is_word = text == "world" and not (root.is_urdf and name.kind == "link")  # many robots begin with it
     is_framed = len(text) >= 4 and text.startswith("__") and text.endswith("__")
     return (is_word or is_framed) and name.is_compared

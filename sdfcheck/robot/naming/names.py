@@ -37,6 +37,8 @@ class Names:
     def special(self) -> tuple[Name, ...]:
         """The names that are more than plain words: ``world``, with underscores in front, with colons."""
         given = [name for names in self._siblings.values() for name in names]
+        if self.root.is_urdf and (own := self.root.element.attribute("name")) is not None:
+            given.append(Name("model", own.text, own, self.root.element))
         if self.root.is_urdf and self.root.elements.get("gazebo"):
             from sdfcheck.robot.naming.extension_names import extension_names
 
