@@ -18,6 +18,7 @@ from sdfcheck import (
     Severity,
     Target,
     Transmission,
+    Value,
     refuses,
 )
 from sdfcheck_rules.drk.contents import unread
@@ -47,6 +48,7 @@ class CrashesDrake(Rule):
     looks_at = (Root, Collision, Dynamics, Geometry, Inertial, Limit, Transmission)
     selects = (
         "sdf:sdf",
+        "urdf:robot",
         "sdf:collision",
         "sdf:joint/axis/dynamics",
         "sdf:geometry",
@@ -61,6 +63,12 @@ class CrashesDrake(Rule):
         Bad(
             '<transmission><«type»/><joint name="j"/><actuator name="m"/></transmission>',
             says="a transmission of empty type: Drake crashes",
+            scaffold=ROBOT,
+        ),
+        Bad(
+            '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="m"/></transmission>'
+            '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="«m»"/></transmission>',
+            says="actuator `m` for a second time: Drake refuses the file",
             scaffold=ROBOT,
         ),
         Bad(
@@ -124,6 +132,13 @@ Found = Iterator[tuple[Target, str, Reaction]]
 def _root(root: Root) -> Found:
     if (found := unread(root)) is not None:
         yield *found, REFUSES
+    named: set[str] = set()
+    for transmission in root.models[0].transmissions if root.is_urdf else ():
+        name = _actuator(transmission)
+        if name is not None and name.text in named:
+            yield name, f"actuator `{name.text}` for a second time", REFUSES
+        elif name is not None:
+            named.add(name.text)
 
 
 def _collision(collision: Collision) -> Found:
@@ -163,6 +178,14 @@ def _transmission(transmission: Transmission) -> Found:
     kind = transmission.type_value
     if kind is not None and not kind.text.strip():
         yield kind, "a transmission of empty type", CRASHES
+
+
+def _actuator(transmission: Transmission) -> Value | None:
+    """The name of the actuator that Drake makes of a transmission."""
+    kind = transmission.type_value
+    if kind is None or "SimpleTransmission" not in kind.text or not transmission.actuators:
+        return None
+    return transmission.actuators[0].attribute("name")
 
 
 LOOKS: dict[type, Callable[[Any], Found]] = {

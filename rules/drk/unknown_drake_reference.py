@@ -84,6 +84,11 @@ class UnknownDrakeReference(VendorRule):
             "<drake:member>arm::hand</drake:member></drake:collision_filter_group>",
             why="nobody knows what is in a file that is not there",
         ),
+        Good(
+            '<drake:collision_filter_group name="g" ignore="true"><drake:member>gone</drake:member>'
+            "</drake:collision_filter_group>",
+            why="Drake skips a group that is to be ignored",
+        ),
     )
 
     @staticmethod

@@ -58,6 +58,8 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
     found = dict(unreadable(element))
     if element.name == "material" and "visual" in _place(element):
         found[Consumer.DRAKE] = accepts("needs no name there")
+    if element.name == "mass":
+        found[Consumer.DRAKE] = warns("takes 0")
     if (element.name, name) == ("robot", "link"):
         found[Consumer.DRAKE] = accepts("takes a robot without links")
     if element.name == "texture" and "visual" in _place(element):

@@ -7,10 +7,11 @@ from itertools import chain
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.suggest import suggest_in
-from sdfcheck.formats.vendor.definitions import Slot
+from sdfcheck.formats.vendor.definitions import Slot, Vendor
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.scope import Scope
+from sdfcheck.robot.vendor.relations import is_skipped
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
@@ -44,9 +45,9 @@ class _Found(NamedTuple):
 class References:
     """Resolves the names in the tags of one vendor in a document."""
 
-    def __init__(self, document: Document, mark: str) -> None:
+    def __init__(self, document: Document, vendor: Vendor) -> None:
         self.document = document
-        self.mark = mark
+        self.vendor = vendor
         self.is_sdf = document.kind is Kind.SDF
         self._parts: dict[tuple[Element, tuple[str, ...]], dict[str, str]] = {}
         self._right: dict[tuple[Element, tuple[str, ...], bool], list[str]] = {}
@@ -120,7 +121,7 @@ class References:
         if key not in self._parts:
             kinds = self._parts[key] = {}
             for child in owner.children():
-                kind = child.name.removeprefix(self.mark)
+                kind = child.name.removeprefix(f"{self.vendor.prefix}:")
                 own = child.attributes.get("name", "")
                 if kind in _URDF_KINDS and own and kinds.get(own) not in wanted:
                     kinds[own] = kind
@@ -145,7 +146,8 @@ class References:
         """The names of an element's children of one kind, in their order."""
         key = (owner, kind)
         if key not in self._tags:
-            names = (child.attributes.get("name", "") for child in owner.children(kind))
+            tags = (child for child in owner.children(kind) if not is_skipped(self.vendor, child))
+            names = (child.text_of("name", "") for child in tags)
             self._tags[key] = dict.fromkeys(filter(None, names))
         return self._tags[key]
 

@@ -120,16 +120,23 @@ def excess(use: Use) -> Excess | None:
     return Excess(low[1], high[1], effect)
 
 
-def _is_skipped(tag: Tag, element: Element) -> bool:
-    """Does an attribute of its own make the consumer skip its content?"""
-    switch = tag.keys.text("skipped").removeprefix("@")
-    return element.attributes.get(switch, "").strip().lower() in _TRUE
+def is_skipped(vendor: Vendor, element: Element) -> bool:
+    """Does an attribute of a tag, or of one around it, make the consumer skip its content?"""
+    at: Element | None = element
+    while at is not None and (tag := vendor.tags.get(at.name)) is not None:
+        switch = tag.keys.text("skipped").removeprefix("@")
+        text = at.text_of(switch, "") if switch else ""
+        is_exact = bool(switch) and tag.attributes[switch].type == "truth"
+        if text == "true" or (not is_exact and text.strip().lower() in _TRUE):
+            return True
+        at = at.parent
+    return False
 
 
 def lacks(use: Use) -> Iterator[Lack]:
     """Children that must be there: by their own places, or one out of several."""
     vendor, tag, element = use.vendor, use.tag, use.element
-    if _is_skipped(tag, element):
+    if is_skipped(vendor, element):
         return
     given = [child.name for child in element.children()]
     effects = dict(text.rsplit(":", 1) for text in tag.keys.all("missing"))

@@ -51,6 +51,8 @@ class VendorTag(PlacedTag):
     @property
     def missing_values(self) -> tuple[MissingValue, ...]:
         """The values that must be in attributes or plain children, and are nowhere."""
+        if self.element is not None and relations.is_skipped(self.vendor, self.element):
+            return ()
         found = [
             (carrier, REFUSED)
             for carrier, slot, value in self._slots()

@@ -39,7 +39,7 @@ class VendorTags:
     @lazy
     def references(self) -> References:
         """The parts that names in values refer to."""
-        return References(self.document, self._mark)
+        return References(self.document, self.vendor)
 
     def _walk(self, root: Element) -> Iterator[VendorTag]:
         # As an attribute, a tag has a space before it.

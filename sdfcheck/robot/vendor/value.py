@@ -8,6 +8,7 @@ from sdfcheck.formats.sdf.text_pieces import part
 from sdfcheck.formats.vendor.definitions import Slot
 from sdfcheck.formats.vendor.values import Misreading, expected_of, misreading, out_of_range
 from sdfcheck.robot.values import lazy
+from sdfcheck.robot.vendor.relations import is_skipped
 from sdfcheck.robot.vendor.siblings import FirstChildren
 from sdfcheck.source.element import Value
 from sdfcheck.source.text import Span
@@ -90,6 +91,8 @@ class VendorValue:
     def unresolved(self) -> Unresolved | None:
         """The fault of a name that is not defined; None where it refers to something."""
         if not self.slot.references or not self.text.strip() or not self.is_well_formed:
+            return None
+        if is_skipped(self.tag.vendor, self.value.element):
             return None
         return self.tag.tags.references.unresolved(self)
 
