@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Limit,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, warns
 
 BOUNDED = frozenset({"revolute", "prismatic"})
 

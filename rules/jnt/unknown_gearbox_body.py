@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Joint,
-    Rule,
-    Severity,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns, write_instead
 
 GEARBOX = (
     '<link name="a"/><link name="b"/><joint name="g" type="gearbox"><parent>a</parent><child>b</child>'

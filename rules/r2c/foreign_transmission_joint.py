@@ -1,14 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    ControlTransmission,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    write_instead,
-)
+from sdfcheck import Bad, ControlTransmission, Diagnostic, Good, Rule, Severity, write_instead
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, REFUSED
 
 TRANSMISSION = (

@@ -1,15 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Ros2Control,
-    Rule,
-    Severity,
-    named,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, named, write_instead
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK
 
 

@@ -1,15 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    suggest,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity, suggest, write_instead
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 CLASSES: dict[str, tuple[str, ...]] = {

@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    rename,
-    warns,
-)
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, rename, warns
 
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 

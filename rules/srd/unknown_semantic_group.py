@@ -1,15 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Rule,
-    Semantics,
-    Severity,
-    suggest,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity, suggest, write_instead
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 
 

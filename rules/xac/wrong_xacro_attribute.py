@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Fix,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    refuses,
-    replace,
-    warns,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, problems, refuses, replace, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 

@@ -25,11 +25,7 @@ from sdfcheck.convert.migrate.down.older_spellings import (
 )
 from sdfcheck.convert.migrate.down.poses import attach_joints_to_links, resolve_poses
 from sdfcheck.convert.migrate.down.world_joints import move_world_joints
-from sdfcheck.convert.migrate.includes import (
-    report_newer_files,
-    write_out_includes,
-    write_out_merges,
-)
+from sdfcheck.convert.migrate.includes import report_newer_files, write_out_includes, write_out_merges
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.migrate.old_root import tidy_root, with_newer_root
 from sdfcheck.convert.migrate.proof import comparisons

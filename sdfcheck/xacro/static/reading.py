@@ -9,13 +9,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import (
-    KEYWORDS,
-    PREFIX,
-    expressions,
-    is_literal,
-    substitutions,
-)
+from sdfcheck.xacro.language import KEYWORDS, PREFIX, expressions, is_literal, substitutions
 from sdfcheck.xacro.parameters import Parameter, parameters
 from sdfcheck.xacro.static.elements import keyword, own_attributes
 
