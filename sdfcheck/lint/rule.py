@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
-from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Edit, Fix
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ from typing import Protocol
 import numpy as np
 
 from sdfcheck.convert.writer import Node, comment_of, declared_prefixes, numbers
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.carriers import value_at
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.robot.motion.rotations import Array

@@ -11,7 +11,6 @@ from collections import Counter
 
 from sdfcheck.formats.repetition import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
-from sdfcheck.formats.sdf.likely_parents import likely_parents
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
@@ -112,6 +111,8 @@ class Findings:
             return None
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name):
+            from sdfcheck.formats.sdf.likely_parents import likely_parents
+
             places = likely_parents(places, parent, place)
             ignored = name not in _FOUND_ANYWHERE
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
-from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.formats.sdf.choices import Verdict
 from sdfcheck.formats.sdf.numbers import BLANKS, Width, leading_float, leading_integer
 from sdfcheck.formats.sdf.parts import (
@@ -22,6 +21,7 @@ from sdfcheck.formats.sdf.parts import (
     word_at,
 )
 from sdfcheck.formats.sdf.row_in_version import RowInVersion
+from sdfcheck.formats.sdf.table import Range
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}
 _WHOLE = frozenset(("time", "vector2i"))

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.formats.sdf.bounds import Range
+from sdfcheck.formats.sdf.table import Range
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind

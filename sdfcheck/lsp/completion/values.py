@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from sdfcheck.formats.describe.spot import spot
 from sdfcheck.formats.sdf.schema import NOT_GIVEN
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort

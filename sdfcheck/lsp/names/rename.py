@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lint.fix import Edit
 from sdfcheck.lsp.names.index import everywhere, occurrences
 from sdfcheck.lsp.names.symbol import Occurrence, Symbol
 from sdfcheck.lsp.workspace import Workspace

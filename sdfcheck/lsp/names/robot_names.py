@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import Slot
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.lsp.names.symbol import Occurrence, Symbol, steps
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.naming.references import references

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.run import Run
 from sdfcheck.release import __version__
 from sdfcheck.report.paths import Paths

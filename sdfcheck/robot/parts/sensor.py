@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.naming.unknown_name import DEFAULT, UnknownName
+from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import Number, is_true
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome, Reading
-from sdfcheck.formats.sdf.bounds import Range
+from sdfcheck.formats.sdf.table import Range
 from sdfcheck.formats.sdf.values import boolean, floats, integer, number, read
 
 FINE = Outcome.AS_WRITTEN
