@@ -61,8 +61,6 @@ class IgnoredControlElement(Rule):
             if lacks_plugin and (near == "plugin" or element.name == "type"):
                 continue  # the missing plugin is reported there
             message = f"ros2_control ignores `{element.name}` in {holder.title}"
-            if near:
-                message += f"; did you mean `{near}`?"
-            elif element.name in PARAMETERS and "param" in place.children:
+            if not near and element.name in PARAMETERS and "param" in place.children:
                 message += f'; write it as `<param name="{element.name}">`'
-            yield self.diagnostic(element, message, fix=rename(near, element))
+            yield self.diagnostic(element, message, meant=near, fix=rename(near, element))

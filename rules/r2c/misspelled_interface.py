@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity, replace, suggest
+from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity, suggest
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
 
 OF_JOINTS = frozenset(
@@ -99,5 +99,5 @@ class MisspelledInterface(Rule):
         near, name = meant(interface), interface.name_value
         assert near is not None
         assert name is not None
-        message = f"interface `{interface.name}` of {interface.component.title}; did you mean `{near}`?"
-        yield self.diagnostic(name, message, fix=replace(name, near, f"write `{near}`", unsafe=True))
+        message = f"interface `{interface.name}` of {interface.component.title}"
+        yield self.diagnostic(name, message, meant=near)

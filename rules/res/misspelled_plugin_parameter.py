@@ -38,5 +38,5 @@ class MisspelledPluginParameter(Rule):
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for parameter, meant in plugin.misspelled_parameters:
-            message = f"{plugin.title} does not read `{parameter.name}`; did you mean `{meant}`?"
-            yield self.diagnostic(parameter, message, fix=rename(meant, parameter))
+            message = f"{plugin.title} does not read `{parameter.name}`"
+            yield self.diagnostic(parameter, message, meant=meant, fix=rename(meant, parameter))

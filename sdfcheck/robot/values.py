@@ -98,6 +98,13 @@ class Number(_Placed, float):
         return float, (float(self),)
 
 
+def number(name: str, default: float, says: str | None = None) -> lazy[Number]:
+    """A property of a part: the number that it writes, in SDFormat as an element, in URDF as an attribute."""
+    found: lazy[Number] = lazy(lambda part: part._number(name, default))
+    found.name, found.__doc__ = name, says
+    return found
+
+
 class Vector(_Placed, tuple[float, ...]):
     """Several numbers of one text, with their place; empty where the text is not made of numbers."""
 

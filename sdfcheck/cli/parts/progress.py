@@ -1,4 +1,4 @@
-"""What is said beside the report: notices of a run, and in one line of a terminal how far it has come."""
+"""Beside the report: notices of a run, and how far it has come, in one line of a terminal."""
 
 from __future__ import annotations
 

@@ -201,18 +201,3 @@ def number(text: str) -> float | None:
     """The one number of a text; None for anything else."""
     found = floats(text)
     return found[0] if found is not None and len(found) == 1 else None
-
-
-def boolean(text: str) -> bool | None:
-    """The truth value of a text; None for anything else."""
-    word = text.strip(" \t\n").lower()
-    if word in {"true", "1"}:
-        return True
-    return False if word in {"false", "0"} else None
-
-
-def integer(text: str) -> int | None:
-    """The whole number of a text, decimal or (unsigned) hexadecimal; None for anything else."""
-    word = text.strip(BLANKS)
-    found = leading_integer(word)
-    return found[0] if found is not None and found[1] == len(word) else None

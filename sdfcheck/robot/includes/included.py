@@ -15,6 +15,7 @@ from sdfcheck.files.uris import Location, locate
 from sdfcheck.formats.sdf.problems import MisplacedElement
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes.model_config import config_of, model_file
+from sdfcheck.robot.values import is_true
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -86,7 +87,7 @@ def is_made_static(document: Document) -> bool:
     """Was the document reached by an include that makes its model static?"""
     include = document.included_by[-1].element.parent if document.included_by else None
     static = include.find("static") if include is not None else None
-    return static is not None and _is_true(static.content)
+    return static is not None and is_true(static.content)
 
 
 def included_element(document: Document) -> Element | None:
@@ -141,8 +142,8 @@ def _resolve(document: Document, include: Element) -> Included:
         None,
         None,
         (name.content or None) if name is not None else None,
-        _is_true(include.attributes.get("merge", "")),
-        static is not None and _is_true(static.content),
+        is_true(include.attributes.get("merge", "")),
+        static is not None and is_true(static.content),
     )
     if found.uri is None:
         return found._replace(obstacle=Obstacle.NO_URI)
@@ -195,7 +196,3 @@ def _note_origin(document: Document, other: Document, found: Included) -> None:
     if not other.included_by or (is_made_static(other) and not found.is_static):
         other.included_by = (*document.included_by, found.uri)
         document.is_referred_to = True
-
-
-def _is_true(text: str) -> bool:
-    return text.strip().lower() in {"true", "1"}

@@ -133,8 +133,3 @@ def _path(scope: Scope, text: str) -> tuple[Node, ...]:
         found.append(node)
         at = node
     return tuple(found)
-
-
-def is_renamable(node: Node) -> bool:
-    """Is its name written in the file itself?"""
-    return node.name_value is not None and node.document is node.root.document

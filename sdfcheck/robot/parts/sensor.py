@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Number, is_true
+from sdfcheck.robot.values import is_true, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
@@ -108,10 +108,7 @@ class Sensor(Part):
         found = self.holder.subject if isinstance(self.holder, GazeboBlock) else self.holder
         return found if isinstance(found, Link | Joint) else None
 
-    @property
-    def update_rate(self) -> Number:
-        """Hz; 0: as often as the simulation steps."""
-        return self._number("update_rate", 0.0)
+    update_rate = number("update_rate", 0.0, "Hz; 0: as often as the simulation steps.")
 
     @property
     def topic(self) -> str:

@@ -33,7 +33,6 @@ from sdfcheck.xacro.static.reading import Call, Macro, place, reading
 from sdfcheck.xacro.static.suggestions import guess, nearest
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
-_BLOCK_MAKERS = frozenset({"xacro:if", "xacro:unless", "xacro:insert_block", "xacro:include"})
 
 
 def problems(document: Document) -> Iterator[Problem]:

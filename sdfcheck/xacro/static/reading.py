@@ -14,7 +14,6 @@ from sdfcheck.xacro.parameters import Parameter, parameters
 from sdfcheck.xacro.static.elements import keyword, own_attributes
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_OWN_LANGUAGE = frozenset({"name", "filename"})
 
 
 class Macro(Record):
