@@ -4,23 +4,10 @@ from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity, su
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
 
 OF_JOINTS = frozenset(
-    (
-        "acceleration",
-        "current",
-        "derivative",
-        "effort",
-        "feedforward",
-        "force",
-        "integral",
-        "jerk",
-        "position",
-        "position_pid",
-        "proportional",
-        "temperature",
-        "torque",
-        "velocity",
-        "velocity_pid",
-    )
+    """
+    acceleration current derivative effort feedforward force integral jerk position position_pid
+    proportional temperature torque velocity velocity_pid
+    """.split()
 )
 OF_SENSORS = frozenset(
     f"{what}.{axis}"

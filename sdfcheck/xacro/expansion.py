@@ -20,14 +20,11 @@ from sdfcheck.xacro.problems import ExpansionFailure, Failure, Problem
 from sdfcheck.xacro.process.watch import Limits
 from sdfcheck.xacro.process.worker import Worker
 
-PASSED_ON = (
-    "AMENT_PREFIX_PATH",
-    "GZ_VERSION",
-    "IGNITION_VERSION",
-    "ROS_DISTRO",
-    "ROS_PACKAGE_PATH",
-    "ROS_PYTHON_VERSION",
-    "ROS_VERSION",
+PASSED_ON = tuple(
+    """
+    AMENT_PREFIX_PATH GZ_VERSION IGNITION_VERSION ROS_DISTRO ROS_PACKAGE_PATH ROS_PYTHON_VERSION
+    ROS_VERSION
+    """.split()
 )
 """The environment variables that an expansion sees, in addition to those that are asked for."""
 

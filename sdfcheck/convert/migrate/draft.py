@@ -9,10 +9,10 @@ from lxml import etree
 
 from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.node import Node
+from sdfcheck.convert.result import with_text
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-from sdfcheck.source.text import Source
 
 _ENCODING = re.compile(
     r"""(<\?xml[^<>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
@@ -50,10 +50,7 @@ class Draft:
     def read(self) -> Document:
         """Read what has been written so far; nodes and elements know each other again."""
         if (text := self.text()) != self.document.source.text:
-            document = Document(Source(self.source.path, text), self.source.kind, [])
-            document.library = self.source.library
-            document.included_by = self.source.included_by
-            self.document = document
+            self.document = with_text(self.source, text)
             self._pair()
         return self.document
 

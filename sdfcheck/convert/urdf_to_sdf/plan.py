@@ -24,15 +24,9 @@ FOR_DRAKE = frozenset({"planar", "curvilinear"})
 _TRUE = frozenset({"true", "yes", "1"})
 _KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
 OF_MOVING_JOINTS = frozenset(
-    {
-        "stopCfm",
-        "stopErp",
-        "fudgeFactor",
-        "implicitSpringDamper",
-        "cfmDamping",
-        "springReference",
-        "springStiffness",
-    }
+    """
+    stopCfm stopErp fudgeFactor implicitSpringDamper cfmDamping springReference springStiffness
+    """.split()
 )
 """Settings that say nothing of a fixed joint."""
 OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", *_KEEPERS}

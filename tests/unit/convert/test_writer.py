@@ -21,7 +21,7 @@ def test_text_and_attributes_are_escaped() -> None:
 
 def test_comments_stay_comments() -> None:
     root = Node("a")
-    root.comment(" one -- two -")
+    root.children.append(Comment(" one -- two -"))
     text = render(root, before=[Comment(" first ")])
     assert "<!-- first -->" in text
     assert "<!-- one - - two - -->" in text
