@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described
 from sdfcheck.cli.parts.options import formatted, require_file, targeted, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run

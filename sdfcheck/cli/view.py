@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import PATH, require_file, written
-from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 
 if TYPE_CHECKING:

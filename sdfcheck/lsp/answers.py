@@ -13,7 +13,7 @@ from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import everywhere, occurrences
-from sdfcheck.lsp.names.rename import Refused, renamable, rename
+from sdfcheck.lsp.names.rename import Refused, rename
 from sdfcheck.lsp.outline import Entry, folds, links, outline, target_of
 from sdfcheck.lsp.speech import NAME, Speech
 from sdfcheck.lsp.survey import survey
@@ -244,14 +244,14 @@ class Answers:
 
     def prepared(self, buffer: Buffer, position: types.Position) -> types.PrepareRenamePlaceholder | None:
         document = self.document(buffer)
-        named = renamable(document, self.speech.offset(document.source, position))
+        named = occurrences(document).at(self.speech.offset(document.source, position))
         if named is None:
             return None
         return types.PrepareRenamePlaceholder(self.speech.range(named.span), named.symbol.name)
 
     def rename(self, buffer: Buffer, params: types.RenameParams) -> types.WorkspaceEdit | Refused:
         document = self.document(buffer)
-        named = renamable(document, self.speech.offset(document.source, params.position))
+        named = occurrences(document).at(self.speech.offset(document.source, params.position))
         if named is None:
             return Refused("there is nothing with a name here")
         try:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.parts.options import F, configured, folders
+from sdfcheck.cli.parts.options import configured, folders, together
 from sdfcheck.cli.parts.terminal import pair, say
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.report import OutputFormat
@@ -30,24 +30,15 @@ ARGUMENT = ":="
 """A sign that an argument for xacro has, and a path does not have."""
 
 
-def surroundings(command: F) -> F:
-    """``--package``, ``--package-path``, ``--model-path`` and ``--env``: where things are."""
-    for option in (
-        click.option(
-            "--env",
-            "variables",
-            multiple=True,
-            metavar="NAME",
-            help="An environment variable to pass to xacro.",
-        ),
-        folders("--model-path", "model_paths", "A folder in which to look for models."),
-        folders("--package-path", "package_paths", "A folder below which to look for ROS packages."),
-        click.option(
-            "--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is."
-        ),
-    ):
-        command = option(command)
-    return command
+surroundings = together(
+    click.option("--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is."),
+    folders("--package-path", "package_paths", "A folder below which to look for ROS packages."),
+    folders("--model-path", "model_paths", "A folder in which to look for models."),
+    click.option(
+        "--env", "variables", multiple=True, metavar="NAME", help="An environment variable to pass to xacro."
+    ),
+)
+"""Where things are."""
 
 
 def described(command: Callable[..., Any]) -> Any:

@@ -30,11 +30,6 @@ class Refused(Exception):
     """A name that cannot be given; the message says why."""
 
 
-def renamable(document: Document, offset: int) -> Occurrence | None:
-    """The symbol at a place that can have another name."""
-    return occurrences(document).at(offset)
-
-
 def rename(workspace: Workspace, document: Document, occurrence: Occurrence, name: str) -> list[Edit]:
     """The edits that give a symbol another name, in all files of the project.
 
