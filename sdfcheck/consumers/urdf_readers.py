@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, refuses, warns
 from sdfcheck.formats.urdf.table import extension
+from sdfcheck.source.document import around
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.sniff import Kind
 
@@ -132,9 +133,4 @@ def _urdfdom(place: frozenset[str]) -> Reaction:
 
 def _place(element: Element) -> frozenset[str]:
     """The names of an element and of those around it."""
-    names = set()
-    at: Element | None = element
-    while at is not None:
-        names.add(at.name)
-        at = at.parent
-    return frozenset(names)
+    return frozenset({element.name, *(each.name for each in around(element))})

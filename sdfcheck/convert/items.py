@@ -6,7 +6,7 @@ from collections.abc import Container, Iterable, Iterator
 
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, around
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
@@ -30,11 +30,7 @@ def belongs(element: Element) -> bool:
     from sdfcheck.formats.sdf.schema import Definition, schema
     from sdfcheck.formats.sdf.version import NEWEST
 
-    names: list[str] = []
-    at: Element | None = element
-    while at is not None:
-        names.append(at.name)
-        at = at.parent
+    names = [each.name for each in (element, *around(element))]
     definition: Definition | None = schema(NEWEST).root
     for name in reversed(names[:-1]):
         definition = definition.children.get(name) if definition is not None else None

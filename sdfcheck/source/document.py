@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -259,6 +259,11 @@ def problems(document: Document) -> list[Problem]:
     root = document.root
     found = (root.name, root.span) if root is not None else (None, None)
     return [unrecognized(document.source, document.kind, *found)]
+
+
+def around(element: Element) -> Iterator[Element]:
+    """The elements around one, the innermost first."""
+    return element.iterancestors()  # type: ignore[return-value]
 
 
 def _encoded(text: str) -> bytes:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.sdf.survey import Survey, survey
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, around
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
@@ -142,13 +142,8 @@ def _inertials(surveyed: Survey) -> Iterator[object]:
 
 
 def _is_static(element: Element) -> bool:
-    parent = element.parent
-    while parent is not None:
-        static = parent.find("static")
-        if static is not None and static.content.lower() in {"true", "1"}:
-            return True
-        parent = parent.parent
-    return False
+    given = (static for parent in around(element) if (static := parent.find("static")) is not None)
+    return any(static.content.lower() in {"true", "1"} for static in given)
 
 
 def _sensors(surveyed: Survey) -> Iterator[object]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.survey import Survey
+from sdfcheck.source.document import around
 from sdfcheck.source.element import Element, Value
 
 _MOVED = frozenset({"frame", "joint", "link", "model", "gripper"})
@@ -26,10 +27,7 @@ def foreign_references(surveyed: Survey) -> dict[Element, Value | Element]:
 
 
 def _is_in_world(element: Element) -> bool:
-    parent = element.parent
-    while parent is not None and parent.name == "model":
-        parent = parent.parent
-    return parent is not None and parent.name == "world"
+    return next((each.name for each in around(element) if each.name != "model"), "") == "world"
 
 
 def _in_model(model: Element) -> Iterator[tuple[Element, Value | Element]]:
