@@ -10,7 +10,6 @@ from lxml import etree
 from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.result import with_text
-from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
@@ -35,13 +34,7 @@ class Draft:
         self._has_crlf = "\r\n" in whole and not _LONE.search(whole)
         self.document = document
         self._elements: dict[Node, Element] = {}
-        self._nodes: dict[Element, Node] = {}
         self._pair()
-
-    @property
-    def version(self) -> Version:
-        """The version that the draft is marked with."""
-        return Version.parse(self.root.get("version") or "") or NEWEST
 
     def text(self) -> str:
         text = self._before + self.root.text() + self._after
@@ -58,10 +51,6 @@ class Draft:
         """The element of a node, as of the last reading."""
         return self._elements[node]
 
-    def node(self, element: Element) -> Node | None:
-        """The node of an element; None for one of another file."""
-        return self._nodes.get(element)
-
     def _pair(self) -> None:
         root = self.document.root
         assert root is not None
@@ -72,7 +61,6 @@ class Draft:
             # A parser guesses otherwise at broken text once something around it has changed.
             raise refusal(root, "the text is broken, so that it cannot be changed and read again") from None
         self._elements = dict(pairs)
-        self._nodes = {element: node for node, element in pairs}
 
 
 def _nodes(document: Document) -> Node:
@@ -96,8 +84,3 @@ def _nodes(document: Document) -> Node:
 
     assert document.root is not None
     return build(document.root)
-
-
-def copy(element: Element) -> Node:
-    """The node of an element of another document, with its text."""
-    return Draft(element.document).node(element) or Node(element.name)

@@ -50,10 +50,6 @@ class Plan:
     has_world: bool = False
     """Whether the root link `world` is the world."""
 
-    def carrier(self, link: str) -> Joint | None:
-        """The joint whose child a link is."""
-        return next((joint for joint in self.robot.joints.values() if joint.child == link), None)
-
     def is_merged(self, link: str) -> bool:
         return self.home[link][0] != link
 

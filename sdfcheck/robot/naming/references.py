@@ -44,10 +44,6 @@ class Reference(NamedTuple):
     value: Value
     nodes: tuple[Node, ...]
 
-    @property
-    def target(self) -> Node:
-        return self.nodes[-1]
-
 
 def references(root: Root) -> Iterator[Reference]:
     """The references of a file that name something, in no particular order."""

@@ -142,14 +142,5 @@ class GazeboBlock(Part):
         """Is a setting of this name true?"""
         return bool(self.switched_on(name))
 
-    def elements(self) -> Iterator[Element]:
-        """All elements in it but those of plugins."""
-        waiting = [self.element]
-        while waiting:
-            for child in waiting.pop().children():
-                yield child
-                if child.name != "plugin":
-                    waiting.append(child)
-
     def _all(self, name: str) -> tuple[Any, ...]:
         return tuple(self._parts(name))

@@ -51,12 +51,6 @@ class Moments(NamedTuple):
     def times(self, factor: float) -> Moments:
         return Moments(*(value * factor for value in self))
 
-    def moved(self, mass: float, x: float, y: float, z: float) -> Moments:
-        """About a point ``(x, y, z)`` off the center of mass (parallel-axis theorem)."""
-        return self.plus(
-            Moments(y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z).times(mass)
-        )
-
     def principal(self) -> tuple[float, float, float]:
         """The principal moments, the smallest first (closed form for symmetric 3×3 matrices)."""
         # Halved or doubled as often as it takes, which rounds nothing, squares neither overflow nor vanish.

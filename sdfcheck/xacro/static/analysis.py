@@ -10,7 +10,6 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX
-from sdfcheck.xacro.parameters import Parameter
 from sdfcheck.xacro.problems import (
     Mismatch,
     Problem,
@@ -27,7 +26,7 @@ from sdfcheck.xacro.static.definitions import Definitions, is_robot, knows_all, 
 from sdfcheck.xacro.static.elements import element_problems
 from sdfcheck.xacro.static.expressions import expression_problems
 from sdfcheck.xacro.static.names import free_names
-from sdfcheck.xacro.static.oversights import oversights
+from sdfcheck.xacro.static.oversights import oversights, parameter_place
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
 from sdfcheck.xacro.static.suggestions import guess, nearest
@@ -188,7 +187,7 @@ def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Pro
     for macro in reading(document).macros:
         for parameter in macro.parameters:
             if not _is_read(parameter.name.lstrip("*"), macro, visible, set()):
-                yield UnusedMacroParameter(_parameter_place(macro, parameter), parameter.name, macro.name)
+                yield UnusedMacroParameter(parameter_place(macro, parameter), parameter.name, macro.name)
 
 
 def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> bool:
@@ -208,13 +207,6 @@ def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> b
             if name not in own and _is_read(name, called, visible, seen):
                 return True
     return False
-
-
-def _parameter_place(macro: Macro, parameter: Parameter) -> Span:
-    span = macro.element.document.spans.attribute_value(macro.element, "params")
-    if span.text[parameter.start : parameter.end] == parameter.name:
-        return span.source.span(span.start + parameter.start, span.start + parameter.end)
-    return span
 
 
 def _unknown_packages(document: Document) -> Iterator[Problem]:

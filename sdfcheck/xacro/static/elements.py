@@ -44,6 +44,11 @@ def is_conditional(element: Element) -> bool:
     return any(keyword(each) in {"if", "unless"} for each in around(element))
 
 
+def is_outside(element: Element) -> bool:
+    """Is an element directly in the root?"""
+    return element.parent is not None and element.parent.parent is None
+
+
 def own_attributes(element: Element, own: str) -> dict[str, str]:
     """The attributes of an element of the language, each by the name that was meant."""
     given = element.attributes
