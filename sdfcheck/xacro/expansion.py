@@ -135,9 +135,9 @@ class Expander:
         }
         answer = self._worker.ask(request, self.surroundings.limits)
         try:
-            return _expansion(answer or _UNANSWERED, document, packages, self.surroundings.texts)
+            return _expansion(answer or _UNANSWERED, document, self.surroundings.texts)
         except (KeyError, IndexError, TypeError, ValueError):
-            return _expansion(_UNANSWERED, document, packages, {})
+            return _expansion(_UNANSWERED, document, {})
 
 
 _UNANSWERED: Mapping[str, Any] = {
@@ -166,16 +166,14 @@ def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
     return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
 
 
-def _expansion(
-    answer: Mapping[str, Any], document: Document, packages: Packages, texts: Mapping[str, str]
-) -> Expansion:
+def _expansion(answer: Mapping[str, Any], document: Document, texts: Mapping[str, str]) -> Expansion:
     files: Sequence[str] = answer["files"]
     calls = [Call(*row) for row in answer["steps"]]
     sources = Sources(document.source, texts)
     read_files = tuple(dict.fromkeys(shown(Path(name)) for name in (*files, *answer.get("others", ()))))
     if "failure" in answer:
         provenance = Provenance(sources, files, calls, [])
-        found = explain(answer["failure"], provenance, document, packages)
+        found = explain(answer["failure"], provenance, document)
         return Expansion(None, None, (found,), read_files)
     text: str = answer["text"]
     provenance = Provenance(sources, files, calls, answer["places"])

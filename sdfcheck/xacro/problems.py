@@ -175,7 +175,6 @@ class UnknownPackage(Record):
     span: Span
     name: str
     near: str | None
-    searched: tuple[str, ...]
     origins: tuple[Step, ...] = ()
 
 

@@ -11,7 +11,7 @@ from enum import Enum
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.uris import Location, locate
+from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.problems import MisplacedElement
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes.model_config import config_of, model_file
@@ -49,18 +49,17 @@ class Included(NamedTuple):
 
     include: Element
     uri: Value | None
-    location: Location | None
-    file: Path | None
-    """The file that is meant, after a folder's ``model.config``."""
-    document: Document | None
-    """The file as it was read, also where it holds no model."""
-    config: Document | None
-    """The ``model.config`` of the folder that the uri leads to."""
-    model: Element | None
-    kind: str | None
     name: str | None
     merge: bool
     is_static: bool
+    file: Path | None = None
+    """The file that is meant, after a folder's ``model.config``."""
+    document: Document | None = None
+    """The file as it was read, also where it holds no model."""
+    config: Document | None = None
+    """The ``model.config`` of the folder that the uri leads to."""
+    model: Element | None = None
+    kind: str | None = None
     obstacle: Obstacle | None = None
 
 
@@ -135,23 +134,16 @@ def _resolve(document: Document, include: Element) -> Included:
     found = Included(
         include,
         uri.own_value if uri is not None and uri.content else None,
-        None,
-        None,
-        None,
-        None,
-        None,
-        None,
         (name.content or None) if name is not None else None,
         is_true(include.attributes.get("merge", "")),
         static is not None and is_true(static.content),
     )
     if found.uri is None:
         return found._replace(obstacle=Obstacle.NO_URI)
-    location = locate(document, found.uri.text)
-    found = found._replace(location=location)
-    if location.path is None or document.library is None:
+    path = locate(document, found.uri.text).path
+    if path is None or document.library is None:
         return found._replace(obstacle=Obstacle.NOT_FOUND)
-    found = _find_file(document, found, location.path)
+    found = _find_file(document, found, path)
     return found if found.file is None else _read(document, found, found.file)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement, control, is_expression
 from sdfcheck.robot.parts.actuation import JointNames
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.values import lazy, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -123,10 +123,7 @@ class Ros2Control(JointNames):
                 if plugin is None or not plugin.content:
                     yield holder if plugin is None else plugin
 
-    @property
-    def transmissions(self) -> tuple[ControlTransmission, ...]:
-        """Its transmissions."""
-        return tuple(self._parts("transmission"))
+    transmissions: lazy[tuple[ControlTransmission, ...]] = parts("transmission", "Its transmissions.")
 
     @property
     def earlier(self) -> Iterator[Ros2Control]:

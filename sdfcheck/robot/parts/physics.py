@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import is_true, lazy, number
+from sdfcheck.robot.values import is_true, lazy, number, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.parts.plugin import Plugin
@@ -76,10 +76,7 @@ class Actor(Part):
     __slots__ = ()
     kind = "actor"
 
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        """Its plugins."""
-        return tuple(self._parts("plugin"))
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "Its plugins.")
 
     @property
     def animations(self) -> tuple[Element, ...]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import is_true, number
+from sdfcheck.robot.values import is_true, lazy, number, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
@@ -147,10 +147,7 @@ class Sensor(Part):
         part = None if element is None else self.part(element)
         return part if isinstance(part, Setting) else None
 
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        """Its plugins."""
-        return tuple(self._parts("plugin"))
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "Its plugins.")
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in the frame of its link or joint, or relative to what a reference names; raises PoseError."""

@@ -223,4 +223,4 @@ def _unknown_packages(document: Document) -> Iterator[Problem]:
         if packages.find(match[1]) is None:
             span = place(command.element, command.attribute, command.text, match[1])
             near = nearest(match[1], set(packages.names))
-            yield UnknownPackage(span, match[1], near, tuple(str(folder) for folder in packages.searched))
+            yield UnknownPackage(span, match[1], near)
