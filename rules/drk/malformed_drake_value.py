@@ -27,10 +27,7 @@ class MalformedDrakeValue(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
-    looks_at = (
-        VendorTag,
-        VendorValue,
-    )
+    looks_at = (VendorTag, VendorValue)
     scaffold = BOX
 
     bad = (

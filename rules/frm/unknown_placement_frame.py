@@ -15,10 +15,7 @@ class UnknownPlacementFrame(Rule):
     name = "unknown-placement-frame"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    looks_at = (
-        Model,
-        Include,
-    )
+    looks_at = (Model, Include)
     scaffold = SDF
 
     bad = (

@@ -30,11 +30,7 @@ class MissingUpperLimit(Rule):
             "<axis><xyz>0 0 1</xyz><«limit»><lower>-1</lower></limit></axis>",
             says="joint `j` has the lower limit -1 and no upper one",
         ),
-        Bad(
-            '<«limit» lower="-1" effort="5" velocity="2"/>',
-            scaffold=IN_URDF_JOINT,
-            says="so 0 is taken",
-        ),
+        Bad('<«limit» lower="-1" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT, says="so 0 is taken"),
     )
     good = (
         Good('<limit upper="1" effort="5" velocity="2"/>', why="from 0", scaffold=IN_URDF_JOINT),

@@ -66,7 +66,7 @@ class UnknownMimicLeader(Rule):
         Good(
             '<axis><xyz>0 0 1</xyz><mimic joint="k"><multiplier>1</multiplier></mimic></axis></joint>'
             '<link name="hand"/><joint name="k" type="revolute"><parent>arm</parent><child>hand</child>'
-            "<axis><xyz>0 0 1</xyz></axis>",
+            "<axis><xyz>0 0 1</xyz></axis>"
         ),
     )
 

@@ -40,12 +40,7 @@ class UnknownElement(Rule):
             unsafe=True,
             says="unknown element `inertail` in link `arm`; did you mean `inertial`?",
         ),
-        Bad(
-            "<«self_colide»/>",
-            fixed="<self_collide/>",
-            unsafe=True,
-            says="did you mean `self_collide`?",
-        ),
+        Bad("<«self_colide»/>", fixed="<self_collide/>", unsafe=True, says="did you mean `self_collide`?"),
         Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
     )
     good = (

@@ -31,10 +31,7 @@ MESSAGES = {
     ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
     ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
 }
-SEVERITIES = {
-    ConfigFault.NO_NAME: Severity.WARNING,
-    ConfigFault.UNMADE_FILE: Severity.INFO,
-}
+SEVERITIES = {ConfigFault.NO_NAME: Severity.WARNING, ConfigFault.UNMADE_FILE: Severity.INFO}
 
 
 class InvalidModelConfig(Rule):

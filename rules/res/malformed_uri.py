@@ -54,9 +54,7 @@ class MalformedUri(Rule):
             says="backslashes",
         ),
         Bad(
-            MESH.format("«Model://arm/arm.dae»"),
-            fixed=MESH.format("model://arm/arm.dae"),
-            says="lower case",
+            MESH.format("«Model://arm/arm.dae»"), fixed=MESH.format("model://arm/arm.dae"), says="lower case"
         ),
         Bad(
             "<include><uri>«modle://arm»</uri></include>",

@@ -34,10 +34,7 @@ WORDS = {
 """By the cause; other types hold numbers."""
 
 
-TRUTHS = {
-    **dict.fromkeys(("yes", "on", "y", "t"), "true"),
-    **dict.fromkeys(("no", "off", "n", "f"), "false"),
-}
+TRUTHS = {**dict.fromkeys(("yes", "on", "y", "t"), "true"), **dict.fromkeys(("no", "off", "n", "f"), "false")}
 
 
 def _truth(text: str, expected: str) -> str | None:

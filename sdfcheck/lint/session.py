@@ -106,11 +106,7 @@ class Part(NamedTuple):
 
 
 def run(
-    paths: Sequence[Path],
-    options: Options,
-    *,
-    progress: Progress | None = None,
-    notify: Notify | None = None,
+    paths: Sequence[Path], options: Options, *, progress: Progress | None = None, notify: Notify | None = None
 ) -> Run:
     """Lint what ``paths`` lead to.
 

@@ -162,12 +162,7 @@ def _consumers(
 def listing(flag: str, help: str) -> Callable[[Any], Any]:
     """An option for a list of rules."""
     return click.option(
-        flag,
-        multiple=True,
-        callback=_commas,
-        metavar="RULES",
-        help=help,
-        shell_complete=completing.rules,
+        flag, multiple=True, callback=_commas, metavar="RULES", help=help, shell_complete=completing.rules
     )
 
 

@@ -67,11 +67,7 @@ def _diagnostic(diagnostic: Diagnostic, paths: Paths, page: str | None) -> dict[
 
 
 def _place(place: Label | Origin, paths: Paths) -> dict[str, Any]:
-    return {
-        "file": paths(place.span.source.path),
-        "range": _range(place.span),
-        "message": place.text,
-    }
+    return {"file": paths(place.span.source.path), "range": _range(place.span), "message": place.text}
 
 
 def _fix(fix: Fix, paths: Paths) -> dict[str, Any]:

@@ -20,11 +20,7 @@ if TYPE_CHECKING:
 COMPONENTS = frozenset(("joint", "sensor", "gpio"))
 
 GAZEBO_SYSTEMS = frozenset(
-    (
-        "gazebo_ros2_control/GazeboSystem",
-        "gz_ros2_control/GazeboSimSystem",
-        "ign_ros2_control/IgnitionSystem",
-    )
+    ("gazebo_ros2_control/GazeboSystem", "gz_ros2_control/GazeboSimSystem", "ign_ros2_control/IgnitionSystem")
 )
 """The plugins whose hardware is a joint of a simulator."""
 
