@@ -70,14 +70,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
 
     asked = tuple(consumer.value for consumer in consumers)
     check_arguments(around.arguments, [file], around.settings_for(file))
-    options = Options(
-        around.configuration,
-        target=asked,
-        arguments=around.arguments,
-        search=around.search,
-        variables=around.variables,
-    )
-    done = run([file], options, notify=notify)
+    done = run([file], Options(**around._asdict(), target=asked), notify=notify)
     if failures:
         raise WrongUsage("; ".join(failures))
     if done.suppressed:

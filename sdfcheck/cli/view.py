@@ -74,10 +74,4 @@ def _page(files: list[Path], documents: list[Document], surroundings: Around) ->
 def _linted(file: Path, surroundings: Around) -> Run:
     from sdfcheck.lint.session import Options, run
 
-    options = Options(
-        surroundings.configuration,
-        arguments=surroundings.arguments,
-        search=surroundings.search,
-        variables=surroundings.variables,
-    )
-    return run([file], options)
+    return run([file], Options(**surroundings._asdict()))

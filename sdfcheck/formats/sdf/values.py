@@ -7,6 +7,7 @@ a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silenc
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.sdf.choices import Verdict
@@ -137,10 +138,6 @@ def _read_double(text: str, bounds: Range | None, width: Width = Width.DOUBLE) -
     )
 
 
-def _read_float(text: str, bounds: Range | None) -> Reading:
-    return _read_double(text, bounds, Width.SINGLE)
-
-
 def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Reading:
     if text.lower() in {"true", "false"}:
         return _truth_value(text)
@@ -165,10 +162,6 @@ def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Readin
     return in_range(value, bounds, 0, word_end)
 
 
-def _read_unsigned(text: str, bounds: Range | None) -> Reading:
-    return _read_int(text, bounds, unsigned=True)
-
-
 def _truth_value(text: str) -> Reading:
     return misread(0, len(text), Cause.TRUTH_VALUE, "1" if text.lower() == "true" else "0")
 
@@ -181,9 +174,9 @@ _SCALARS: dict[str, Callable[[str, Range | None], Reading]] = {
     "bool": _read_bool,
     "char": _read_char,
     "double": _read_double,
-    "float": _read_float,
+    "float": partial(_read_double, width=Width.SINGLE),
     "int": _read_int,
-    "unsigned int": _read_unsigned,
+    "unsigned int": partial(_read_int, unsigned=True),
 }
 
 

@@ -195,9 +195,7 @@ def _without_comma(parameter: Parameter) -> Parameter:
         return parameter
     name = parameter.name.rstrip(",")
     end = parameter.end - len(parameter.name) + len(name)
-    return Parameter(
-        name, parameter.start, end, (parameter.default or "").rstrip(",") or None, parameter.forwards
-    )
+    return parameter._replace(name=name, end=end, default=(parameter.default or "").rstrip(",") or None)
 
 
 def _words_of(element: Element) -> set[str]:
