@@ -948,7 +948,7 @@ def R2C023_applies(interface):
     component = interface.component
     return interface.is_command and 'sensor' in {component.what, component.block.type}
 
-r2c_misspelled_interface__OF_JOINTS = frozenset(('acceleration', 'current', 'derivative', 'effort', 'feedforward', 'force', 'integral', 'jerk', 'position', 'position_pid', 'proportional', 'temperature', 'torque', 'velocity', 'velocity_pid'))
+r2c_misspelled_interface__OF_JOINTS = frozenset('\n    acceleration current derivative effort feedforward force integral jerk position position_pid\n    proportional temperature torque velocity velocity_pid\n    '.split())
 
 r2c_misspelled_interface__OF_SENSORS = frozenset((f'{what}.{axis}' for what, axes in (('orientation', 'xyzw'), ('angular_velocity', 'xyz'), ('linear_acceleration', 'xyz'), ('force', 'xyz'), ('torque', 'xyz'), ('magnetic_field', 'xyz')) for axis in axes))
 

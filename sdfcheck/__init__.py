@@ -36,7 +36,7 @@ if TYPE_CHECKING:
         Bad,
         Good,
     )
-    from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
+    from sdfcheck.lint.fix import Applicability, Edit, Fix
     from sdfcheck.lint.rule import Rule, Target, make_fix, rename, replace, write_instead
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
@@ -102,7 +102,7 @@ _HOMES = {
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
     ),
-    "sdfcheck.lint.fix.fix": "Applicability Edit Fix",
+    "sdfcheck.lint.fix": "Applicability Edit Fix",
     "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",

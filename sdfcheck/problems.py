@@ -11,14 +11,14 @@ if TYPE_CHECKING:
     from sdfcheck.formats.sdf.problems import *  # noqa: F403
     from sdfcheck.formats.urdf.problems import *  # noqa: F403
     from sdfcheck.robot.includes.parameter_problems import *  # noqa: F403
-    from sdfcheck.source.encoding_defect import *  # noqa: F403
+    from sdfcheck.source.decode import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
     from sdfcheck.xacro.oversights import *  # noqa: F403
     from sdfcheck.xacro.problems import *  # noqa: F403
 
 _HOMES = (
     "sdfcheck.source.problems",
-    "sdfcheck.source.encoding_defect",
+    "sdfcheck.source.decode",
     "sdfcheck.formats.sdf.problems",
     "sdfcheck.formats.urdf.problems",
     "sdfcheck.robot.includes.parameter_problems",

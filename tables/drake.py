@@ -13,15 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from tables.drake_notes import (
-    GONE,
-    IGNORED_IN,
-    PLACE_KEYS,
-    PLACES,
-    REFERENCES,
-    TAG_KEYS,
-    UNITS,
-)
+from tables.drake_notes import GONE, IGNORED_IN, PLACE_KEYS, PLACES, REFERENCES, TAG_KEYS, UNITS
 
 Facts = dict[str, Any]
 

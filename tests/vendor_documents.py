@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.definitions import Place, Slot, Step, Tag, Vendor
-from sdfcheck.formats.vendor.files import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import out_of_range
 from tests import vendor_rules as rules

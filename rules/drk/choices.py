@@ -1,13 +1,6 @@
 """Words that are not among the choices for one of Drake's elements."""
 
-from sdfcheck import (
-    Diagnostic,
-    VendorRule,
-    VendorValue,
-    named,
-    suggest,
-    write_instead,
-)
+from sdfcheck import Diagnostic, VendorRule, VendorValue, named, suggest, write_instead
 
 
 def unknown_choice(rule: VendorRule, value: VendorValue) -> Diagnostic:

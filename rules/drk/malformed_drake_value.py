@@ -1,16 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Severity,
-    VendorRule,
-    VendorTag,
-    VendorValue,
-    refuses,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, refuses
 from sdfcheck_rules.drk.choices import unknown_choice
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, LINK, MODEL, ROBOT
 
@@ -37,10 +27,7 @@ class MalformedDrakeValue(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
-    looks_at = (
-        VendorTag,
-        VendorValue,
-    )
+    looks_at = (VendorTag, VendorValue)
     scaffold = BOX
 
     bad = (

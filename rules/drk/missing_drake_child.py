@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Severity,
-    VendorRule,
-    VendorTag,
-    named,
-    refuses,
-    rename,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses, rename
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 PLANAR = '<drake:joint name="j" type="planar"><drake:parent>a</drake:parent><drake:child>b</drake:child>'

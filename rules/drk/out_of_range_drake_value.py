@@ -25,10 +25,7 @@ class OutOfRangeDrakeValue(VendorRule):
     severity = Severity.ERROR
     affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
-    looks_at = (
-        VendorTag,
-        VendorValue,
-    )
+    looks_at = (VendorTag, VendorValue)
     scaffold = BOX
 
     bad = (
@@ -37,11 +34,7 @@ class OutOfRangeDrakeValue(VendorRule):
         ),
         Bad("<limit><drake:acceleration>«-3»</drake:acceleration></limit>", scaffold=AXIS),
         Bad('<drake:controller_gains p="«-1»" d="1"/>', says="Drake aborts", scaffold=JOINT),
-        Bad(
-            "<drake:rotor_inertia>«-1»</drake:rotor_inertia>",
-            says="Drake takes it anyway",
-            scaffold=JOINT,
-        ),
+        Bad("<drake:rotor_inertia>«-1»</drake:rotor_inertia>", says="Drake takes it anyway", scaffold=JOINT),
         Bad(
             "<drake:tendon_constraint_lower_limit>«2»</drake:tendon_constraint_lower_limit>"
             "<drake:tendon_constraint_upper_limit>1</drake:tendon_constraint_upper_limit>",

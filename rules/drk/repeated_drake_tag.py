@@ -15,10 +15,7 @@ class RepeatedDrakeTag(VendorRule):
     severity = Severity.WARNING
     affects = {Consumer.DRAKE: warns("reads the first only, or refuses the file")}
     prefix = "drake"
-    looks_at = (
-        VendorTag,
-        VendorValue,
-    )
+    looks_at = (VendorTag, VendorValue)
     scaffold = BOX
 
     bad = (

@@ -60,11 +60,7 @@ class UnsupportedJointType(VendorRule):
             says="Drake refuses the file; write it as drake:joint",
             also=("SCH015",),
         ),
-        Bad(
-            f'<joint name="j" type="«floating»">{ENDS}</joint>',
-            says="Drake ignores it",
-            also=("URD020",),
-        ),
+        Bad(f'<joint name="j" type="«floating»">{ENDS}</joint>', says="Drake ignores it", also=("URD020",)),
         Bad(
             "<static>true</static>"
             '<joint name="j" type="«revolute»"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz>'

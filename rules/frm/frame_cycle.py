@@ -51,7 +51,7 @@ class FrameCycle(Rule):
         Good(
             '<link name="arm"/><joint name="elbow" type="fixed"><pose relative_to="base"/>'
             "<parent>base</parent><child>arm</child></joint>"
-            '<frame name="f"><pose relative_to="elbow"/></frame>',
+            '<frame name="f"><pose relative_to="elbow"/></frame>'
         ),
     )
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, replace
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity
 
 
 class UnknownCanonicalLink(Rule):
@@ -53,9 +53,4 @@ class UnknownCanonicalLink(Rule):
             yield self.diagnostic(value, f"`{name}` is a {node.kind}, not a link")
             return
         message = f"`{name}` is not a link of {model.title}"
-        meant = model.guess(name, kind="link").meant
-        if meant is None:
-            yield self.diagnostic(value, message)
-            return
-        fix = replace(value, meant, f"write `{meant}`", unsafe=True)
-        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix)
+        yield self.diagnostic(value, message, meant=model.guess(name, kind="link").meant)

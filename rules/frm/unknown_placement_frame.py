@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Include, Model, Rule, Severity, replace
+from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Include, Model, Rule, Severity
 
 
 class UnknownPlacementFrame(Rule):
@@ -15,10 +15,7 @@ class UnknownPlacementFrame(Rule):
     name = "unknown-placement-frame"
     severity = Severity.ERROR
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
-    looks_at = (
-        Model,
-        Include,
-    )
+    looks_at = (Model, Include)
     scaffold = SDF
 
     bad = (
@@ -53,12 +50,7 @@ class UnknownPlacementFrame(Rule):
             return
         name = value.text.strip()
         message = f"`{name}` is not a frame of the model that is to be placed by it"
-        meant = model.guess(name).meant
-        if meant is None:
-            yield self.diagnostic(value, message)
-            return
-        fix = replace(value, meant, f"write `{meant}`", unsafe=True)
-        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix)
+        yield self.diagnostic(value, message, meant=model.guess(name).meant)
 
 
 def _model(placed: Model | Include) -> Model | None:

@@ -67,11 +67,7 @@ class ClassicOnlyElement(Rule):
             '<sensor name="s" type="«sonar»"><sonar><min>0</min><max>1</max></sonar></sensor>',
             scaffold=IN_LINK,
         ),
-        Bad(
-            "<«audio_sink»/><audio_sink/>",
-            says="(used 2 times)",
-            scaffold=IN_LINK,
-        ),
+        Bad("<«audio_sink»/><audio_sink/>", says="(used 2 times)", scaffold=IN_LINK),
     )
     good = (
         Good('<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"/>'),

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, GazeboBlock, Good, Rule, Severity, make_fix, warns
+from sdfcheck import Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, rename, warns
 
 DISABLED = "disableFixedJointLumping"
 PRESERVED = "preserveFixedJoint"
@@ -57,7 +57,5 @@ class DisabledLumping(Rule):
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
         for element in block.switched_on(DISABLED):
             title = block.joint.title if block.joint is not None else block.reference
-            spans = (element.span, element.document.spans.end_name(element))
-            edits = tuple(Edit(span, PRESERVED) for span in spans if span is not None)
-            fix = make_fix(f"rename it to `{PRESERVED}`", edits, unsafe=True)
+            fix = rename(PRESERVED, element)
             yield self.diagnostic(element, f"`{DISABLED}` makes {title} revolute", fix=fix)

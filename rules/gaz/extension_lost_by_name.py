@@ -59,10 +59,7 @@ class ExtensionLostByName(Rule):
             why="the name begins with the link's",
             scaffold=ROBOT.replace("hull", "base_hull"),
         ),
-        Good(
-            '<gazebo reference="base"><mu1>0.2</mu1></gazebo>',
-            scaffold=ROBOT.replace(' name="hull"', ""),
-        ),
+        Good('<gazebo reference="base"><mu1>0.2</mu1></gazebo>', scaffold=ROBOT.replace(' name="hull"', "")),
     )
 
     @staticmethod

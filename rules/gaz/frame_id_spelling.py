@@ -5,13 +5,12 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Element,
     Good,
     Root,
     Rule,
     Severity,
-    make_fix,
+    rename,
     used,
     warns,
 )
@@ -88,9 +87,7 @@ class FrameIdSpelling(Rule):
             message = f"`{name}`{times} is now called `{instead}`"
             if instead == STANDARD:
                 message = f"`{name}`{times} is `{instead}` in SDFormat {version}"
-            spans = (span for use in elements for span in (use.span, use.document.spans.end_name(use)))
-            edits = tuple(Edit(span, instead) for span in spans if span is not None)
-            yield self.diagnostic(elements[0], message, fix=make_fix(f"rename it to `{instead}`", edits))
+            yield self.diagnostic(elements[0], message, fix=rename(instead, *elements, unsafe=False))
 
 
 def fitting(root: Root) -> str:

@@ -12,7 +12,6 @@ from sdfcheck import (
     Rule,
     Severity,
     Value,
-    replace,
     warns,
 )
 
@@ -95,9 +94,8 @@ class UnknownPaletteColor(Rule):
             name = value.text.strip()
             meant = part.nearest(name[len(PREFIX) :], COLORS)
             if meant is not None:
-                message = f"no material of Gazebo is called `{name}`; did you mean `{PREFIX}{meant}`?"
-                fix = replace(value, PREFIX + meant, f"write `{PREFIX}{meant}`", unsafe=True)
-                yield self.diagnostic(value, message, fix=fix)
+                message = f"no material of Gazebo is called `{name}`"
+                yield self.diagnostic(value, message, meant=PREFIX + meant)
 
 
 def strange(part: GazeboBlock | Material) -> Iterator[Value]:

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_ROBOT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    GazeboBlock,
-    Good,
-    Root,
-    Rule,
-    Severity,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Root, Rule, Severity, warns
 
 OTHERS = ("visual", "collision", "material", "robot")
 """Other parts whose name may be taken for a reference."""
@@ -62,9 +50,9 @@ class UnreferencedExtension(Rule):
         meant, place = None, block.reference_value or block
         if kind is not None:
             message = f"`{name}` is a {kind}, not a link or joint"
-        elif (meant := block.nearest(name, known)) is not None:
-            message += f"; did you mean `{meant}`?"
-        yield self.diagnostic(place, message, fix=write_instead(meant, place))
+        else:
+            meant = block.nearest(name, known)
+        yield self.diagnostic(place, message, meant=meant)
 
 
 def _has(root: Root, kind: str, name: str) -> bool:

@@ -104,10 +104,7 @@ class NonPositiveMass(Rule):
             )
         what = "negative" if mass.number < 0 else "not a number"
         yield self.diagnostic(
-            mass,
-            f"mass {mass.text} is {what}",
-            labels={link: "the mass of this link"},
-            affects=affects,
+            mass, f"mass {mass.text} is {what}", labels={link: "the mass of this link"}, affects=affects
         )
 
 

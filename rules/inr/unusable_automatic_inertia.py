@@ -49,7 +49,7 @@ class UnusableAutomaticInertia(Rule):
     good = (
         Good(
             '<inertial auto="true"/><collision name="c"><density>800</density><geometry><box><size>1 1 1</size></box>'
-            "</geometry></collision>",
+            "</geometry></collision>"
         ),
     )
 

@@ -20,9 +20,7 @@ class ZeroInertia(Rule):
     name = "zero-inertia"
     severity = Severity.WARNING
     looks_at = (Inertial,)
-    affects = {
-        Consumer.DRAKE: warns("cannot simulate it"),
-    }
+    affects = {Consumer.DRAKE: warns("cannot simulate it")}
     scaffold = IN_LINK
 
     bad = (

@@ -1,6 +1,3 @@
 """JNT: joints."""
 
-SOURCES = (
-    "http://sdformat.org/spec?elem=joint",
-    "http://wiki.ros.org/urdf/XML/joint",
-)
+SOURCES = ("http://sdformat.org/spec?elem=joint", "http://wiki.ros.org/urdf/XML/joint")

@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Limit,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, warns
 
 BOUNDED = frozenset({"revolute", "prismatic"})
 
@@ -41,11 +30,7 @@ class MissingUpperLimit(Rule):
             "<axis><xyz>0 0 1</xyz><«limit»><lower>-1</lower></limit></axis>",
             says="joint `j` has the lower limit -1 and no upper one",
         ),
-        Bad(
-            '<«limit» lower="-1" effort="5" velocity="2"/>',
-            scaffold=IN_URDF_JOINT,
-            says="so 0 is taken",
-        ),
+        Bad('<«limit» lower="-1" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT, says="so 0 is taken"),
     )
     good = (
         Good('<limit upper="1" effort="5" velocity="2"/>', why="from 0", scaffold=IN_URDF_JOINT),

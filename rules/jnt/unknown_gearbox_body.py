@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Joint,
-    Rule,
-    Severity,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
 
 GEARBOX = (
     '<link name="a"/><link name="b"/><joint name="g" type="gearbox"><parent>a</parent><child>b</child>'
@@ -56,6 +45,4 @@ class UnknownGearboxBody(Rule):
         assert value is not None
         name = value.text.strip()
         message = f"the reference body `{name}` of {joint.title} does not exist"
-        meant = joint.scope.guess(name, but=(joint.name,)).meant
-        message += "" if meant is None else f"; did you mean `{meant}`?"
-        yield self.diagnostic(value, message, fix=write_instead(meant, value))
+        yield self.diagnostic(value, message, meant=joint.scope.guess(name, but=(joint.name,)).meant)

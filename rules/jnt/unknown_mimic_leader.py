@@ -11,7 +11,6 @@ from sdfcheck import (
     Mimic,
     Rule,
     Severity,
-    replace,
     warns,
 )
 
@@ -67,7 +66,7 @@ class UnknownMimicLeader(Rule):
         Good(
             '<axis><xyz>0 0 1</xyz><mimic joint="k"><multiplier>1</multiplier></mimic></axis></joint>'
             '<link name="hand"/><joint name="k" type="revolute"><parent>arm</parent><child>hand</child>'
-            "<axis><xyz>0 0 1</xyz></axis>",
+            "<axis><xyz>0 0 1</xyz></axis>"
         ),
     )
 
@@ -91,9 +90,4 @@ class UnknownMimicLeader(Rule):
             yield self.diagnostic(mimic.attribute("axis") or value, message)
             return
         message = f"{joint.title} mimics `{mimic.leader_name}`, which is not a joint of its model"
-        meant = mimic.leader_guess
-        if meant is None:
-            yield self.diagnostic(value, message)
-            return
-        fix = replace(value, meant, f"write `{meant}`", unsafe=True)
-        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix)
+        yield self.diagnostic(value, message, meant=mimic.leader_guess)

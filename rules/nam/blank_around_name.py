@@ -21,24 +21,12 @@ class BlankAroundName(Rule):
     scaffold = IN_MODEL
 
     bad = (
-        Bad(
-            '<link name="« tip»"/>',
-            fixed='<link name="tip"/>',
-            says="a space before the name `tip`",
-        ),
-        Bad(
-            '<frame name="«tool »"/>',
-            fixed='<frame name="tool"/>',
-            says="a space after the name `tool`",
-        ),
+        Bad('<link name="« tip»"/>', fixed='<link name="tip"/>', says="a space before the name `tip`"),
+        Bad('<frame name="«tool »"/>', fixed='<frame name="tool"/>', says="a space after the name `tool`"),
     )
     good = (
         Good('<link name="left tip"/>', why="a space inside a name belongs to it"),
-        Good(
-            '<robot name="r"><link name=" a"/></robot>',
-            scaffold="",
-            why="consumers of URDF keep it",
-        ),
+        Good('<robot name="r"><link name=" a"/></robot>', scaffold="", why="consumers of URDF keep it"),
     )
 
     @staticmethod

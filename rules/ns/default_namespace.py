@@ -26,10 +26,7 @@ class DefaultNamespace(Rule):
     code = "NS005"
     name = "default-namespace"
     severity = Severity.ERROR
-    affects = {
-        Consumer.GAZEBO: {"sdf": warns("warns and reads it anyway")},
-        Consumer.DRAKE: {"sdf": REFUSES},
-    }
+    affects = {Consumer.GAZEBO: {"sdf": warns("warns and reads it anyway")}, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (PrefixDeclaration,)
 
     bad = (

@@ -14,10 +14,7 @@ class MalformedQualifiedName(Rule):
     code = "NS008"
     name = "malformed-qualified-name"
     severity = Severity.ERROR
-    looks_at = (
-        PrefixDeclaration,
-        PrefixedName,
-    )
+    looks_at = (PrefixDeclaration, PrefixedName)
 
     bad = (
         Bad(

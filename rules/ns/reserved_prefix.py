@@ -14,10 +14,7 @@ class ReservedPrefix(Rule):
     code = "NS013"
     name = "reserved-prefix"
     severity = Severity.ERROR
-    looks_at = (
-        PrefixDeclaration,
-        PrefixedName,
-    )
+    looks_at = (PrefixDeclaration, PrefixedName)
 
     bad = (
         Bad(

@@ -85,8 +85,7 @@ class TopologyChanged(Rule):
             why="a setting of the custom element, beside another one",
         ),
         Good(
-            '<p:a xmlns:p="https://example.org/p"><static>false</static></p:a>',
-            why="says what holds anyway",
+            '<p:a xmlns:p="https://example.org/p"><static>false</static></p:a>', why="says what holds anyway"
         ),
     )
 

@@ -6,7 +6,6 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Fix,
     Good,
     Rule,
     Severity,
@@ -68,11 +67,10 @@ class UnknownAttribute(Rule):
         message = f"unknown attribute `{name}` of {element.title}"
         if problem.more:
             message += f", and {problem.more} more"
-        fix: Fix | None = None
-        advice: str | None = "give it a prefix if it is your own"
-        if guess is not None and element.attribute(guess) is None:
-            message += f"; did you mean `{guess}`?"
-            fix = replace(place, guess, f"rename it to `{guess}`", unsafe=True)
-            advice = None
         severity = Severity.ERROR if problem.needed else None
-        yield self.diagnostic(place, message, fix=fix, help=advice, severity=severity)
+        if guess is None or element.attribute(guess) is not None:
+            advice = "give it a prefix if it is your own"
+            yield self.diagnostic(place, message, help=advice, severity=severity)
+            return
+        fix = replace(place, guess, f"rename it to `{guess}`", unsafe=True)
+        yield self.diagnostic(place, message, meant=guess, fix=fix, severity=severity)

@@ -40,12 +40,7 @@ class UnknownElement(Rule):
             unsafe=True,
             says="unknown element `inertail` in link `arm`; did you mean `inertial`?",
         ),
-        Bad(
-            "<«self_colide»/>",
-            fixed="<self_collide/>",
-            unsafe=True,
-            says="did you mean `self_collide`?",
-        ),
+        Bad("<«self_colide»/>", fixed="<self_collide/>", unsafe=True, says="did you mean `self_collide`?"),
         Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
     )
     good = (
@@ -66,9 +61,6 @@ class UnknownElement(Rule):
         element, guess = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
         severity = Severity.ERROR if problem.refused else None
-        if guess is None:
-            advice = "give it a prefix if it is your own"
-            yield self.diagnostic(element, message, help=advice, severity=severity)
-            return
-        message += f"; did you mean `{guess}`?"
-        yield self.diagnostic(element, message, fix=rename(guess, element), severity=severity)
+        advice = "give it a prefix if it is your own" if guess is None else None
+        fix = rename(guess, element)
+        yield self.diagnostic(element, message, meant=guess, fix=fix, help=advice, severity=severity)

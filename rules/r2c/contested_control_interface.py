@@ -41,7 +41,7 @@ class ContestedControlInterface(Rule):
         Good(
             BLOCKS.replace("{}", '<command_interface name="position"/>', 1).replace(
                 "{}", '<state_interface name="position"/>'
-            ),
+            )
         ),
     )
 

@@ -1,14 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    ControlTransmission,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    write_instead,
-)
+from sdfcheck import Bad, ControlTransmission, Diagnostic, Good, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, REFUSED
 
 TRANSMISSION = (
@@ -55,5 +47,4 @@ class ForeignTransmissionJoint(Rule):
         for value in transmission.unresolved:
             message = f"{transmission.title} is for joint `{value.text}`, which is not in {transmission.block.title}"
             near = transmission.nearest(value.text, transmission.block.joints)
-            message += f"; did you mean `{near}`?" if near else ""
-            yield self.diagnostic(value, message, help=REFUSED, fix=write_instead(near, value))
+            yield self.diagnostic(value, message, meant=near, help=REFUSED)

@@ -1,14 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Ros2Control,
-    Rule,
-    Severity,
-    rename,
-)
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, rename
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
 
 PARAMETERS = ("initial_value", "max", "min")
@@ -69,8 +61,6 @@ class IgnoredControlElement(Rule):
             if lacks_plugin and (near == "plugin" or element.name == "type"):
                 continue  # the missing plugin is reported there
             message = f"ros2_control ignores `{element.name}` in {holder.title}"
-            if near:
-                message += f"; did you mean `{near}`?"
-            elif element.name in PARAMETERS and "param" in place.children:
+            if not near and element.name in PARAMETERS and "param" in place.children:
                 message += f'; write it as `<param name="{element.name}">`'
-            yield self.diagnostic(element, message, fix=rename(near, element))
+            yield self.diagnostic(element, message, meant=near, fix=rename(near, element))

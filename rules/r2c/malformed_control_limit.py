@@ -34,7 +34,7 @@ class MalformedControlLimit(Rule):
             why="not a number yet",
         ),
         Good(
-            '<state_interface name="on" data_type="bool"><param name="initial_value">true</param></state_interface>',
+            '<state_interface name="on" data_type="bool"><param name="initial_value">true</param></state_interface>'
         ),
     )
 

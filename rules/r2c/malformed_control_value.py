@@ -1,15 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Ros2Control,
-    Rule,
-    Severity,
-    named,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, named
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK
 
 
@@ -56,11 +47,7 @@ class MalformedControlValue(Rule):
             elif attribute.choices:
                 near = block.nearest(value.text, attribute.choices)
                 message = f"unknown `{attribute.name}` `{value.text}`"
-                message += (
-                    f"; did you mean `{near}`?"
-                    if near
-                    else f"; it is one of {named(attribute.choices, 'or')}"
-                )
+                message += "" if near else f"; it is one of {named(attribute.choices, 'or')}"
             else:
                 message = f"`{attribute.name}` should be a whole number from 1 on, not `{value.text}`"
-            yield self.diagnostic(value, message, fix=write_instead(near, value))
+            yield self.diagnostic(value, message, meant=near)

@@ -1,14 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Ros2Control,
-    Rule,
-    Severity,
-    rename,
-)
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, rename
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_ROBOT, REFUSED
 
 BLOCK = '<ros2_control name="arm" type="system">{}</ros2_control>'

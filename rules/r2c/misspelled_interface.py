@@ -1,26 +1,13 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity, replace, suggest
+from sdfcheck import Bad, ControlInterface, Diagnostic, Good, Rule, Severity, suggest
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
 
 OF_JOINTS = frozenset(
-    (
-        "acceleration",
-        "current",
-        "derivative",
-        "effort",
-        "feedforward",
-        "force",
-        "integral",
-        "jerk",
-        "position",
-        "position_pid",
-        "proportional",
-        "temperature",
-        "torque",
-        "velocity",
-        "velocity_pid",
-    )
+    """
+    acceleration current derivative effort feedforward force integral jerk position position_pid
+    proportional temperature torque velocity velocity_pid
+    """.split()
 )
 OF_SENSORS = frozenset(
     f"{what}.{axis}"
@@ -99,5 +86,5 @@ class MisspelledInterface(Rule):
         near, name = meant(interface), interface.name_value
         assert near is not None
         assert name is not None
-        message = f"interface `{interface.name}` of {interface.component.title}; did you mean `{near}`?"
-        yield self.diagnostic(name, message, fix=replace(name, near, f"write `{near}`", unsafe=True))
+        message = f"interface `{interface.name}` of {interface.component.title}"
+        yield self.diagnostic(name, message, meant=near)

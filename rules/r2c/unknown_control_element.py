@@ -1,14 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Ros2Control,
-    Rule,
-    Severity,
-    rename,
-)
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, rename
 from sdfcheck_rules.r2c.scaffold import HARDWARE, IN_BLOCK, IN_ROBOT, REFUSED
 
 
@@ -52,5 +44,4 @@ class UnknownControlElement(Rule):
             if holder is block.element and not element.name.startswith("xacro:"):
                 near = block.nearest(element.name, place.children)
                 message = f"unknown element `{element.name}` in {block.title}"
-                message += f"; did you mean `{near}`?" if near else ""
-                yield self.diagnostic(element, message, help=REFUSED, fix=rename(near, element))
+                yield self.diagnostic(element, message, meant=near, help=REFUSED, fix=rename(near, element))

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, replace, suggest
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, suggest
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 BLOCK = '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
@@ -78,5 +78,4 @@ class UnknownControlPlugin(Rule):
             if package in OWNERS
             else f"no package has the plugin `{plugin.text}`"
         )
-        fix = replace(plugin, near, f"write `{near}`", unsafe=True)
-        yield self.diagnostic(plugin, f"{message}; did you mean `{near}`?", fix=fix)
+        yield self.diagnostic(plugin, message, meant=near)

@@ -1,15 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    suggest,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity, suggest
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 CLASSES: dict[str, tuple[str, ...]] = {
@@ -81,12 +72,8 @@ class UnknownControlSimulator(Rule):
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         file = plugin.filename.removeprefix("lib").removesuffix(".so")
         if file in CLASSES:
-            known = CLASSES[file][0]
-            message = f"`{file}` has no class `{plugin.name}`; did you mean `{known}`?"
-            place = plugin.name_value or plugin
-            yield self.diagnostic(place, message, fix=write_instead(known, place))
+            message = f"`{file}` has no class `{plugin.name}`"
+            yield self.diagnostic(plugin.name_value or plugin, message, meant=CLASSES[file][0])
         else:
-            near = suggest(file, CLASSES)
-            message = f"there is no library `{plugin.filename}`; did you mean `{near}`?"
-            place = plugin.filename_value or plugin
-            yield self.diagnostic(place, message, fix=write_instead(near, place))
+            message = f"there is no library `{plugin.filename}`"
+            yield self.diagnostic(plugin.filename_value or plugin, message, meant=suggest(file, CLASSES))

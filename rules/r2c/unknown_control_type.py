@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, replace
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import HARDWARE, IN_ROBOT
 
 TYPES = ("actuator", "sensor", "system")
@@ -44,7 +44,4 @@ class UnknownControlType(Rule):
         message, near = f"unknown type `{block.type}` of {block.title}", block.nearest(block.type, TYPES)
         if near is None:
             message += "; it is one of `actuator`, `sensor` and `system`"
-            yield self.diagnostic(block.type_value, message)
-            return
-        fix = replace(block.type_value, near, f"write `{near}`", unsafe=True)
-        yield self.diagnostic(block.type_value, f"{message}; did you mean `{near}`?", fix=fix)
+        yield self.diagnostic(block.type_value, message, meant=near)

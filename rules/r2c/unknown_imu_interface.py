@@ -36,10 +36,7 @@ class UnknownImuInterface(Rule):
     scaffold = IN_ROBOT
 
     bad = (
-        Bad(
-            BLOCK.replace("{}", "«yaw»"),
-            says="sensor `imu` of type `imu` has no interface `yaw` in Gazebo",
-        ),
+        Bad(BLOCK.replace("{}", "«yaw»"), says="sensor `imu` of type `imu` has no interface `yaw` in Gazebo"),
     )
     good = (
         Good(BLOCK.replace("{}", "orientation.w")),

@@ -54,9 +54,7 @@ class MalformedUri(Rule):
             says="backslashes",
         ),
         Bad(
-            MESH.format("«Model://arm/arm.dae»"),
-            fixed=MESH.format("model://arm/arm.dae"),
-            says="lower case",
+            MESH.format("«Model://arm/arm.dae»"), fixed=MESH.format("model://arm/arm.dae"), says="lower case"
         ),
         Bad(
             "<include><uri>«modle://arm»</uri></include>",
@@ -104,9 +102,5 @@ class MalformedUri(Rule):
             UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
             UriFault.BLANK: f"`{text}` has a space that does not belong to it",
         }[fault]
-        if meant is None:
-            yield self.diagnostic(value, message, affects=affects)
-            return
-        message += f"; did you mean `{meant}`?"
-        fix = replace(value, meant, f"write {meant}") if needs_no_escape(meant) else None
-        yield self.diagnostic(value, message, fix=fix, affects=affects)
+        fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
+        yield self.diagnostic(value, message, meant=meant, fix=fix, affects=affects)

@@ -65,11 +65,7 @@ class MissingFile(Rule):
             files={},
             says="there is no folder `meshes`, needed for 2 files",
         ),
-        Bad(
-            MESH.format("«model://lost/arm.dae»"),
-            files={},
-            says="model `lost` is not on the search path",
-        ),
+        Bad(MESH.format("«model://lost/arm.dae»"), files={}, says="model `lost` is not on the search path"),
         Bad(
             '<visual><geometry><mesh filename="«package://lost/a.stl»"/></geometry></visual>'
             '<collision><geometry><mesh filename="package://lost/b.stl"/></geometry></collision>',

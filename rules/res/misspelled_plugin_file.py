@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, replace, warns
+from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
 
 
 class MisspelledPluginFile(Rule):
@@ -38,5 +38,4 @@ class MisspelledPluginFile(Rule):
         value, meant = plugin.filename_value, plugin.meant_file
         assert value is not None
         assert meant is not None
-        message = f"no system of Gazebo is called `{plugin.filename}`; did you mean `{meant}`?"
-        yield self.diagnostic(value, message, fix=replace(value, meant, f"write `{meant}`", unsafe=True))
+        yield self.diagnostic(value, f"no system of Gazebo is called `{plugin.filename}`", meant=meant)

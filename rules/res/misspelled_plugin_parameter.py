@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    rename,
-    warns,
-)
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, rename, warns
 
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 
@@ -49,5 +38,5 @@ class MisspelledPluginParameter(Rule):
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for parameter, meant in plugin.misspelled_parameters:
-            message = f"{plugin.title} does not read `{parameter.name}`; did you mean `{meant}`?"
-            yield self.diagnostic(parameter, message, fix=rename(meant, parameter))
+            message = f"{plugin.title} does not read `{parameter.name}`"
+            yield self.diagnostic(parameter, message, meant=meant, fix=rename(meant, parameter))

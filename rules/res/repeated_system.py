@@ -27,7 +27,7 @@ class RepeatedSystem(Rule):
             says="plugin `gz::sim::systems::Physics` is given again in world `w`",
         ),
         Bad(
-            f"{IMU}{IMU.replace('plugin ', '«plugin» ').replace('gz-sim-imu-system', 'libgz-sim-imu-system.so')}",
+            f"{IMU}{IMU.replace('plugin ', '«plugin» ').replace('gz-sim-imu-system', 'libgz-sim-imu-system.so')}"
         ),
     )
     good = (

@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_WORLD,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    Value,
-    World,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, Value, World, warns
 
 LEVELS = (
     '<plugin name="gz::sim" filename="dummy"><performer name="one"><ref>{}</ref>'
@@ -65,10 +52,7 @@ class UnknownPerformer(Rule):
             performer, name = value.element.parent, value.text.strip()
             assert performer is not None
             message = f"{performer.title} refers to `{name}`, which is not a model or actor of {world.title}"
-            meant = world.guess(name, kind="model").meant
-            if meant is not None:
-                message += f"; did you mean `{meant}`?"
-            yield self.diagnostic(value, message, fix=write_instead(meant, value))
+            yield self.diagnostic(value, message, meant=world.guess(name, kind="model").meant)
 
 
 def unknown(plugin: Plugin) -> Iterator[tuple[Value, World]]:

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    IN_ROBOT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
 
 DRIVE = (
     '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">'
@@ -81,6 +69,6 @@ class UnknownPluginReference(Rule):
                 message = f"{kind} `{name}` is fixed, and libsdformat merges it away"
             elif node is not None:
                 message = f"`{name}` is a {node.kind}, not a {kind}, for `{parameter}` of {plugin.title}"
-            elif (meant := model.guess(name, kind=kind).meant) is not None:
-                message += f"; did you mean `{meant}`?"
-            yield self.diagnostic(value, message, fix=write_instead(meant, value))
+            else:
+                meant = model.guess(name, kind=kind).meant
+            yield self.diagnostic(value, message, meant=meant)

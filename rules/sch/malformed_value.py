@@ -14,7 +14,6 @@ from sdfcheck import (
     suggest,
     unreadable,
     warns,
-    write_instead,
 )
 
 INERTIAL = (
@@ -35,10 +34,7 @@ WORDS = {
 """By the cause; other types hold numbers."""
 
 
-TRUTHS = {
-    **dict.fromkeys(("yes", "on", "y", "t"), "true"),
-    **dict.fromkeys(("no", "off", "n", "f"), "false"),
-}
+TRUTHS = {**dict.fromkeys(("yes", "on", "y", "t"), "true"), **dict.fromkeys(("no", "off", "n", "f"), "false")}
 
 
 def _truth(text: str, expected: str) -> str | None:
@@ -129,11 +125,7 @@ class MalformedValue(Rule):
         else:
             message = f"`{name}` should be {reading.expected}, and `{part}` is not a number"
         meant = MEANT.get(reading.cause.name, _nothing)(part, reading.expected)
-        if meant is not None:
-            message += f"; did you mean `{meant}`?"
-        yield self.diagnostic(
-            problem.span, message, affects=unreadable(value), fix=write_instead(meant, problem.span)
-        )
+        yield self.diagnostic(problem.span, message, meant=meant, affects=unreadable(value))
 
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""

@@ -37,8 +37,7 @@ class MismatchedSensor(Rule):
     good = (
         Good('<sensor name="s" type="imu"/>', why="an IMU without settings is ideal"),
         Good(
-            f'<sensor name="s" type="gpu_lidar"><ray>{SCAN}</ray></sensor>',
-            why="the older name is read too",
+            f'<sensor name="s" type="gpu_lidar"><ray>{SCAN}</ray></sensor>', why="the older name is read too"
         ),
         Good(
             '<sensor name="s" type="custom"><camera/></sensor>', why="nobody knows what a custom sensor reads"

@@ -38,10 +38,7 @@ class MissingShape(Rule):
     )
     good = (
         Good("<geometry><empty/></geometry>", why="empty on purpose"),
-        Good(
-            '<geometry><p:torus xmlns:p="https://example.org/p"/></geometry>',
-            why="a shape of one's own",
-        ),
+        Good('<geometry><p:torus xmlns:p="https://example.org/p"/></geometry>', why="a shape of one's own"),
     )
 
     @staticmethod

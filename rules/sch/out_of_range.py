@@ -60,10 +60,7 @@ class OutOfRange(Rule):
             "<image><width>«0»</width><height>240</height></image>",
             says="`width` should be at least 1, not 0",
         ),
-        Bad(
-            "<clip><near>«10»</near><far>1</far></clip>",
-            says="near 10 is above far 1",
-        ),
+        Bad("<clip><near>«10»</near><far>1</far></clip>", says="near 10 is above far 1"),
         Bad(
             "<geometry><box><size>1 «0» 1</size></box></geometry>",
             scaffold=IN_COLLISION,

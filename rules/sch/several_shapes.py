@@ -27,12 +27,7 @@ class SeveralShapes(Rule):
             says="`sphere` is dropped, because the geometry has a `box`",
         ),
     )
-    good = (
-        Good(
-            f"<geometry>{POLYLINE}{POLYLINE}</geometry>",
-            why="polylines make one shape together",
-        ),
-    )
+    good = (Good(f"<geometry>{POLYLINE}{POLYLINE}</geometry>", why="polylines make one shape together"),)
 
     def check(self, problem: problems.SeveralShapes) -> Iterator[Diagnostic]:
         element, first = problem.element, problem.first

@@ -15,7 +15,6 @@ from sdfcheck import (
     problems,
     unreadable,
     warns,
-    write_instead,
 )
 
 MANY = 8
@@ -99,12 +98,10 @@ class UnknownChoice(Rule):
         message = f"unknown {place}: `{value.text.strip()}`"
         known = f"known {'are' if len(choices) > 1 else 'is'} {listed(choices)}"
         guess = problem.suggestion
-        if guess is not None:
-            message += f"; did you mean `{guess}`?"
         yield self.diagnostic(
             value,
             message,
-            fix=write_instead(guess, value),
+            meant=guess,
             help=known if guess is None or len(choices) <= MANY else None,
             severity=None if problem.refused else Severity.WARNING,
             affects=unreadable(value)

@@ -51,7 +51,7 @@ class UnknownVersion(Rule):
             yield self.diagnostic(value, message, help=listed)
             return
         fix = replace(value, meant, f"declare version {meant}", unsafe=True)
-        yield self.diagnostic(value, f"{message}; did you mean `{meant}`?", fix=fix, help=listed)
+        yield self.diagnostic(value, message, meant=meant, fix=fix, help=listed)
 
 
 def known_versions(root: Root) -> tuple[str, ...]:

@@ -1,15 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Diagnostic,
-    Good,
-    Rule,
-    Semantics,
-    Severity,
-    suggest,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity, suggest
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 
 
@@ -47,6 +38,4 @@ class UnknownSemanticGroup(Rule):
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         for value in semantics.unknown_groups:
             near = suggest(value.text.strip(), semantics.groups)
-            guess = f"; did you mean `{near}`?" if near else ""
-            message = f"there is no group `{value.text.strip()}`{guess}"
-            yield self.diagnostic(value, message, fix=write_instead(near, value))
+            yield self.diagnostic(value, f"there is no group `{value.text.strip()}`", meant=near)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity, replace
+from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF, ROBOT
 
 
@@ -58,10 +58,4 @@ class UnknownSemanticName(Rule):
             message = f"robot `{semantics.name}` has no {part.kind} `{name}`"
             is_pair = part.value.element.name.endswith("collisions")
             severity = Severity.WARNING if is_pair else None
-            if near is None:
-                yield self.diagnostic(part.value, message, severity=severity)
-                continue
-            fix = replace(part.value, near, f"write `{near}`", unsafe=True)
-            yield self.diagnostic(
-                part.value, f"{message}; did you mean `{near}`?", severity=severity, fix=fix
-            )
+            yield self.diagnostic(part.value, message, meant=near, severity=severity)

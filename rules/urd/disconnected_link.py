@@ -27,7 +27,7 @@ class DisconnectedLink(Rule):
         Bad('<«link» name="hook"/>', says="no joint ties link `hook` to the rest of the robot"),
         Bad(
             '<link name="a"/><joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint>'
-            '<«link» name="b"/>',
+            '<«link» name="b"/>'
         ),
         Bad(
             '<link name="«lower_lge»"/><link name="foot"/>'

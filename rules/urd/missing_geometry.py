@@ -50,10 +50,7 @@ class MissingGeometry(Rule):
         Bad(
             '<collision name="c"><«geometry»/></collision>', says="the geometry of collision `c` has no shape"
         ),
-        Bad(
-            "<visual><geometry><«mesh»/></geometry></visual>",
-            says="the mesh of `visual` has no `filename`",
-        ),
+        Bad("<visual><geometry><«mesh»/></geometry></visual>", says="the mesh of `visual` has no `filename`"),
         Bad(
             '<visual><geometry><«sphear» radius="1"/></geometry></visual>',
             fixed='<visual><geometry><sphere radius="1"/></geometry></visual>',

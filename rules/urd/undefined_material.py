@@ -109,9 +109,9 @@ class UndefinedMaterial(Rule):
             later = defined[name]
             return self.diagnostic(place, message, labels={later.name_value or later: "defined here"})
         near = robot.nearest(name, defined)
-        guess = f"; did you mean `{near}`?" if near else ""
         fix = write_instead(near, *(use.name_value or use for use in uses))
-        return self.diagnostic(place, f"material `{name}` is not defined{used(len(uses))}{guess}", fix=fix)
+        message = f"material `{name}` is not defined{used(len(uses))}"
+        return self.diagnostic(place, message, meant=near, fix=fix)
 
 
 def is_empty(material: Material) -> bool:

@@ -30,10 +30,7 @@ class UnexpandedExpression(Rule):
     scaffold = IN_URDF_LINK
 
     bad = (
-        Bad(
-            '<visual><geometry><sphere radius="«${r}»"/></geometry></visual>',
-            says="`${r}` is not expanded",
-        ),
+        Bad('<visual><geometry><sphere radius="«${r}»"/></geometry></visual>', says="`${r}` is not expanded"),
         Bad(
             '<visual><geometry><mesh filename="file://«$(find p)»/${m}.stl"/></geometry></visual>',
             says="`$(find p)` is not expanded, nor is 1 other expression",

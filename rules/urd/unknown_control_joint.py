@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_URDF_JOINT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Ros2Control,
-    Rule,
-    Severity,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Ros2Control, Rule, Severity, warns
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 CONTROL = (
@@ -58,6 +47,5 @@ class UnknownControlJoint(Rule):
     def check(self, control: Ros2Control) -> Iterator[Diagnostic]:
         for value in control.unresolved:
             message = f"{control.title} is for joint `{value.text}`, which does not exist"
-            if near := control.nearest(value.text, control.model.driven_names):
-                message += f"; did you mean `{near}`?"
-            yield self.diagnostic(value, message, fix=write_instead(near, value))
+            near = control.nearest(value.text, control.model.driven_names)
+            yield self.diagnostic(value, message, meant=near)

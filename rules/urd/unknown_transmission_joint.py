@@ -11,7 +11,6 @@ from sdfcheck import (
     Severity,
     Transmission,
     warns,
-    write_instead,
 )
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
@@ -54,6 +53,5 @@ class UnknownTransmissionJoint(Rule):
     def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
         for value in transmission.unresolved:
             message = f"{transmission.title} is for joint `{value.text}`, which does not exist"
-            if near := transmission.nearest(value.text, transmission.model.driven_names):
-                message += f"; did you mean `{near}`?"
-            yield self.diagnostic(value, message, fix=write_instead(near, value))
+            near = transmission.nearest(value.text, transmission.model.driven_names)
+            yield self.diagnostic(value, message, meant=near)

@@ -29,12 +29,7 @@ class EmptiedBlock(Rule):
             says="`**frame` inserts what is in `<pose>`, which is empty; `*frame` inserts it whole",
         ),
     )
-    good = (
-        Good(
-            MACRO + "<xacro:m><content><pose/></content></xacro:m>",
-            file=FILE,
-        ),
-    )
+    good = (Good(MACRO + "<xacro:m><content><pose/></content></xacro:m>", file=FILE),)
 
     def check(self, problem: problems.EmptiedBlock) -> Iterator[Diagnostic]:
         labels = {problem.other: "the parameter"} if problem.other else None

@@ -1,14 +1,6 @@
 """How to speak of names that are not defined."""
 
-from sdfcheck import (
-    Diagnostic,
-    Fix,
-    Origin,
-    Rule,
-    problems,
-    used,
-    write_instead,
-)
+from sdfcheck import Diagnostic, Fix, Origin, Rule, problems, used, write_instead
 from sdfcheck_rules.xac.unreached import unless_reached
 
 SHOWN = 3

@@ -31,6 +31,7 @@ class UndefinedArgument(Rule):
 
     def check(self, problem: problems.UndefinedArgument) -> Iterator[Diagnostic]:
         near = problem.near
-        message = f"argument `{problem.name}` is not declared; did you mean `{near}`?"
+        message = f"argument `{problem.name}` is not declared"
         fix = replace(problem.span, near, f"rename it to `{near}`", unsafe=True)
-        yield self.diagnostic(problem.span, message, fix=fix, **unless_reached(is_dormant=problem.is_dormant))
+        own = unless_reached(is_dormant=problem.is_dormant)
+        yield self.diagnostic(problem.span, message, meant=near, fix=fix, **own)

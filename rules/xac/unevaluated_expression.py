@@ -45,6 +45,5 @@ class UnevaluatedExpression(Rule):
             affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
             yield self.diagnostic(problem.span, f"the expression `{text}` has no end", affects=affects)
             return
-        message = f"`{text}` is not evaluated; did you mean `{problem.meant}`?"
         fix = replace(problem.span, problem.meant, f"make it `{problem.meant}`", unsafe=True)
-        yield self.diagnostic(problem.span, message, fix=fix)
+        yield self.diagnostic(problem.span, f"`{text}` is not evaluated", meant=problem.meant, fix=fix)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -38,6 +38,5 @@ class UnknownPropertyScope(Rule):
 
     def check(self, problem: problems.UnknownPropertyScope) -> Iterator[Diagnostic]:
         near = problem.near
-        guess = f"did you mean `{near}`?" if near else "it is `global` or `parent`"
-        fix = replace(problem.span, near, f"write `{near}`", unsafe=True) if near else None
-        yield self.diagnostic(problem.span, f"unknown scope `{problem.name}`; {guess}", fix=fix)
+        rest = "" if near else "; it is `global` or `parent`"
+        yield self.diagnostic(problem.span, f"unknown scope `{problem.name}`{rest}", meant=near)

@@ -20,8 +20,7 @@ class UnusedProperty(Rule):
     bad = (
         Bad('<xacro:property name="«height»" value="1"/>', file=FILE, says="`height`"),
         Bad(
-            '<xacro:macro name="m" params=""><xacro:property name="«w»" value="1"/></xacro:macro>',
-            file=FILE,
+            '<xacro:macro name="m" params=""><xacro:property name="«w»" value="1"/></xacro:macro>', file=FILE
         ),
     )
     good = (

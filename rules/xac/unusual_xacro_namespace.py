@@ -38,6 +38,6 @@ class UnusualXacroNamespace(Rule):
 
     def check(self, problem: problems.UnusualXacroNamespace) -> Iterator[Diagnostic]:
         assert problem.near
-        message = f"prefix `xacro` is bound to `{problem.name}`; did you mean `{problem.near}`?"
+        message = f"prefix `xacro` is bound to `{problem.name}`"
         fix = replace(problem.span, problem.near, f"write `{problem.near}`")
-        yield self.diagnostic(problem.span, message, fix=fix)
+        yield self.diagnostic(problem.span, message, meant=problem.near, fix=fix)

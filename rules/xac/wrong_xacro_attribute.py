@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Fix,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    refuses,
-    replace,
-    warns,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -61,18 +49,17 @@ class WrongXacroAttribute(Rule):
             own = unless_reached(is_dormant=problem.is_dormant)
             yield self.diagnostic(problem.span, f"`{element}` has no `{name}`", **own)
             return
-        message, fix = f"`{element}` takes no `{name}`", None
-        if near is not None:
-            message += f"; did you mean `{near}`?"
-            fix = _rename(problem, near)
+        fix = replace(problem.span, near, f"rename it to `{near}`", unsafe=True) if near else None
+        message = f"`{element}` takes no `{name}`"
         if problem.is_fatal:
-            yield self.diagnostic(problem.span, message, fix=fix)
+            yield self.diagnostic(problem.span, message, meant=near, fix=fix)
             return
-        advice = "xacro ignores it, and warns"
         yield self.diagnostic(
-            problem.span, message, fix=fix, help=advice, severity=Severity.WARNING, affects=_IGNORED
+            problem.span,
+            message,
+            meant=near,
+            fix=fix,
+            help="xacro ignores it, and warns",
+            severity=Severity.WARNING,
+            affects=_IGNORED,
         )
-
-
-def _rename(problem: problems.WrongXacroAttribute, near: str) -> Fix:
-    return replace(problem.span, near, f"rename it to `{near}`", unsafe=True)

@@ -18,13 +18,7 @@ class XacroIncludeCycle(Rule):
     explains = (problems.XacroIncludeCycle,)
     scaffold = IN_XACRO
 
-    bad = (
-        Bad(
-            '<xacro:include filename="«robot.sdf.xacro»"/>',
-            file=FILE,
-            says="includes itself",
-        ),
-    )
+    bad = (Bad('<xacro:include filename="«robot.sdf.xacro»"/>', file=FILE, says="includes itself"),)
     good = (
         Good(
             '<xacro:if value="false"><xacro:include filename="robot.sdf.xacro"/></xacro:if>',

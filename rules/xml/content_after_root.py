@@ -29,8 +29,7 @@ class ContentAfterRoot(Rule):
     )
     good = (
         Good(
-            '<sdf version="1.12"><world name="w"/></sdf>\n<!-- the end -->\n',
-            why="comments may be anywhere",
+            '<sdf version="1.12"><world name="w"/></sdf>\n<!-- the end -->\n', why="comments may be anywhere"
         ),
     )
 

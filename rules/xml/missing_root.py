@@ -21,11 +21,7 @@ class MissingRoot(Rule):
     looks_at = (Root,)
 
     bad = (
-        Bad(
-            '<«world» name="w"/>',
-            file="example.sdf",
-            says="`world` is not inside `sdf`",
-        ),
+        Bad('<«world» name="w"/>', file="example.sdf", says="`world` is not inside `sdf`"),
         Bad(
             '<«gazebo» version="1.2"><model name="m"><link name="base"/></model></gazebo>',
             file="example.sdf",

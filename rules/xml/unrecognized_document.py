@@ -1,16 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    write_instead,
-)
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, write_instead
 
 
 class UnrecognizedDocument(Rule):

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
-from sdfcheck.files.overwrite import overwrite
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify
 from sdfcheck.lint.suppress.baseline import hold, read, render
 from sdfcheck.lint.wording import counted
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 def write(done: Run, path: Path, *, quiet: bool) -> int:
     """Write a baseline; returns the exit code."""
-    try:
-        overwrite(path, render(done, path).encode("utf-8", "backslashreplace"))
-    except OSError as error:
-        raise WrongUsage(f"cannot write {path}: {error.strerror}") from None
+    deliver(render(done, path), path)
     if not quiet:
         say(f"{path} holds {counted(len(done.diagnostics), 'finding')}.")
     return 0

@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import formatted, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of
 from sdfcheck.cli.parts.version import sdf_version
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace

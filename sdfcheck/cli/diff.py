@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import wants_color
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible

@@ -17,7 +17,7 @@ from sdfcheck.cli.parts.descriptions import (
     expander_for,
 )
 from sdfcheck.cli.parts.options import require_file, written
-from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage

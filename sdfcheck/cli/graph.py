@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of, wants_color
 from sdfcheck.robot.graphs import text as graph_text
 from sdfcheck.robot.graphs.graph import Graph, GraphKind, graph

@@ -10,31 +10,19 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_arguments, search_of, surroundings
-from sdfcheck.cli.parts.notifier import Notifier
-from sdfcheck.cli.parts.options import (
-    PATH,
-    colored,
-    configured,
-    listing,
-    path,
-    reported,
-    targeted,
-    written,
+from sdfcheck.cli.parts.descriptions import (
+    ARGUMENT,
+    arguments_in,
+    check_arguments,
+    robots_of,
+    search_of,
+    surroundings,
 )
+from sdfcheck.cli.parts.options import PATH, colored, configured, listing, path, reported, targeted, written
 from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
-from sdfcheck.cli.parts.progress import Progress
-from sdfcheck.cli.parts.robots import robots_of
+from sdfcheck.cli.parts.progress import Notifier, Progress
 from sdfcheck.cli.parts.shown import exit_code, shown, view_of
-from sdfcheck.cli.parts.terminal import (
-    emit,
-    emit_lines,
-    lines_of,
-    say,
-    wants_color,
-    wants_links,
-    width_of,
-)
+from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, say, wants_color, wants_links, width_of
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice

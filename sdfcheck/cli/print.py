@@ -10,7 +10,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
 from sdfcheck.cli.parts.options import require_file, written
-from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.source.record import NamedTuple
 

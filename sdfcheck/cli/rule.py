@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import colored, configured, formatted, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of, wants_color
 from sdfcheck.cli.rules import VERSION, loaded, narrowed
 from sdfcheck.report.manual import Manuals, record, render

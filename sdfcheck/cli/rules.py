@@ -10,7 +10,7 @@ import click
 from sdfcheck.cli.parts import completing
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import colored, configured, formatted, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.config.configuration import Configuration
@@ -18,6 +18,7 @@ from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import SILENT, covered
+from sdfcheck.lint.wording import counted
 from sdfcheck.report.manual import facts_record, markdown
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -93,16 +94,12 @@ def test(pack: str, selectors: tuple[str, ...]) -> int:
     trials = [trial for trial in bench.trials if trial.rule.code in codes]
     faults = () if selectors else bench.faults
     lines = [*map(str, faults), *filter(None, (trial.failure() for trial in trials))]
-    counts = f"{_counted(len(trials), 'example')} of {_counted(len(codes), 'rule')}"
+    counts = f"{counted(len(trials), 'example')} of {counted(len(codes), 'rule')}"
     failed = len(lines) - len(faults)
     outcome = f"{counts}: {failed} failed" if failed else f"{counts}: all as expected"
-    left_out = f"; {_counted(len(faults), 'fault')} in the pack" if faults else ""
+    left_out = f"; {counted(len(faults), 'fault')} in the pack" if faults else ""
     emit_lines((*lines, f"{outcome}{left_out}"))
     return 1 if lines else 0
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[RuleFacts]:

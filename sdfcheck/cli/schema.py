@@ -9,7 +9,7 @@ from click.core import ParameterSource
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import PATH, formatted, require_file, written
-from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.cli.parts.version import sdf_version
 from sdfcheck.formats.sdf.version import NEWEST, Version

@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described
 from sdfcheck.cli.parts.options import formatted, require_file, targeted, written
-from sdfcheck.cli.parts.result import deliver, deliver_lines
+from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run
@@ -70,14 +70,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
 
     asked = tuple(consumer.value for consumer in consumers)
     check_arguments(around.arguments, [file], around.settings_for(file))
-    options = Options(
-        around.configuration,
-        target=asked,
-        arguments=around.arguments,
-        search=around.search,
-        variables=around.variables,
-    )
-    done = run([file], options, notify=notify)
+    done = run([file], Options(**around._asdict(), target=asked), notify=notify)
     if failures:
         raise WrongUsage("; ".join(failures))
     if done.suppressed:

@@ -11,7 +11,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
 from sdfcheck.cli.parts.options import PATH, require_file, written
-from sdfcheck.cli.parts.result import deliver
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 
 if TYPE_CHECKING:
@@ -74,10 +74,4 @@ def _page(files: list[Path], documents: list[Document], surroundings: Around) ->
 def _linted(file: Path, surroundings: Around) -> Run:
     from sdfcheck.lint.session import Options, run
 
-    options = Options(
-        surroundings.configuration,
-        arguments=surroundings.arguments,
-        search=surroundings.search,
-        variables=surroundings.variables,
-    )
-    return run([file], options)
+    return run([file], Options(**surroundings._asdict()))

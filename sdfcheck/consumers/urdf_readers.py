@@ -134,9 +134,4 @@ def _urdfdom(place: frozenset[str]) -> Reaction:
 
 def _place(element: Element) -> frozenset[str]:
     """The names of an element and of those around it."""
-    names = set()
-    at: Element | None = element
-    while at is not None:
-        names.add(at.name)
-        at = at.parent
-    return frozenset(names)
+    return frozenset({element.name, *(each.name for each in element.around)})

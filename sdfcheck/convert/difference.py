@@ -14,17 +14,10 @@ from pathlib import PurePosixPath
 import numpy as np
 
 from sdfcheck.convert.change import Change, ChangeKind
-from sdfcheck.convert.contents.contents import Contents
 from sdfcheck.convert.contents.difference import Settings
+from sdfcheck.convert.contents.entry import Contents
 from sdfcheck.convert.rewrite.reframing import reframed
-from sdfcheck.convert.rewrite.renaming import (
-    Names,
-    filled,
-    same_geometry,
-    same_names,
-    same_pose,
-    seat,
-)
+from sdfcheck.convert.rewrite.renaming import Names, filled, same_geometry, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sdfcheck.convert.change import Change, ChangeKind
-from sdfcheck.convert.contents.contents import Contents
-from sdfcheck.convert.contents.entry import divergences
+from sdfcheck.convert.contents.entry import Contents, divergences
 from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.difference import compare, pose_texts
+from sdfcheck.convert.items import models
 from sdfcheck.convert.rewrite.reframing import shifted_model
 from sdfcheck.convert.rewrite.renaming import same_pose
 from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
@@ -59,16 +59,7 @@ def placed_models(document: Document) -> dict[str, Placed]:
         return {robot.name: Placed(robot, of_urdf(model), *_placement(document))}
     if needs_writing_out(document):
         document, _ = written_out(document)
-    found: dict[str, Placed] = {}
-    root = root_of(document)
-    for top in root.scopes:
-        if isinstance(top, Model):
-            found[top.name] = _placed(top, root.poses.in_scope(top))
-            continue
-        for node in top.nodes.values():
-            if isinstance(node, Model) and node.is_readable:
-                found[node.name] = _placed(node, root.poses.in_scope(node))
-    return found
+    return {model.name: _placed(model, model.root.poses.in_scope(model)) for model in models(document)}
 
 
 def compare_files(

@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Iterator
 
+from sdfcheck.robot.model import Model
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
 _SHOWN = 30
 _NAMED = frozenset({"joint", "link"})
 """Parts that share the names of a model."""
+
+
+def models(document: Document) -> list[Model]:
+    """The models at the top of a file and of its worlds, in document order."""
+    tops = ((top,) if isinstance(top, Model) else top.nodes.values() for top in root_of(document).scopes)
+    return [node for nodes in tops for node in nodes if isinstance(node, Model) and node.is_readable]
 
 
 def belongs(element: Element) -> bool:
@@ -21,11 +30,7 @@ def belongs(element: Element) -> bool:
     from sdfcheck.formats.sdf.schema import Definition, schema
     from sdfcheck.formats.sdf.version import NEWEST
 
-    names: list[str] = []
-    at: Element | None = element
-    while at is not None:
-        names.append(at.name)
-        at = at.parent
+    names = [each.name for each in (element, *element.around)]
     definition: Definition | None = schema(NEWEST).root
     for name in reversed(names[:-1]):
         definition = definition.children.get(name) if definition is not None else None

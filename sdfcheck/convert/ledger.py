@@ -239,7 +239,7 @@ class Ledger:
 
     def forget(self, element: Element, item: str) -> None:
         """An item should have been entered, and was not."""
-        self._report(loss_at(element, LossKind.UNACCOUNTED, f"{item} is not accounted for"))
+        self._report(loss_at(element, LossKind.UNACCOUNTED_ITEM, f"{item} is not accounted for"))
 
     def _report_custom(self, lost: Element) -> None:
         """Name the custom data in what is lost; what is of its own prefix goes with it."""

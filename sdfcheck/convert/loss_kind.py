@@ -11,242 +11,132 @@ FAMILY = "CNV"
 
 
 class LossKind(Enum):
-    """The kinds of loss: code, name, what is lost and why. Neither code nor name is ever reused."""
+    """The kinds of loss: name, code, what is lost and why. Neither name nor code is ever reused."""
 
     NOT_CONVERTIBLE = (
-        "CNV001",
-        "not-convertible",
-        (
-            "The target has no way to say what is here, or the source leaves open what is meant; nothing "
-            "is written."
-        ),
+        "CNV001 The target has no way to say what is here, or the source leaves open what is meant; "
+        "nothing is written."
     )
     NOT_VERIFIED = (
-        "CNV002",
-        "not-verified",
-        (
-            "The result, read again, is not the same robot as its source; nothing is written. This is a bug "
-            "of the converter, please report it."
-        ),
+        "CNV002 The result, read again, is not the same robot as its source; nothing is written. This is "
+        "a bug of the converter, please report it."
     )
     DROPPED_ELEMENT = (
-        "CNV003",
-        "dropped-element",
-        (
-            "An element or attribute is left out, since the target has no place for it and it does not matter "
-            "to how the robot moves."
-        ),
+        "CNV003 An element or attribute is left out, since the target has no place for it and it does not "
+        "matter to how the robot moves."
     )
     APPROXIMATED_JOINT = (
-        "CNV004",
-        "approximated-joint",
-        (
-            "The target has no such kind of joint; the nearest that it has is written, or none, which leaves "
-            "the child free to float."
-        ),
+        "CNV004 The target has no such kind of joint; the nearest that it has is written, or none, which "
+        "leaves the child free to float."
     )
     CLOSED_LOOP = (
-        "CNV005",
-        "closed-loop",
-        (
-            "A joint closes a loop, and the links of a URDF robot make a tree; the joint is kept where only "
-            "libsdformat looks."
-        ),
+        "CNV005 A joint closes a loop, and the links of a URDF robot make a tree; the joint is kept where "
+        "only libsdformat looks."
     )
     MERGED_MODEL = (
-        "CNV006",
-        "merged-model",
-        (
-            "A nested or included model becomes part of the one around it, since the target does not nest; "
-            "names get its name in front."
-        ),
+        "CNV006 A nested or included model becomes part of the one around it, since the target does not "
+        "nest; names get its name in front."
     )
     SHIFTED_LINK_FRAME = (
-        "CNV007",
-        "shifted-link-frame",
-        (
-            "The frame of a link moves to its joint, where URDF has it; all that is in the link stays in "
-            "place, but poses that others measure in the link's frame change."
-        ),
+        "CNV007 The frame of a link moves to its joint, where URDF has it; all that is in the link stays "
+        "in place, but poses that others measure in the link's frame change."
     )
     UNSUPPORTED_GEOMETRY = (
-        "CNV008",
-        "unsupported-geometry",
-        (
-            "A shape is left out, or another takes its place, since the target does not have it; the link is "
-            "seen or touched differently."
-        ),
+        "CNV008 A shape is left out, or another takes its place, since the target does not have it; the "
+        "link is seen or touched differently."
     )
-    DROPPED_SENSOR = ("CNV009", "dropped-sensor", "A sensor is left out: the target has no sensors.")
-    DROPPED_PLUGIN = ("CNV010", "dropped-plugin", "A plugin is left out: the target has no plugins there.")
+    DROPPED_SENSOR = "CNV009 A sensor is left out: the target has no sensors."
+    DROPPED_PLUGIN = "CNV010 A plugin is left out: the target has no plugins there."
     RENAMED = (
-        "CNV011",
-        "renamed",
-        (
-            "Something gets another name, since the target does not allow the one that it has or something "
-            "else has it there; what lies in other files and uses the name must follow."
-        ),
+        "CNV011 Something gets another name, since the target does not allow the one that it has or "
+        "something else has it there; what lies in other files and uses the name must follow."
     )
     CHANGED_DEFAULT = (
-        "CNV012",
-        "changed-default",
-        (
-            "A default of the source is another one in the target, so it is written out; the "
-            "robot stays the same."
-        ),
+        "CNV012 A default of the source is another one in the target, so it is written out; the robot "
+        "stays the same."
     )
-    DROPPED_COMMENT = (
-        "CNV013",
-        "dropped-comment",
-        "A comment is left out, since what it is in has no counterpart.",
-    )
+    DROPPED_COMMENT = "CNV013 A comment is left out, since what it is in has no counterpart."
     MASSLESS_LINK = (
-        "CNV014",
-        "massless-link",
-        (
-            "A link has no mass, which simulators drop or refuse; a very small mass is written, or the "
-            "simulator has to compute one."
-        ),
+        "CNV014 A link has no mass, which simulators drop or refuse; a very small mass is written, or the "
+        "simulator has to compute one."
     )
-    CHANGED_COLOR = (
-        "CNV015",
-        "changed-color",
-        "A color is left out: the target knows fewer of them for a surface.",
-    )
+    CHANGED_COLOR = "CNV015 A color is left out: the target knows fewer of them for a surface."
     EXTENSION_NOT_CARRIED = (
-        "CNV016",
-        "extension-not-carried",
-        (
-            "A setting of a `<gazebo>` block is left out, since it has no effect where it is or what it "
-            "is about is gone."
-        ),
+        "CNV016 A setting of a `<gazebo>` block is left out, since it has no effect where it is or what "
+        "it is about is gone."
     )
     KEPT_AS_EXTENSION = (
-        "CNV017",
-        "kept-as-extension",
-        (
-            "An element means nothing in the target; it is kept under a prefix or in a `<gazebo>` block for "
-            "those who know it, and comes back when converted back."
-        ),
+        "CNV017 An element means nothing in the target; it is kept under a prefix or in a `<gazebo>` "
+        "block for those who know it, and comes back when converted back."
     )
     MERGED_LINK = (
-        "CNV018",
-        "merged-link",
-        (
-            "A link becomes part of the one that it is fixed to; its mass, shapes and joints go with it, and "
-            "a frame keeps its name where the target has frames."
-        ),
+        "CNV018 A link becomes part of the one that it is fixed to; its mass, shapes and joints go with "
+        "it, and a frame keeps its name where the target has frames."
     )
     DROPPED_FRAME = (
-        "CNV019",
-        "dropped-frame",
-        (
-            "A frame is left out, since the target has no frames; poses that were relative to it are written "
-            "relative to what it was attached to."
-        ),
+        "CNV019 A frame is left out, since the target has no frames; poses that were relative to it are "
+        "written relative to what it was attached to."
     )
     DROPPED_MIMIC = (
-        "CNV020",
-        "dropped-mimic",
-        "A joint does not follow its leader any more: the target does not know mimic joints of that kind.",
+        "CNV020 A joint does not follow its leader any more: the target does not know mimic joints of "
+        "that kind."
     )
     CHANGED_MATERIAL = (
-        "CNV021",
-        "changed-material",
-        "A surface looks different: its texture, script or color cannot be said in the target as it was.",
+        "CNV021 A surface looks different: its texture, script or color cannot be said in the target as "
+        "it was."
     )
     CHANGED_URI = (
-        "CNV022",
-        "changed-uri",
-        (
-            "The address of a file is written in the way in which consumers of the target look for it; they "
-            "must know where that is."
-        ),
+        "CNV022 The address of a file is written in the way in which consumers of the target look for it; "
+        "they must know where that is."
     )
-    UNKNOWN_REFERENCE = (
-        "CNV023",
-        "unknown-reference",
-        "Something refers to what does not exist, and is left out or left as it is.",
-    )
+    UNKNOWN_REFERENCE = "CNV023 Something refers to what does not exist, and is left out or left as it is."
     CHANGED_LIMIT = (
-        "CNV024",
-        "changed-limit",
-        (
-            "A limit is written as another number, or left out, because the target understands the one that "
-            "was there otherwise."
-        ),
+        "CNV024 A limit is written as another number, or left out, because the target understands the one "
+        "that was there otherwise."
     )
     REVERSED_JOINT = (
-        "CNV025",
-        "reversed-joint",
-        (
-            "A joint's parent and child change places, and its axis turns round: in a tree each link has one "
-            "parent."
-        ),
+        "CNV025 A joint's parent and child change places, and its axis turns round: in a tree each link "
+        "has one parent."
     )
     CHANGED_INERTIA = (
-        "CNV026",
-        "changed-inertia",
-        (
-            "The mass properties of a link are computed, or a part of them is left out, because the target "
-            "cannot leave them to the simulator."
-        ),
+        "CNV026 The mass properties of a link are computed, or a part of them is left out, because the "
+        "target cannot leave them to the simulator."
     )
     EXPANDED_INCLUDE = (
-        "CNV027",
-        "expanded-include",
-        (
-            "The included model is written out, since the target does not have such includes; later changes of "
-            "the included file have no effect."
-        ),
+        "CNV027 The included model is written out, since the target does not have such includes; later "
+        "changes of the included file have no effect."
     )
     REORDERED = (
-        "CNV028",
-        "reordered",
-        (
-            "Elements change places because the order says something in the target, such as which link a "
-            "model moves with."
-        ),
+        "CNV028 Elements change places because the order says something in the target, such as which link "
+        "a model moves with."
     )
     INCLUDED_FILE_KEPT = (
-        "CNV029",
-        "included-file-kept",
-        (
-            "An include brings a file in a version that is newer than the target. Each file has a version of its "
-            "own, and only the one that is named is converted: convert the other one as well."
-        ),
+        "CNV029 An include brings a file in a version that is newer than the target. Each file has a "
+        "version of its own, and only the one that is named is converted: convert the other one as well."
     )
-    UNACCOUNTED = (
-        "CNV030",
-        "unaccounted-item",
-        (
-            "The conversion has no record of what became of an item of the source; it is taken as lost. This "
-            "is a bug of the converter, please report it."
-        ),
+    UNACCOUNTED_ITEM = (
+        "CNV030 The conversion has no record of what became of an item of the source; it is taken as "
+        "lost. This is a bug of the converter, please report it."
     )
     UNSOUND_RESULT = (
-        "CNV031",
-        "unsound-result",
-        (
-            "The result has an error that its source does not have, so that its consumers refuse it or read "
-            "another robot; nothing is written."
-        ),
+        "CNV031 The result has an error that its source does not have, so that its consumers refuse it or "
+        "read another robot; nothing is written."
     )
 
     @property
     def code(self) -> str:
-        return self.value[0]
+        return self.value.partition(" ")[0]
 
     @property
     def title(self) -> str:
         """The kebab-case name."""
-        return self.value[1]
+        return self.name.lower().replace("_", "-")
 
     @property
     def facts(self) -> RuleFacts:
         """The facts about the kind, in the form of those about rules; the severity is the highest."""
         severity = Severity.ERROR if self in _GRAVE else Severity.WARNING
-        about = self.value[2]
+        about = self.value.partition(" ")[2]
         return RuleFacts(self.code, self.title, FAMILY, severity, about, "", True, (), (), {}, __name__)
 
 

@@ -58,6 +58,6 @@ def _is_custom(child: object) -> bool:
 def _all(node: Node) -> Iterator[Node]:
     """A node and those below it, but what is in custom ones."""
     yield node
-    for child in node.children:
-        if isinstance(child, Node) and not _is_custom(child):
+    for child in node.elements():
+        if not _is_custom(child):
             yield from _all(child)

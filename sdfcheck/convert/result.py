@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from sdfcheck.convert.broken_text import guess_in
-from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert.contents.entry import Contents
 from sdfcheck.convert.contents.verification import Settings
 from sdfcheck.convert.loss import Loss
 from sdfcheck.convert.verification import Verification
@@ -17,6 +17,7 @@ from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Source
 
 
 class Comparison(Record):
@@ -66,6 +67,13 @@ class Conversion(Record):
             tuple(difference for one in done for difference in one.differences),
             dict(sum((Counter(one.counts) for one in done), Counter())),
         )
+
+
+def with_text(document: Document, text: str) -> Document:
+    """The document as if its file had another text."""
+    other = Document(Source(document.source.path, text), document.kind, [])
+    other.library, other.included_by = document.library, document.included_by
+    return other
 
 
 def read_result(text: str, source: Document, kind: Kind) -> Document:

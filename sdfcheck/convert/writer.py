@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from lxml import etree
@@ -61,12 +61,17 @@ class Node:
         self.attributes = {name: value for name, value in self.attributes.items() if ":" in name}
         self.children = [child for child in self.children if not isinstance(child, Words)]
 
-    def comment(self, text: str) -> None:
-        self.children.append(Comment(text))
+    def elements(self, name: str | None = None) -> Iterator[Node]:
+        """The child elements, or those of that name."""
+        return (c for c in self.children if isinstance(c, Node) and (name is None or c.name == name))
 
     def find(self, name: str) -> Node | None:
         """The first child element of that name."""
-        return next((c for c in self.children if isinstance(c, Node) and c.name == name), None)
+        return next(self.elements(name), None)
+
+    def drop(self, names: Container[str]) -> None:
+        """Take the child elements of some names out."""
+        self.children = [c for c in self.children if not (isinstance(c, Node) and c.name in names)]
 
     def reach(self, *names: str) -> Node:
         """The element at the end of a path of names; what is missing is made."""
@@ -216,7 +221,7 @@ def undeclared_prefixes(root: Node) -> set[str]:
         if names := [name.split(":", 1) for name in (node.name, *node.attributes) if ":" in name]:
             declared = (*declared, *(name for prefix, name in names if prefix == "xmlns"))
             found.update(prefix for prefix, _ in names if prefix not in declared)
-        waiting += [(child, declared) for child in node.children if isinstance(child, Node)]
+        waiting += [(child, declared) for child in node.elements()]
     return found
 
 

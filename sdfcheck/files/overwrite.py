@@ -7,7 +7,7 @@ import stat
 import sys
 from pathlib import Path
 
-from sdfcheck.files.descriptor import descriptor
+from sdfcheck.files.regular import descriptor
 
 
 def overwrite(path: Path, data: bytes) -> None:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import sys
 from pathlib import Path
 from typing import BinaryIO
-
-from sdfcheck.files.descriptor import descriptor
 
 MEGABYTE = 1024 * 1024
 SIZE_LIMIT = 256 * MEGABYTE
 """Larger files are not read, unless the configuration says otherwise."""
+
+_LONGEST_CHAIN = 40
+"""So many symbolic links are followed, as by Linux."""
 
 _AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 _KINDS = (
@@ -94,3 +96,21 @@ def _kind(status: os.stat_result) -> str:
 def _too_large(path: Path, limit: int) -> Unfit:
     size = f"{limit} bytes" if limit % MEGABYTE else f"{limit // MEGABYTE} MB"
     return Unfit(path, f"larger than {size} (`max-file-size` in the configuration)")
+
+
+def descriptor(path: Path) -> int | None:
+    """The number of the open file that a path names; None for any other path."""
+    at = os.path.abspath(path)
+    for _ in range(_LONGEST_CHAIN):
+        folder, name = os.path.split(at)
+        if name.isascii() and name.isdigit() and os.path.realpath(folder) in _folders():
+            return int(name)
+        if not os.path.islink(at):
+            return None
+        at = os.path.normpath(os.path.join(os.path.realpath(folder), os.readlink(at)))
+    return None
+
+
+def _folders() -> tuple[str, ...]:
+    folders = ("/dev/fd",) if sys.platform == "darwin" else ("/dev/fd", "/proc/self/fd")
+    return tuple(os.path.realpath(folder) for folder in folders)

@@ -36,7 +36,7 @@ def counted(found: list[object], strange: Counter[Element]) -> list[object]:
             element = problem.element
             more = 0 if element in reported else strange[element] - 1
             reported.add(element)
-            problem = UnknownAttribute(element, problem.attribute, problem.suggestion, problem.needed, more)  # noqa: PLW2901
+            problem = problem.changed(more=more)  # noqa: PLW2901
         result.append(problem)
     return result
 
@@ -53,10 +53,6 @@ def _kind(problem: object) -> Hashable:
 def _with_others(problem: object, alike: dict[Hashable, list[Element]]) -> object:
     kind = _kind(problem)
     others = tuple(alike[kind][1:]) if kind is not None else ()
-    if others and isinstance(problem, RepeatedElement):
-        return RepeatedElement(problem.element, problem.first, problem.parent, others=others)
-    if others and isinstance(problem, RemovedElement):
-        return RemovedElement(
-            problem.element, problem.parent, problem.attribute, problem.until, problem.successor, others
-        )
+    if others and isinstance(problem, RepeatedElement | RemovedElement):
+        return problem.changed(others=others)
     return problem

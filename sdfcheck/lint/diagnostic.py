@@ -6,7 +6,7 @@ from collections.abc import Collection
 from enum import Enum
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 

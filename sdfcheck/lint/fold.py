@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.disk import Disk
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.source.text import Source, Span
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
-from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Edit, Fix
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
@@ -78,6 +78,7 @@ class Rule:
         target: Target,
         message: str,
         *,
+        meant: str | None = None,
         labels: Mapping[Any, str] | None = None,
         fix: Fix | None = None,
         help: str | None = None,
@@ -89,11 +90,15 @@ class Rule:
     ) -> Diagnostic:
         """A diagnostic of this rule; ``labels`` are further targets and what they have to do with it.
 
+        ``meant`` is the name that was probably meant at the target: the message asks whether it was,
+        and an unsafe fix writes it, if no other ``fix`` is given.
         ``severity`` is given only where it depends on the case; so is what consumers do in
         ``affects``, for some of those that the rule names. ``missing`` is what may be on
         another computer: such findings are reported together, and fail no run. ``cause`` is a fault
         in a text: where another error is reported on its line, this is not.
         """
+        if meant:
+            message, fix = f"{message}; did you mean `{meant}`?", fix or write_instead(meant, target)
         return Diagnostic(
             self.code,
             self.name,
@@ -129,8 +134,8 @@ def write_instead(name: str | None, *targets: Target) -> Fix | None:
     return make_fix(f"write `{name}`", tuple(Edit(span_of(one), name) for one in targets), unsafe=True)
 
 
-def rename(name: str | None, *elements: Element) -> Fix | None:
-    """The unsafe fix that gives elements the name which was probably meant, in their end tags, too."""
+def rename(name: str | None, *elements: Element, unsafe: bool = True) -> Fix | None:
+    """The fix that gives elements another name, which was probably meant, in their end tags, too."""
     if not name:
         return None
     edits = [
@@ -139,7 +144,7 @@ def rename(name: str | None, *elements: Element) -> Fix | None:
         for span in (one.span, one.document.spans.end_name(one))
         if span is not None
     ]
-    return make_fix(f"rename it to `{name}`", tuple(edits), unsafe=True)
+    return make_fix(f"rename it to `{name}`", tuple(edits), unsafe=unsafe)
 
 
 def make_fix(title: str, edits: tuple[Edit, ...], *, unsafe: bool = False) -> Fix:

@@ -14,7 +14,6 @@ from sdfcheck.files.disk import Disk
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.files.regular import open_regular, read_on
 from sdfcheck.lint.config.configuration import Configuration, Settings
-from sdfcheck.lint.fold import said_once
 from sdfcheck.lint.one_file import Caches, Selected, lint_file, lint_included
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
@@ -106,11 +105,7 @@ class Part(NamedTuple):
 
 
 def run(
-    paths: Sequence[Path],
-    options: Options,
-    *,
-    progress: Progress | None = None,
-    notify: Notify | None = None,
+    paths: Sequence[Path], options: Options, *, progress: Progress | None = None, notify: Notify | None = None
 ) -> Run:
     """Lint what ``paths`` lead to.
 
@@ -187,9 +182,13 @@ def joined(parts: Sequence[Part]) -> Run:
     diagnostics = [diagnostic for part in parts for diagnostic in part.diagnostics]
     for reported, _ in foreign.values():
         diagnostics += reported
+    if diagnostics:
+        from sdfcheck.lint.fold import said_once
+
+        diagnostics = sorted(said_once(diagnostics), key=lambda diagnostic: diagnostic.sort_key)
     rules = {code: facts for part in parts for code, facts in part.rules.items()}
     return Run(
-        tuple(sorted(said_once(diagnostics), key=lambda diagnostic: diagnostic.sort_key)),
+        tuple(diagnostics),
         tuple(files),
         tuple(sorted(entry for part in parts for entry in part.skipped)),
         sum(part.suppressed for part in parts) + sum(silenced for _, silenced in foreign.values()),

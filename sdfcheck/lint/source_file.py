@@ -12,7 +12,6 @@ from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.fragment import is_fragment
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Library
@@ -44,9 +43,12 @@ def lint_source(
     if document is None or is_own:
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
-    if document.kind is Kind.URDF and library is not None and is_fragment(document):
-        document, is_own = read(data, path, Kind.XACRO), True
-        document.library = library
+    if document.kind is Kind.URDF and library is not None:
+        from sdfcheck.xacro.fragment import is_fragment
+
+        if is_fragment(document):
+            document, is_own = read(data, path, Kind.XACRO), True
+            document.library = library
     if library is not None and is_own:
         library.turn_to(document)
     if document.kind is Kind.SRDF:

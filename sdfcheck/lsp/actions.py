@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lint.fix import Edit
 from sdfcheck.lint.fix.fixer import fix_file
 from sdfcheck.lint.one_file import Selected, lint_file
 from sdfcheck.lint.suppress.add_ignores import ignoring

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from lsprotocol import types
 
@@ -13,7 +14,8 @@ from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import everywhere, occurrences
-from sdfcheck.lsp.names.rename import Refused, renamable, rename
+from sdfcheck.lsp.names.rename import Refused, rename
+from sdfcheck.lsp.names.symbol import Occurrence
 from sdfcheck.lsp.outline import Entry, folds, links, outline, target_of
 from sdfcheck.lsp.speech import NAME, Speech
 from sdfcheck.lsp.survey import survey
@@ -109,18 +111,18 @@ class Answers:
 
     # Facts
 
-    def hover(self, buffer: Buffer, position: types.Position) -> types.Hover | None:
+    def hover(self, buffer: Buffer, params: types.HoverParams) -> types.Hover | None:
         document = self.document(buffer)
-        offset = self.speech.offset(document.source, position)
+        offset = self.speech.offset(document.source, params.position)
         found = hover(document, offset, self.findings.at(buffer.path))
         if found is None:
             return None
         content = types.MarkupContent(types.MarkupKind.Markdown, found.text)
         return types.Hover(content, self.speech.range(found.span))
 
-    def completion(self, buffer: Buffer, position: types.Position) -> types.CompletionList:
+    def completion(self, buffer: Buffer, params: types.CompletionParams) -> types.CompletionList:
         source = buffer.source
-        offset = self.speech.offset(source, position)
+        offset = self.speech.offset(source, params.position)
         found = complete(self.workspace, buffer, offset)
         has_snippets = self.speech.is_able(
             "text_document", "completion", "completion_item", "snippet_support"
@@ -130,7 +132,7 @@ class Answers:
         )
         return types.CompletionList(False, [_item(item, place, has_snippets) for item in found.items])
 
-    def symbols(self, buffer: Buffer) -> list[types.DocumentSymbol] | list[types.SymbolInformation]:
+    def symbols(self, buffer: Buffer, _: Any) -> list[types.DocumentSymbol] | list[types.SymbolInformation]:
         entries = outline(self.document(buffer))
         if self.speech.is_able("text_document", "document_symbol", "hierarchical_document_symbol_support"):
             return list(map(self._symbol, entries))
@@ -154,7 +156,7 @@ class Answers:
             )
             yield from self._flat(entry.children, entry.name)
 
-    def folds(self, buffer: Buffer) -> list[types.FoldingRange]:
+    def folds(self, buffer: Buffer, _: Any) -> list[types.FoldingRange]:
         return [
             types.FoldingRange(
                 fold.first, fold.last, kind=types.FoldingRangeKind.Comment if fold.is_comment else None
@@ -162,14 +164,14 @@ class Answers:
             for fold in folds(self.document(buffer))
         ]
 
-    def links(self, buffer: Buffer) -> list[types.DocumentLink]:
+    def links(self, buffer: Buffer, _: Any) -> list[types.DocumentLink]:
         return [
             types.DocumentLink(self.speech.range(link.span), self.speech.uri(link.target))
             for link in links(self.document(buffer))
         ]
 
-    def hints(self, buffer: Buffer, given: types.Range) -> list[types.InlayHint]:
-        within = self.speech.span(buffer.source, given)
+    def hints(self, buffer: Buffer, params: types.InlayHintParams) -> list[types.InlayHint]:
+        within = self.speech.span(buffer.source, params.range)
         return [
             types.InlayHint(
                 self.speech.position(buffer.source, hint.offset),
@@ -180,7 +182,10 @@ class Answers:
             for hint in hints(self.document(buffer), within)
         ]
 
-    def tokens(self, buffer: Buffer, given: types.Range | None = None) -> types.SemanticTokens:
+    def tokens(
+        self, buffer: Buffer, params: types.SemanticTokensParams | types.SemanticTokensRangeParams
+    ) -> types.SemanticTokens:
+        given = params.range if isinstance(params, types.SemanticTokensRangeParams) else None
         within = None if given is None else self.speech.span(buffer.source, given)
         data: list[int] = []
         line, column = 0, 0
@@ -205,15 +210,19 @@ class Answers:
 
     # Names
 
-    def definition(self, buffer: Buffer, position: types.Position) -> types.Location | None:
+    def named(self, buffer: Buffer, position: types.Position) -> Occurrence | None:
+        """The name at a place."""
+        document = self.document(buffer)
+        return occurrences(document).at(self.speech.offset(document.source, position))
+
+    def definition(self, buffer: Buffer, params: types.DefinitionParams) -> types.Location | None:
         from sdfcheck.lsp.cursor import at
 
-        document = self.document(buffer)
-        offset = self.speech.offset(document.source, position)
-        named = occurrences(document).at(offset)
+        named = self.named(buffer, params.position)
         if named is not None:
             return self.speech.location(named.symbol.span)
-        cursor = at(document, offset)
+        document = self.document(buffer)
+        cursor = at(document, self.speech.offset(document.source, params.position))
         target = None if cursor is None or cursor.value is None else target_of(document, cursor.value)
         if target is None:
             return None
@@ -221,41 +230,41 @@ class Answers:
         return types.Location(self.speech.uri(target), types.Range(start, start))
 
     def references(self, buffer: Buffer, params: types.ReferenceParams) -> list[types.Location] | None:
-        document = self.document(buffer)
-        named = occurrences(document).at(self.speech.offset(document.source, params.position))
+        named = self.named(buffer, params.position)
         if named is None:
             return None
-        found = everywhere(self.workspace, document, named.symbol)
+        found = everywhere(self.workspace, self.document(buffer), named.symbol)
         wanted = [each for each in found if params.context.include_declaration or not each.is_definition]
         return [self.speech.location(each.span) for each in wanted]
 
-    def highlights(self, buffer: Buffer, position: types.Position) -> list[types.DocumentHighlight] | None:
-        document = self.document(buffer)
-        known = occurrences(document)
-        named = known.at(self.speech.offset(document.source, position))
+    def highlights(
+        self, buffer: Buffer, params: types.DocumentHighlightParams
+    ) -> list[types.DocumentHighlight] | None:
+        named = self.named(buffer, params.position)
         if named is None:
             return None
         kinds = {True: types.DocumentHighlightKind.Write, False: types.DocumentHighlightKind.Read}
         return [
             types.DocumentHighlight(self.speech.range(each.span), kinds[each.is_definition])
-            for each in known.all
+            for each in occurrences(self.document(buffer)).all
             if each.symbol.key == named.symbol.key
         ]
 
-    def prepared(self, buffer: Buffer, position: types.Position) -> types.PrepareRenamePlaceholder | None:
-        document = self.document(buffer)
-        named = renamable(document, self.speech.offset(document.source, position))
+    def prepared(
+        self, buffer: Buffer, params: types.PrepareRenameParams
+    ) -> types.PrepareRenamePlaceholder | None:
+        named = self.named(buffer, params.position)
         if named is None:
             return None
         return types.PrepareRenamePlaceholder(self.speech.range(named.span), named.symbol.name)
 
     def rename(self, buffer: Buffer, params: types.RenameParams) -> types.WorkspaceEdit | Refused:
-        document = self.document(buffer)
-        named = renamable(document, self.speech.offset(document.source, params.position))
+        named = self.named(buffer, params.position)
         if named is None:
             return Refused("there is nothing with a name here")
         try:
-            return self.speech.workspace_edit(rename(self.workspace, document, named, params.new_name))
+            edits = rename(self.workspace, self.document(buffer), named, params.new_name)
+            return self.speech.workspace_edit(edits)
         except Refused as refusal:
             return refusal
 

@@ -57,24 +57,16 @@ def _of_xacro(document: Document, symbol: Symbol) -> Iterator[str]:
 
 def _node(document: Document, named: Occurrence) -> Node | None:
     """The node that a name means, in the scope that the file itself sees."""
-    from sdfcheck.lsp.names.robot_names import symbol_of
-
-    if named.symbol.kind not in {"link", "joint", "frame", "model", "world"}:
+    symbol = named.symbol
+    if symbol.kind not in {"link", "joint", "frame", "model", "world"}:
         return None
-    if (written := _written(document, named.symbol)) is not None:
+    if (written := _written(document, symbol)) is not None:
         return written
     for scope in root_of(document).scopes:
-        if _matches(scope, named.symbol):
-            return scope
-        for _, node in scope.all_nodes():
-            own = symbol_of(node)
-            if own is not None and own.key == named.symbol.key and own.kind == named.symbol.kind:
+        joints = scope.joints if document.kind is Kind.URDF else ()  # which are no nodes there
+        for node in (scope, *(node for _, node in scope.all_nodes()), *joints):
+            if _matches(node, symbol):
                 return node
-        if document.kind is Kind.URDF and named.symbol.kind == "joint":
-            for joint in scope.joints:
-                own = symbol_of(joint)
-                if own is not None and own.key == named.symbol.key:
-                    return joint
     return None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
 from lsprotocol import types
@@ -14,7 +15,8 @@ from sdfcheck.lsp.names.rename import Refused
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import path_of
 from sdfcheck.lsp.watch import Watch
-from sdfcheck.lsp.worker import OVERVIEW
+from sdfcheck.lsp.worker import ANSWER, OVERVIEW
+from sdfcheck.lsp.workspace import Buffer
 
 _COLORS = dict(
     zip(
@@ -93,13 +95,13 @@ def _diagnostics(server: Server, answers: Answers) -> None:
         return types.RelatedFullDocumentDiagnosticReport(items=found)
 
     kinds = [types.CodeActionKind.QuickFix, FIX_ALL]
-
-    @server.feature(
+    _answer(
+        server,
         types.TEXT_DOCUMENT_CODE_ACTION,
+        answers.actions,
         types.CodeActionOptions(code_action_kinds=kinds, resolve_provider=True),
+        otherwise=[],
     )
-    async def actions(params: types.CodeActionParams) -> list[types.CodeAction]:
-        return await server.ask(params.text_document.uri, lambda buffer: answers.actions(buffer, params), [])
 
     @server.feature(types.CODE_ACTION_RESOLVE)
     async def resolve(action: types.CodeAction) -> types.CodeAction:
@@ -108,49 +110,40 @@ def _diagnostics(server: Server, answers: Answers) -> None:
         return await server.ask(str(uri), lambda buffer: answers.resolved(buffer, action), action)
 
 
-def _knowledge(server: Server, answers: Answers) -> None:
-    @server.feature(types.TEXT_DOCUMENT_HOVER)
-    async def hover(params: types.HoverParams) -> types.Hover | None:
-        return await server.ask(
-            params.text_document.uri, lambda buffer: answers.hover(buffer, params.position), None
-        )
+def _answer(
+    server: Server,
+    feature: str,
+    answer: Callable[[Buffer, Any], Any],
+    options: Any = None,
+    *,
+    otherwise: Any = None,
+    urgency: int = ANSWER,
+) -> None:
+    """Answer requests about a text; ``otherwise``: where it is not open, or that fails."""
 
-    triggers = ["<", '"', "'", ":", "/", " ", "$", "{", ">"]
-
-    @server.feature(types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=triggers))
-    async def completion(params: types.CompletionParams) -> types.CompletionList | None:
+    @server.feature(feature, options)
+    async def handle(params: Any) -> Any:
         uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.completion(buffer, params.position), None)
+        return await server.ask(uri, lambda buffer: answer(buffer, params), otherwise, urgency)
 
-    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    async def symbols(params: types.DocumentSymbolParams) -> Any:
-        return await server.ask(params.text_document.uri, answers.symbols, [], OVERVIEW)
 
-    @server.feature(types.TEXT_DOCUMENT_FOLDING_RANGE)
-    async def folds(params: types.FoldingRangeParams) -> list[types.FoldingRange]:
-        return await server.ask(params.text_document.uri, answers.folds, [], OVERVIEW)
-
-    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_LINK)
-    async def links(params: types.DocumentLinkParams) -> list[types.DocumentLink]:
-        return await server.ask(params.text_document.uri, answers.links, [], OVERVIEW)
+def _knowledge(server: Server, answers: Answers) -> None:
+    triggers = types.CompletionOptions(trigger_characters=["<", '"', "'", ":", "/", " ", "$", "{", ">"])
+    _answer(server, types.TEXT_DOCUMENT_HOVER, answers.hover)
+    _answer(server, types.TEXT_DOCUMENT_COMPLETION, answers.completion, triggers)
+    for feature, answer in (
+        (types.TEXT_DOCUMENT_DOCUMENT_SYMBOL, answers.symbols),
+        (types.TEXT_DOCUMENT_FOLDING_RANGE, answers.folds),
+        (types.TEXT_DOCUMENT_DOCUMENT_LINK, answers.links),
+    ):
+        _answer(server, feature, answer, otherwise=[], urgency=OVERVIEW)
 
 
 def _decorations(server: Server, answers: Answers) -> None:
-    @server.feature(types.TEXT_DOCUMENT_INLAY_HINT)
-    async def hints(params: types.InlayHintParams) -> list[types.InlayHint]:
-        uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.hints(buffer, params.range), [], OVERVIEW)
-
+    _answer(server, types.TEXT_DOCUMENT_INLAY_HINT, answers.hints, otherwise=[], urgency=OVERVIEW)
     legend = types.SemanticTokensLegend(token_types=list(_COLORS.values()), token_modifiers=["declaration"])
-
-    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, legend)
-    async def tokens(params: types.SemanticTokensParams) -> types.SemanticTokens | None:
-        return await server.ask(params.text_document.uri, answers.tokens, None, OVERVIEW)
-
-    @server.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, legend)
-    async def tokens_in(params: types.SemanticTokensRangeParams) -> types.SemanticTokens | None:
-        uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.tokens(buffer, params.range), None, OVERVIEW)
+    for feature in (types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE):
+        _answer(server, feature, answers.tokens, legend, urgency=OVERVIEW)
 
     @server.feature(types.WORKSPACE_SYMBOL)
     async def survey(params: types.WorkspaceSymbolParams) -> list[types.WorkspaceSymbol]:
@@ -158,32 +151,15 @@ def _decorations(server: Server, answers: Answers) -> None:
 
 
 def _names(server: Server, answers: Answers) -> None:
-    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
-    async def definition(params: types.DefinitionParams) -> types.Location | None:
-        uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.definition(buffer, params.position), None)
-
-    @server.feature(types.TEXT_DOCUMENT_REFERENCES)
-    async def references(params: types.ReferenceParams) -> list[types.Location] | None:
-        return await server.ask(
-            params.text_document.uri, lambda buffer: answers.references(buffer, params), None
-        )
-
-    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
-    async def highlights(params: types.DocumentHighlightParams) -> list[types.DocumentHighlight] | None:
-        uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.highlights(buffer, params.position), None)
-
-    @server.feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
-    async def prepare(params: types.PrepareRenameParams) -> types.PrepareRenamePlaceholder | None:
-        uri = params.text_document.uri
-        return await server.ask(uri, lambda buffer: answers.prepared(buffer, params.position), None)
+    _answer(server, types.TEXT_DOCUMENT_DEFINITION, answers.definition)
+    _answer(server, types.TEXT_DOCUMENT_REFERENCES, answers.references)
+    _answer(server, types.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT, answers.highlights)
+    _answer(server, types.TEXT_DOCUMENT_PREPARE_RENAME, answers.prepared)
 
     @server.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
     async def rename(params: types.RenameParams) -> types.WorkspaceEdit | None:
-        found = await server.ask(
-            params.text_document.uri, lambda buffer: answers.rename(buffer, params), None
-        )
+        uri = params.text_document.uri
+        found = await server.ask(uri, lambda buffer: answers.rename(buffer, params), None)
         if isinstance(found, Refused):
             raise JsonRpcInvalidParams(re.sub(r"\s+", " ", str(found)))
         return found

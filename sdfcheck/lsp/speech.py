@@ -11,7 +11,7 @@ from lsprotocol import types
 from pygls.uris import from_fs_path, to_fs_path
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lint.fix import Edit
 from sdfcheck.lsp.positions import Change, Place, Units, offset_of, place_of
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.text import Source, Span

@@ -8,7 +8,7 @@ from typing import Any
 
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.run import Run
 from sdfcheck.release import __version__
 from sdfcheck.report.block import first_of, marks_by_file

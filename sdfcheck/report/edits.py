@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
 from sdfcheck.source.visible import harmless_document

@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
-from sdfcheck.consumers.gazebo import STANDARD_MODELS
 from sdfcheck.lint.diagnostic import Diagnostic, Missing, MissingKind
 from sdfcheck.lint.wording import counted, named
 from sdfcheck.report.colors import Ink, Paint
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.visible import visible
+
+STANDARD_MODELS = frozenset({"ground_plane", "sun"})
+"""Models without a robot in them that most worlds include, and most computers have."""
+
 
 _SHOWN = {MissingKind.PACKAGE: 8, MissingKind.MODEL: 8, MissingKind.REMOTE: 3}
 _SETTINGS = {

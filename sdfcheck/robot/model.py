@@ -260,7 +260,3 @@ class Model(Scope):
     def all_links(self) -> Iterator[Link]:
         """The links of the model and of all models in it."""
         return (cast("Link", node) for _, node in self.all_nodes() if node.kind == "link")
-
-    def all_joints(self) -> Iterator[Joint]:
-        """The joints of the model and of all models in it."""
-        return (cast("Joint", node) for _, node in self.all_nodes() if node.kind == "joint")

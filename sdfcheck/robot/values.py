@@ -22,8 +22,10 @@ class lazy(Generic[T]):  # noqa: N801 - used like `property`
 
     def __init__(self, compute: Callable[[Any], T]) -> None:
         self.compute = compute
-        self.name = compute.__name__
         self.__doc__ = compute.__doc__
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
 
     @overload
     def __get__(self, owner: None, cls: type) -> lazy[T]: ...
@@ -96,6 +98,20 @@ class Number(_Placed, float):
 
     def __reduce__(self) -> tuple[type[float], tuple[float]]:
         return float, (float(self),)
+
+
+def number(name: str, default: float, says: str | None = None) -> lazy[Number]:
+    """A property of a part: the number that it writes, in SDFormat as an element, in URDF as an attribute."""
+    found: lazy[Number] = lazy(lambda part: part._number(name, default))
+    found.__doc__ = says
+    return found
+
+
+def parts(name: str, says: str | None = None) -> lazy[tuple[Any, ...]]:
+    """A property of a part: the parts that its child elements of a name make."""
+    found: lazy[tuple[Any, ...]] = lazy(lambda part: tuple(part._parts(name)))
+    found.__doc__ = says
+    return found
 
 
 class Vector(_Placed, tuple[float, ...]):

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.robot.reserved import WORLD_FRAME
 from sdfcheck.robot.scope import Scope
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.values import lazy, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.parts.light import Light
@@ -23,25 +23,10 @@ class World(Scope):
     kind = "world"
     own_name = WORLD_FRAME
 
-    @property
-    def physics(self) -> tuple[Physics, ...]:
-        """The physics profiles."""
-        return tuple(self._parts("physics"))
-
-    @property
-    def lights(self) -> tuple[Light, ...]:
-        """The lights directly in it."""
-        return tuple(self._parts("light"))
-
-    @property
-    def actors(self) -> tuple[Actor, ...]:
-        """The actors."""
-        return tuple(self._parts("actor"))
-
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        """The plugins of the world itself."""
-        return tuple(self._parts("plugin"))
+    physics: lazy[tuple[Physics, ...]] = parts("physics", "The physics profiles.")
+    lights: lazy[tuple[Light, ...]] = parts("light", "The lights directly in it.")
+    actors: lazy[tuple[Actor, ...]] = parts("actor", "The actors.")
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "The plugins of the world itself.")
 
     @property
     def gravity(self) -> Vector:

@@ -4,15 +4,33 @@ from __future__ import annotations
 
 import codecs
 import re
+from enum import Enum
 from pathlib import Path
 
-from sdfcheck.source.encoding_defect import EncodingDefect, EncodingKind
-from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import Source
+from sdfcheck.source.record import NamedTuple, Record
+from sdfcheck.source.text import Source, Span
 
-_DECLARATION = re.compile(
-    r"""\s*<\?xml\s[^>]*?encoding\s*=\s*(["'])([A-Za-z][A-Za-z0-9._-]*)\1""",
-)
+
+class EncodingKind(Enum):
+    UNDECODABLE = "undecodable"
+    UNKNOWN_ENCODING = "unknown encoding"
+    DISAGREEMENT = "disagreement"
+    WIDE = "wide"
+
+
+class EncodingDefect(Record):
+    """The bytes are not what the declaration (or XML's default, UTF-8) says.
+
+    ``actual`` is what they seem to be; empty if that cannot be determined.
+    """
+
+    span: Span
+    kind: EncodingKind
+    declared: str
+    actual: str
+
+
+_DECLARATION = re.compile(r"""\s*<\?xml\s[^>]*?encoding\s*=\s*(["'])([A-Za-z][A-Za-z0-9._-]*)\1""")
 # Longer marks first: UTF-32's little-endian mark begins with UTF-16's.
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),

@@ -119,6 +119,11 @@ class Element(etree.ElementBase):
         return self.getparent()  # type: ignore[return-value]
 
     @property
+    def around(self) -> Iterator[Element]:
+        """The elements around it, the innermost first."""
+        return self.iterancestors()  # type: ignore[return-value]
+
+    @property
     def content(self) -> str:
         """The text as simulators read it: the first text that is not blank, before any child element."""
         text = self.text

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.source.encoding_defect import EncodingDefect
+from sdfcheck.source.decode import EncodingDefect
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections import _tuplegetter  # type: ignore[attr-defined]
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, ClassVar, NoReturn
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, TypeVar
 
 if TYPE_CHECKING:
     from typing import NamedTuple
@@ -22,6 +22,9 @@ else:
 
     def dataclass_transform(**_: object) -> Any:
         return lambda cls: cls
+
+
+T = TypeVar("T", bound="Record")
 
 
 def _complete(cls: Any, values: tuple[object, ...], named: dict[str, object]) -> tuple[object, ...]:
@@ -86,6 +89,10 @@ class Record(metaclass=_RecordType):
     def __repr__(self) -> str:
         pairs = zip(self._fields, self._values(), strict=True)
         return f"{type(self).__name__}({', '.join(f'{field}={value!r}' for field, value in pairs)})"
+
+    def changed(self: T, **changes: object) -> T:
+        """The same with other values in some fields."""
+        return type(self)(**{**dict(zip(self._fields, self._values(), strict=True)), **changes})
 
     def _values(self) -> tuple[object, ...]:
         return tuple(getattr(self, field) for field in self._fields)

@@ -85,15 +85,11 @@ class Source:
         line = bisect_right(self.line_starts, offset)
         return Position(line, offset - self.line_starts[line - 1] + 1)
 
-    def utf16_position(self, offset: int) -> tuple[int, int]:
-        """Line and column from 0, in UTF-16 units, as the Language Server Protocol counts."""
-        before = self._line_before(offset)
-        return self.position(offset).line - 1, len(before.encode("utf-16-le", "surrogatepass")) // 2
-
     def utf8_position(self, offset: int) -> tuple[int, int]:
         """Line and column from 1, in UTF-8 bytes, as reviewdog counts."""
-        before = self._line_before(offset)
-        return self.position(offset).line, len(before.encode("utf-8", "surrogatepass")) + 1
+        line = bisect_right(self.line_starts, offset)
+        before = self.text[self.line_starts[line - 1] : offset]
+        return line, len(before.encode("utf-8", "surrogatepass")) + 1
 
     def offset(self, line: int, column: int) -> int:
         """The offset of a line and column counted from 1; past the end of the line is cut."""
@@ -113,10 +109,6 @@ class Source:
 
     def span(self, start: int, end: int) -> Span:
         return Span(self, start, end)
-
-    def _line_before(self, offset: int) -> str:
-        start = self.line_starts[bisect_right(self.line_starts, offset) - 1]
-        return self.text[start:offset]
 
 
 class Span(NamedTuple):

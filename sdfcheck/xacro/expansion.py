@@ -20,14 +20,11 @@ from sdfcheck.xacro.problems import ExpansionFailure, Failure, Problem
 from sdfcheck.xacro.process.watch import Limits
 from sdfcheck.xacro.process.worker import Worker
 
-PASSED_ON = (
-    "AMENT_PREFIX_PATH",
-    "GZ_VERSION",
-    "IGNITION_VERSION",
-    "ROS_DISTRO",
-    "ROS_PACKAGE_PATH",
-    "ROS_PYTHON_VERSION",
-    "ROS_VERSION",
+PASSED_ON = tuple(
+    """
+    AMENT_PREFIX_PATH GZ_VERSION IGNITION_VERSION ROS_DISTRO ROS_PACKAGE_PATH ROS_PYTHON_VERSION
+    ROS_VERSION
+    """.split()
 )
 """The environment variables that an expansion sees, in addition to those that are asked for."""
 
@@ -138,9 +135,9 @@ class Expander:
         }
         answer = self._worker.ask(request, self.surroundings.limits)
         try:
-            return _expansion(answer or _UNANSWERED, document, packages, self.surroundings.texts)
+            return _expansion(answer or _UNANSWERED, document, self.surroundings.texts)
         except (KeyError, IndexError, TypeError, ValueError):
-            return _expansion(_UNANSWERED, document, packages, {})
+            return _expansion(_UNANSWERED, document, {})
 
 
 _UNANSWERED: Mapping[str, Any] = {
@@ -169,16 +166,14 @@ def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
     return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
 
 
-def _expansion(
-    answer: Mapping[str, Any], document: Document, packages: Packages, texts: Mapping[str, str]
-) -> Expansion:
+def _expansion(answer: Mapping[str, Any], document: Document, texts: Mapping[str, str]) -> Expansion:
     files: Sequence[str] = answer["files"]
     calls = [Call(*row) for row in answer["steps"]]
     sources = Sources(document.source, texts)
     read_files = tuple(dict.fromkeys(shown(Path(name)) for name in (*files, *answer.get("others", ()))))
     if "failure" in answer:
         provenance = Provenance(sources, files, calls, [])
-        found = explain(answer["failure"], provenance, document, packages)
+        found = explain(answer["failure"], provenance, document)
         return Expansion(None, None, (found,), read_files)
     text: str = answer["text"]
     provenance = Provenance(sources, files, calls, answer["places"])

@@ -7,7 +7,6 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from sdfcheck.files.packages import Packages
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
@@ -44,13 +43,13 @@ _FAILURES: Mapping[str, Failure] = {
 }
 
 
-def explain(report: Report, provenance: Provenance, document: Document, packages: Packages) -> Problem:
+def explain(report: Report, provenance: Provenance, document: Document) -> Problem:
     """The problem that made an expansion fail."""
     case = _Case(report, provenance, document)
     kind: str = report["kind"]
-    take: Callable[[_Case, Packages], Problem] | None = _TAKE.get(kind)
+    take: Callable[[_Case], Problem] | None = _TAKE.get(kind)
     if take is not None:
-        return take(case, packages)
+        return take(case)
     detail = str(report.get("name") or report.get("message") or "")
     failure = _FAILURES[kind]
     if failure is Failure.VARIABLE and detail in os.environ:
@@ -131,12 +130,12 @@ def _shortened(steps: tuple[Step, ...], most: int = 12) -> tuple[Step, ...]:
     return steps if len(steps) <= most else (*steps[: most // 2], *steps[-most // 2 :])
 
 
-def _property(case: _Case, packages: Packages) -> Problem:
+def _property(case: _Case) -> Problem:
     name: str = case.report["name"]
     return UndefinedProperty(case.span(name), name, None, case.origins)
 
 
-def _macro(case: _Case, packages: Packages) -> Problem:
+def _macro(case: _Case) -> Problem:
     attribute = "macro" if case.tag.name == "xacro:call" else ""
     span = case.name
     if attribute:
@@ -146,19 +145,18 @@ def _macro(case: _Case, packages: Packages) -> Problem:
     return UndefinedMacro(span, case.report["name"], None, case.origins)
 
 
-def _package(case: _Case, packages: Packages) -> Problem:
+def _package(case: _Case) -> Problem:
     name: str = case.report["name"]
-    searched = tuple(str(folder) for folder in packages.searched)
-    return UnknownPackage(case.span(name), name, None, searched, case.origins)
+    return UnknownPackage(case.span(name), name, None, case.origins)
 
 
-def _file(case: _Case, packages: Packages) -> Problem:
+def _file(case: _Case) -> Problem:
     detail = f"{case.report['name']}: {case.report['message']}"
     expression = case.report.get("expression", "")
     return ExpansionFailure(case.span(), Failure.FILE, detail, expression, case.origins)
 
 
-def _syntax(case: _Case, packages: Packages) -> Problem:
+def _syntax(case: _Case) -> Problem:
     file, line, column = case.report["at"]
     source = case.provenance.files[file]
     start = source.offset(line, column)
@@ -173,14 +171,14 @@ def _syntax(case: _Case, packages: Packages) -> Problem:
     return ExpansionFailure(case.span(), Failure.SYNTAX, detail, origins=case.origins, cause=cause)
 
 
-def _recursion(case: _Case, packages: Packages) -> Problem:
+def _recursion(case: _Case) -> Problem:
     name: str = case.report["name"]
     if case.report["what"] == "include":
         return XacroIncludeCycle(case.value_span(), name, (), case.origins)
     return ExpansionFailure(case.name, Failure.RECURSION, name, "", case.origins)
 
 
-def _arguments(case: _Case, packages: Packages) -> Problem:
+def _arguments(case: _Case) -> Problem:
     report = case.report
     kind = _MISMATCHES[report["what"]]
     names = tuple(report["names"])
@@ -192,7 +190,7 @@ def _arguments(case: _Case, packages: Packages) -> Problem:
     return WrongMacroArguments(span, report["macro"], kind, names, parameters, definition, case.origins)
 
 
-_TAKE: Mapping[str, Callable[[_Case, Packages], Problem]] = {
+_TAKE: Mapping[str, Callable[[_Case], Problem]] = {
     "property": _property,
     "macro": _macro,
     "package": _package,

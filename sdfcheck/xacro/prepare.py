@@ -138,9 +138,8 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
             yield problem
     for first, *others in names.values():
         places = tuple(other.span for other in others)
-        values = {field: getattr(first, field) for field in first._fields}
         ends = tuple(end for one in (first, *others) for end in one.ends)
-        yield type(first)(**{**values, "others": places, "ends": ends})
+        yield first.changed(others=places, ends=ends)
 
 
 def is_complete(document: Document) -> bool:

@@ -180,7 +180,6 @@ class UnknownPackage(Record):
     span: Span
     name: str
     near: str | None
-    searched: tuple[str, ...]
     origins: tuple[Step, ...] = ()
 
 
@@ -237,7 +236,4 @@ CanBeDormant = (
 
 def dormant(problem: Problem) -> Problem:
     """The problem as one that no expansion reaches."""
-    if not isinstance(problem, CanBeDormant):
-        return problem
-    values = {field: getattr(problem, field) for field in problem._fields}
-    return type(problem)(**{**values, "is_dormant": True})
+    return problem.changed(is_dormant=True) if isinstance(problem, CanBeDormant) else problem

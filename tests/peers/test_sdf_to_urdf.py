@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.independent import differences
+from sdfcheck.convert.items import models
 from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import convert
-from sdfcheck.convert.sdf_to_urdf.plan.choose import models
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind

@@ -67,12 +67,7 @@ def convert() -> None:
     """
 
 
-def convert_files(
-    request: Request,
-    kinds: Mapping[Kind, str],
-    suffix: str,
-    convert: Convert,
-) -> int:
+def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, convert: Convert) -> int:
     """Convert each input, write what was verified, report; returns the exit code.
 
     ``kinds`` are those that can be converted, with what to call them; ``suffix`` ends the

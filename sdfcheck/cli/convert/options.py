@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from sdfcheck.cli.parts.descriptions import ARGUMENT, Around, around, surroundings
-from sdfcheck.cli.parts.options import F, colored, configured, path, reported, written
+from sdfcheck.cli.parts.options import colored, configured, path, reported, together, written
 from sdfcheck.cli.parts.output import FORMATS
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
@@ -42,7 +42,7 @@ class Request(NamedTuple):
 
 
 _PATH = click.Path(path_type=Path)
-_OPTIONS = (
+common_options = together(
     click.argument("inputs", nargs=-1, required=True, metavar="IN… [ARG:=VALUE]…"),
     written("Write the result there instead of to stdout."),
     click.option("--output-dir", type=_PATH, metavar="FOLDER", help="Write a file for each input there."),
@@ -90,13 +90,7 @@ _OPTIONS = (
     colored(),
     click.option("-q", "--quiet", is_flag=True, help="Report losses, and say nothing else."),
 )
-
-
-def common_options(command: F) -> F:
-    """Adds the options of all commands below the command's own."""
-    for option in reversed(_OPTIONS):
-        command = option(command)
-    return command
+"""The options of all commands; they are listed below the command's own."""
 
 
 def common(given: dict[str, Any]) -> Request:

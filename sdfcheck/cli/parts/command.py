@@ -5,36 +5,18 @@ from __future__ import annotations
 import click
 
 _SECTIONS = {
-    "Input": (
-        "stdin_filename",
-        "kind",
-        "no_expand",
-        "packages",
-        "package_paths",
-        "model_paths",
-        "variables",
-        "force_exclude",
-        "skip_unrelated",
-    ),
-    "Selection": ("select", "extend_select", "ignore", "preview", "target", "baseline", "write_baseline"),
-    "Fixes": ("fix", "unsafe_fixes", "fix_only", "show_fixes", "diff", "add_ignore", "reason"),
-    "Verification": ("verify", "verify_with", "strict", "lint"),
-    "Output": (
-        "output_dir",
-        "flat",
-        "output_format",
-        "output_file",
-        "form",
-        "losses",
-        "statistics",
-        "min_severity",
-        "max_diagnostics",
-        "no_fold",
-        "color",
-        "quiet",
-    ),
-    "Exit code": ("fail_on", "fail_on_missing", "max_warnings", "exit_zero"),
-    "Configuration": ("config", "isolated", "trust_config", "show_settings", "show_files"),
+    "Input": """
+        stdin_filename kind no_expand packages package_paths model_paths variables force_exclude skip_unrelated
+    """.split(),
+    "Selection": "select extend_select ignore preview target baseline write_baseline".split(),
+    "Fixes": "fix unsafe_fixes fix_only show_fixes diff add_ignore reason".split(),
+    "Verification": "verify verify_with strict lint".split(),
+    "Output": """
+        output_dir flat output_format output_file form losses statistics min_severity max_diagnostics no_fold
+        color quiet
+    """.split(),
+    "Exit code": "fail_on fail_on_missing max_warnings exit_zero".split(),
+    "Configuration": "config isolated trust_config show_settings show_files".split(),
 }
 """Heading → the options that are listed below it, by name; others come first."""
 _OWN = "Options"

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.parts.options import F, configured, folders
+from sdfcheck.cli.parts.options import configured, folders, together
 from sdfcheck.cli.parts.terminal import pair, say
 from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.report import OutputFormat
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
+    from sdfcheck.cli.parts.output import Output
     from sdfcheck.lint.config.configuration import Configuration, Settings
+    from sdfcheck.lint.run import Run
+    from sdfcheck.lint.session import Options
+    from sdfcheck.report.robots import Robot
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander
 
@@ -25,24 +30,15 @@ ARGUMENT = ":="
 """A sign that an argument for xacro has, and a path does not have."""
 
 
-def surroundings(command: F) -> F:
-    """``--package``, ``--package-path``, ``--model-path`` and ``--env``: where things are."""
-    for option in (
-        click.option(
-            "--env",
-            "variables",
-            multiple=True,
-            metavar="NAME",
-            help="An environment variable to pass to xacro.",
-        ),
-        folders("--model-path", "model_paths", "A folder in which to look for models."),
-        folders("--package-path", "package_paths", "A folder below which to look for ROS packages."),
-        click.option(
-            "--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is."
-        ),
-    ):
-        command = option(command)
-    return command
+surroundings = together(
+    click.option("--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is."),
+    folders("--package-path", "package_paths", "A folder below which to look for ROS packages."),
+    folders("--model-path", "model_paths", "A folder in which to look for models."),
+    click.option(
+        "--env", "variables", multiple=True, metavar="NAME", help="An environment variable to pass to xacro."
+    ),
+)
+"""Where things are."""
 
 
 def described(command: Callable[..., Any]) -> Any:
@@ -216,3 +212,30 @@ def _xacro(file: Path, library: Library, limit: int, text: bytes | None) -> Docu
     document = read(text, file, kind)
     document.library = library
     return document
+
+
+def robots_of(run: Run, wanted: Iterable[Output], options: Options) -> Sequence[Robot]:
+    """The robots and worlds of a small run, in the order of its files; none if no report shows them.
+
+    Where xacro is not expanded, the robots would not be what was linted.
+    """
+    if not options.expand or not any(output.format is OutputFormat.HTML for output in wanted):
+        return ()
+    from sdfcheck.report.formats.html import MOST_ROBOTS
+
+    if len(run.files) > MOST_ROBOTS:
+        return ()
+    from sdfcheck.report.robots import robots
+
+    around = Around(options.configuration, options.arguments, options.search, options.variables)
+    return list(robots(run, _documents(run, around)))
+
+
+def _documents(run: Run, around: Around) -> Iterator[tuple[Path, Document]]:
+    for file in run.files:
+        if not file.is_file():
+            continue  # read from stdin
+        try:
+            yield file, load(file, around, check=False)
+        except WrongUsage:
+            continue  # the report says what is wrong with it

@@ -45,7 +45,18 @@ class _Forms(click.Choice):  # type: ignore[type-arg, unused-ignore]
         return super().convert(self._old.get(value, value), param, ctx)
 
 
-_CONFIGURATION = (
+def together(*options: Callable[[Any], Any]) -> Callable[[F], F]:
+    """Several options as one, in this order."""
+
+    def add(command: F) -> F:
+        for option in reversed(options):
+            command = option(command)
+        return command
+
+    return add
+
+
+_CONFIGURATION = together(
     click.option("--config", type=PATH, metavar="FILE", help="Use this configuration file and no other."),
     click.option("--isolated", is_flag=True, help="Use no configuration file."),
     click.option(
@@ -72,9 +83,7 @@ def configured(command: Callable[..., Any]) -> Any:
         configuration = Configuration(config, isolated=isolated, trusted=trust_config)
         return command(configuration=configuration, **given)
 
-    for option in reversed(_CONFIGURATION):
-        with_configuration = option(with_configuration)
-    return with_configuration
+    return _CONFIGURATION(with_configuration)
 
 
 def colored(help: str = "When to color.") -> Callable[[F], F]:
@@ -153,12 +162,7 @@ def _consumers(
 def listing(flag: str, help: str) -> Callable[[Any], Any]:
     """An option for a list of rules."""
     return click.option(
-        flag,
-        multiple=True,
-        callback=_commas,
-        metavar="RULES",
-        help=help,
-        shell_complete=completing.rules,
+        flag, multiple=True, callback=_commas, metavar="RULES", help=help, shell_complete=completing.rules
     )
 
 

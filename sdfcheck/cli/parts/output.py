@@ -1,4 +1,4 @@
-"""Which report goes where."""
+"""Where reports and other results go."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.report.summary import EVERYTHING, View
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.visible import harmless
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
 
 if TYPE_CHECKING:
@@ -114,10 +115,32 @@ def write(
         text = render(output.format, run, color=painted, view=view, robots=robots)
         show(output.format, text, color=painted, aside=aside)
         return
-    text = render(output.format, run, color=False, view=view, robots=robots)
+    deliver(render(output.format, run, color=False, view=view, robots=robots), output.file)
+
+
+def deliver(text: str, file: Path | None, inputs: Iterable[Path] = ()) -> None:
+    """Write a document, or what programs read, exactly as it is.
+
+    Raises:
+        WrongUsage: the file is an input, or cannot be written.
+    """
+    if file is None:
+        emit(text)
+        return
     from sdfcheck.files.overwrite import overwrite
 
+    refuse_inputs([file], inputs)
     try:
-        overwrite(output.file, text.encode("utf-8", "backslashreplace"))
+        overwrite(file, text.encode("utf-8", "backslashreplace"))
     except OSError as error:
-        raise WrongUsage(f"cannot write {output.file}: {error.strerror}") from None
+        raise WrongUsage(f"cannot write {file}: {error.strerror}") from None
+
+
+def deliver_lines(
+    lines: Iterable[str], file: Path | None, inputs: Iterable[Path] = (), *, color: bool = False
+) -> None:
+    """Write text for people; ``color``: colors pass. Raises as ``deliver`` does."""
+    if file is None:
+        emit_lines(lines, color=color)
+    else:
+        deliver("".join(f"{harmless(line)}\n" for line in lines), file, inputs)

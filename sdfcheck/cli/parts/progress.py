@@ -1,4 +1,4 @@
-"""How far a long run has come, in one line of a terminal."""
+"""Beside the report: notices of a run, and how far it has come, in one line of a terminal."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
+from sdfcheck.cli.parts.terminal import say
+from sdfcheck.lint.session import Level, Notice
 from sdfcheck.source.visible import visible
 
 if TYPE_CHECKING:
@@ -13,6 +15,29 @@ if TYPE_CHECKING:
 
 
 _BAR = 12
+
+
+class Notifier:
+    """Says notices on stderr when the run is over, so that they do not mix with its progress."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self.failed = False
+        self._quiet = quiet
+        self._lines: list[str] = []
+
+    def __call__(self, notice: Notice) -> None:
+        self.failed |= notice.level is Level.FAILURE
+        line = f"{notice.level.value}: {notice.text}"
+        # Linting again reports the same again.
+        if line not in self._lines and (notice.level is Level.FAILURE or not self._quiet):
+            self._lines.append(line)
+
+    def flush(self) -> bool:
+        """Write the notices; was one of them a failure?"""
+        for line in self._lines:
+            say(line)
+        self._lines.clear()
+        return self.failed
 
 
 class Progress:

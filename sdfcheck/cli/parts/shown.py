@@ -6,13 +6,13 @@ from typing import Protocol
 
 import click
 
-from sdfcheck.cli.parts.options import F
+from sdfcheck.cli.parts.options import together
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report.summary import View
 
 _SEVERITIES = click.Choice([severity.value for severity in Severity])
-_OPTIONS = (
+shown = together(
     click.option(
         "--min-severity",
         type=_SEVERITIES,
@@ -42,13 +42,7 @@ _OPTIONS = (
     click.option("--max-warnings", type=click.IntRange(0), metavar="N", help="Tolerate up to N warnings."),
     click.option("--exit-zero", is_flag=True, help="Exit with 0 whatever is found."),
 )
-
-
-def shown(command: F) -> F:
-    """The options about how much is shown, and about the exit code."""
-    for option in reversed(_OPTIONS):
-        command = option(command)
-    return command
+"""The options about how much is shown, and about the exit code."""
 
 
 class Request(Protocol):

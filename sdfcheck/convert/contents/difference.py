@@ -6,8 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import PurePosixPath
 
 from sdfcheck.convert.change import Change, ChangeKind
-from sdfcheck.convert.contents.contents import Contents
-from sdfcheck.convert.contents.entry import Divergence, Entry, divergences, same_text
+from sdfcheck.convert.contents.entry import Contents, Divergence, Entry, divergences, same_text
 from sdfcheck.convert.rewrite.renaming import Names
 from sdfcheck.robot.motion.mechanism import Geometry
 from sdfcheck.robot.motion.rotations import Array

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.convert.contents.contents import Contents
-from sdfcheck.convert.contents.entry import Entry, entry_of
+from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.survey import survey

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sdfcheck.convert.contents.contents import Contents
-from sdfcheck.convert.contents.entry import Entry, entry_of
+from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST

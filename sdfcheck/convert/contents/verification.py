@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import PurePosixPath
 
-from sdfcheck.convert.contents.contents import Contents
-from sdfcheck.convert.contents.entry import Divergence, Entry, divergences, same_text
+from sdfcheck.convert.contents.entry import Contents, Divergence, Entry, divergences, same_text
 from sdfcheck.convert.contents.vendor import seen_from_links
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.robot.motion.mechanism import Geometry

@@ -9,10 +9,9 @@ from lxml import etree
 
 from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.convert.result import with_text
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
-from sdfcheck.source.text import Source
 
 _ENCODING = re.compile(
     r"""(<\?xml[^<>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
@@ -35,13 +34,7 @@ class Draft:
         self._has_crlf = "\r\n" in whole and not _LONE.search(whole)
         self.document = document
         self._elements: dict[Node, Element] = {}
-        self._nodes: dict[Element, Node] = {}
         self._pair()
-
-    @property
-    def version(self) -> Version:
-        """The version that the draft is marked with."""
-        return Version.parse(self.root.get("version") or "") or NEWEST
 
     def text(self) -> str:
         text = self._before + self.root.text() + self._after
@@ -50,20 +43,13 @@ class Draft:
     def read(self) -> Document:
         """Read what has been written so far; nodes and elements know each other again."""
         if (text := self.text()) != self.document.source.text:
-            document = Document(Source(self.source.path, text), self.source.kind, [])
-            document.library = self.source.library
-            document.included_by = self.source.included_by
-            self.document = document
+            self.document = with_text(self.source, text)
             self._pair()
         return self.document
 
     def element(self, node: Node) -> Element:
         """The element of a node, as of the last reading."""
         return self._elements[node]
-
-    def node(self, element: Element) -> Node | None:
-        """The node of an element; None for one of another file."""
-        return self._nodes.get(element)
 
     def _pair(self) -> None:
         root = self.document.root
@@ -75,7 +61,6 @@ class Draft:
             # A parser guesses otherwise at broken text once something around it has changed.
             raise refusal(root, "the text is broken, so that it cannot be changed and read again") from None
         self._elements = dict(pairs)
-        self._nodes = {element: node for node, element in pairs}
 
 
 def _nodes(document: Document) -> Node:
@@ -99,8 +84,3 @@ def _nodes(document: Document) -> Node:
 
     assert document.root is not None
     return build(document.root)
-
-
-def copy(element: Element) -> Node:
-    """The node of an element of another document, with its text."""
-    return Draft(element.document).node(element) or Node(element.name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from sdfcheck.convert.loss import refusal
@@ -25,16 +26,12 @@ from sdfcheck.convert.migrate.down.older_spellings import (
 )
 from sdfcheck.convert.migrate.down.poses import attach_joints_to_links, resolve_poses
 from sdfcheck.convert.migrate.down.world_joints import move_world_joints
-from sdfcheck.convert.migrate.includes import (
-    report_newer_files,
-    write_out_includes,
-    write_out_merges,
-)
+from sdfcheck.convert.migrate.includes import report_newer_files, write_out_includes, write_out_merges
 from sdfcheck.convert.migrate.migration import Migration
-from sdfcheck.convert.migrate.old_root import tidy_root, with_newer_root
+from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.proof import comparisons
 from sdfcheck.convert.migrate.up.upward import go_up
-from sdfcheck.convert.result import Conversion, conversion, read_result
+from sdfcheck.convert.result import Conversion, conversion, read_result, with_text
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
@@ -134,3 +131,27 @@ _STEPS: tuple[tuple[int, Callable[[Migration], None]], ...] = (
     (5, flatten),
 )
 """The steps for a target below 1.minor: in this order, since axes are turned while frames are still there."""
+
+
+_OLD, _NEW = "gazebo", "sdf"
+_SURPLUS = len(_OLD) - len(_NEW)
+
+
+def with_newer_root(document: Document) -> Document:
+    """The document as if its root were called ``sdf``; every place stays where it is in the file."""
+    root = document.root
+    if root is None or root.name != _OLD or document.version != "1.2":
+        return document
+    place, text = document.spans.place(root), document.source.text
+    start, end = place.start + 1, place.close + 2
+    changed = f"{text[:start]}{_NEW:{len(_OLD)}}{text[start + len(_OLD) :]}"
+    if text.startswith(_OLD, end):
+        changed = f"{changed[:end]}{_NEW:{len(_OLD)}}{changed[end + len(_OLD) :]}"
+    return with_text(document, changed)
+
+
+def tidy_root(root: Node) -> None:
+    """Take out the spaces that kept the places."""
+    blanks = " " * _SURPLUS
+    root.opening = re.sub(rf"^<{_NEW}{blanks}(?=[\s>/])", f"<{_NEW}", root.opening)
+    root.closing = root.closing.replace(f"</{_NEW}{blanks}>", f"</{_NEW}>")

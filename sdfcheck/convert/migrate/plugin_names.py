@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 
 _WORDS = {"joint": ("joint",), "link": ("link", "body", "frame"), "model": ("model",)}

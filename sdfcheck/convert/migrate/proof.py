@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.convert.contents.contents import Contents
+from sdfcheck.convert import items
+from sdfcheck.convert.contents.entry import Contents
 from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.loss import LossKind, loss_at
 from sdfcheck.convert.migrate.down.flattening import flat_links
@@ -61,13 +62,9 @@ def _robot(scope: Model | None) -> Mechanism:
 
 def models(document: Document) -> Iterator[tuple[str, Model]]:
     """The models at the top and in worlds, by their names with that of the world."""
-    for top in root_of(document).scopes:
-        if isinstance(top, Model):
-            yield top.name, top
-            continue
-        for node in top.nodes.values():
-            if isinstance(node, Model) and node.is_readable:
-                yield f"{top.name}::{node.name}", node
+    for model in items.models(document):
+        world = model.holder
+        yield f"{world.name}::{model.name}" if isinstance(world, World) else model.name, model
 
 
 def _translated(migration: Migration) -> frozenset[Element]:

@@ -9,6 +9,7 @@ import numpy as np
 from sdfcheck.convert.broken_text import break_of
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.migrate.migrate import to_sdf
+from sdfcheck.convert.result import with_text
 from sdfcheck.convert.rewrite.include_expansion import expanded
 from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
 from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
@@ -24,7 +25,6 @@ from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source
 from sdfcheck.source.wrong_usage import WrongUsage
 
 _DEGREES_SINCE = Version(1, 9)
@@ -78,17 +78,10 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
         tidy_sdf(root, survey(current).version, style.numbers)
     else:
         tidy_urdf(root, style.numbers)
-    result = _reread(document, render(root, current))
+    result = with_text(document, render(root, current))
     if style.numbers.snap is None and style.numbers.precision is None:
         _verify(document, result)
     return CanonicalText(result.source.text, tuple(notes))
-
-
-def _reread(document: Document, text: str) -> Document:
-    result = Document(Source(document.source.path, text), document.kind, [])
-    result.library = document.library
-    result.included_by = document.included_by
-    return result
 
 
 def _verify(document: Document, result: Document) -> None:
@@ -111,7 +104,7 @@ def _without_includes(document: Document) -> tuple[Document, list[str]]:
     root, expansion = expanded(document, to_sdf)
     if not expansion.expanded:
         return document, expansion.notes
-    return _reread(document, render(root, document)), expansion.notes
+    return with_text(document, render(root, document)), expansion.notes
 
 
 def _without_automatic_inertias(document: Document) -> tuple[Document, list[str]]:
@@ -133,7 +126,7 @@ def _without_automatic_inertias(document: Document) -> tuple[Document, list[str]
         if body is not None:
             _write_inertial(inertial, body)
             changed = True
-    return (_reread(document, render(root, document)) if changed else document), notes
+    return (with_text(document, render(root, document)) if changed else document), notes
 
 
 def _is_automatic(inertial: Branch) -> bool:

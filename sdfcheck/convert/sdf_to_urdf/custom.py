@@ -8,7 +8,7 @@ from sdfcheck.convert.sdf_to_urdf.references import follow_names
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import Node, copied, declare, undeclared_prefixes
 from sdfcheck.formats.sdf.survey import PARAMETERS
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element

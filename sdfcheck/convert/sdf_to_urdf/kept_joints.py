@@ -21,9 +21,7 @@ def keep_joint(context: Context, joint: Joint, *, in_parent: bool = False) -> No
     """
     copy = copied(joint.element)
     copy.attributes["name"] = context.joints[joint.name]
-    copy.children = [
-        part for part in copy.children if not (isinstance(part, Node) and part.name in _REPLACED)
-    ]
+    copy.drop(_REPLACED)
     follow_names(context, copy, joint.element, joint.name.rpartition("::")[0])
     parent, child = context.link_name(joint.parent), context.link_name(joint.child)
     pose = pose_text(context.layout.within(joint.parent if in_parent else joint.child, joint.pose))
@@ -37,9 +35,7 @@ def keep_joint(context: Context, joint: Joint, *, in_parent: bool = False) -> No
     for number, axis in enumerate(joint.axes):
         node = copy.find("axis" if number == 0 else "axis2")
         if node is not None:
-            node.children = [
-                part for part in node.children if not (isinstance(part, Node) and part.name in _DIRECTION)
-            ]
+            node.drop(_DIRECTION)
             written = joint.element.find(node.name)
             xyz = Node("xyz", shortened(axis.direction))
             node.children.insert(0, xyz if written is None else _with_custom(xyz, written))

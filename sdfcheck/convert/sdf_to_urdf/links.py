@@ -14,7 +14,6 @@ from sdfcheck.convert.sdf_to_urdf.materials import add_color
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin
 from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, stand_in
 from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
-from sdfcheck.convert.sdf_to_urdf.vendor_frictions import carry_friction
 from sdfcheck.convert.writer import Node, number, settled
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import MassProperties
@@ -157,3 +156,23 @@ def _is_held(context: Context, part: Element, shapes: list[Geometry]) -> bool:
     kind = LossKind.UNSUPPORTED_GEOMETRY if kinds else LossKind.DROPPED_ELEMENT
     context.ledger.lose(kind, part, message, Severity.ERROR if kinds else Severity.WARNING)
     return False
+
+
+_PROPERTIES = "drake:proximity_properties"
+_FRICTIONS = {"mu": "drake:mu_static", "mu2": "drake:mu_dynamic"}
+_DEFAULT = "1"
+
+
+def carry_friction(context: Context, collision: Node, element: Element) -> None:
+    """Write the friction of a collision for Drake, where the description is written for it."""
+    at: Element | None = element
+    for name in ("surface", "friction", "ode"):
+        at = at.find(name) if at is not None else None
+    own = collision.find(_PROPERTIES)
+    if not context.natives or at is None or (own is not None and any(map(own.find, _FRICTIONS.values()))):
+        return
+    values = {name: part.content for name in _FRICTIONS if (part := at.find(name)) is not None}
+    if values:
+        properties = collision.reach(_PROPERTIES)
+        for name, tag in _FRICTIONS.items():
+            properties.add(tag, value=values.get(name, _DEFAULT))

@@ -50,9 +50,8 @@ def _texts(node: Node, *, is_top: bool = False) -> Iterator[tuple[Node, str, str
             yield node, attribute, attribute if attribute not in _OWN | {"value"} else node.name, text
     if node.text and node.text.strip():
         yield node, "", node.name, node.text
-    for child in node.children:
-        if isinstance(child, Node):
-            yield from _texts(child)
+    for child in node.elements():
+        yield from _texts(child)
 
 
 def _new_name(context: Context, text: str, parameter: str, scope: str) -> str:

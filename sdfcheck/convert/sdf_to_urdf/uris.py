@@ -25,10 +25,6 @@ def mesh_uri(context: Context, uri: str, element: Element) -> str:
     if "://" in uri or uri.startswith(("/", "file:")) or not uri:
         return uri
     here = element.document.path.parent
-    if _same_folder(here, context.folder):
+    if os.path.realpath(here) == os.path.realpath(context.folder):
         return uri
     return Path(os.path.relpath(here / uri, context.folder)).as_posix()
-
-
-def _same_folder(a: Path, b: Path) -> bool:
-    return os.path.realpath(a) == os.path.realpath(b)

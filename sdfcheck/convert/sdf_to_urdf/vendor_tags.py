@@ -160,9 +160,7 @@ def write_actuators(context: Context) -> None:
 
 
 def _actuator_of(context: Context, joint: str) -> Node | None:
-    for node in context.root.children:
-        if not isinstance(node, Node) or node.name != "transmission":
-            continue
+    for node in context.root.elements("transmission"):
         driven = node.find("joint")
         if driven is not None and driven.attributes.get("name") == joint:
             return node.find(_ACTUATOR)

@@ -39,11 +39,7 @@ def _settle_names(context: Context, entry: Element, made: Node, holder: Node) ->
     own = made.attributes.get("name", "")
     if made.name not in _SINGLE or not own:
         return
-    taken = {
-        child.attributes.get("name")
-        for child in holder.children
-        if isinstance(child, Node) and child.name == made.name
-    }
+    taken = {child.attributes.get("name") for child in holder.elements(made.name)}
     number = 1
     while made.attributes["name"] in taken:
         number += 1
@@ -62,6 +58,5 @@ def _checked(node: Node) -> Iterator[Node]:
     if node.name == "plugin" or ":" in node.name:
         return
     yield node
-    for child in node.children:
-        if isinstance(child, Node):
-            yield from _checked(child)
+    for child in node.elements():
+        yield from _checked(child)

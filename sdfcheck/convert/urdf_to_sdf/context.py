@@ -14,15 +14,7 @@ from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.settings import value_of
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
 from sdfcheck.convert.urdf_to_sdf.words import WORDS
-from sdfcheck.convert.writer import (
-    Node,
-    comment_of,
-    copied,
-    declare,
-    numbers,
-    spaced,
-    undeclared_prefixes,
-)
+from sdfcheck.convert.writer import Node, comment_of, copied, declare, numbers, spaced, undeclared_prefixes
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity

@@ -41,10 +41,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
-_NAMESPACES = {
-    KEPT: "http://ros.org/wiki/urdf/XML",
-    "drake": "http://drake.mit.edu",
-}
+_NAMESPACES = {KEPT: "http://ros.org/wiki/urdf/XML", "drake": "http://drake.mit.edu"}
 
 
 @np.errstate(all="ignore")  # what overflows is not equal to anything

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Callable, Container
 
 import numpy as np
 
@@ -238,20 +238,14 @@ class _LinkPart:
             merge(copied(entry), part)
 
     def _some_parts(self, entry: Element, link: Node, role: str) -> list[Node]:
-        """The shapes that a setting is about; reported if there are none."""
-        parts = list(self._parts(link, role))
+        """The shapes from the link that the block names, which a setting is about; reported if there are none."""
+        parts = [
+            part for part in link.elements(role) if self.context.came_from.get(id(part)) == self.reference
+        ]
         if not parts:
             text = f"<{entry.name}> is left out: link `{self.reference}` has no {role}"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
         return parts
-
-    def _parts(self, link: Node, role: str) -> Iterator[Node]:
-        """The shapes that came from the link that the block names."""
-        for child in link.children:
-            if not isinstance(child, Node) or child.name != role:
-                continue
-            if self.context.came_from.get(id(child)) == self.reference:
-                yield child
 
     def _script(self, entry: Element, link: Node) -> None:
         self.context.ledger.take(entry, TEXT, "value")

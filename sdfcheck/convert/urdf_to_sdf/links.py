@@ -5,13 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.urdf_to_sdf.context import (
-    Context,
-    has_custom,
-    is_quaternion,
-    pose_of,
-    pose_text,
-)
+from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.materials import Materials
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris

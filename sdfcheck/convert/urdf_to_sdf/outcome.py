@@ -32,8 +32,8 @@ def read_back(written: Document, context: Context, sdf: Node) -> Mechanism:
 
 def _without_brought(sdf: Node) -> Node | None:
     """The result without models that ``<gazebo>`` blocks bring, and joints to them; None if there are none."""
-    model = next(child for child in sdf.children if isinstance(child, Node))
-    if not any(isinstance(child, Node) and child.name in _BRINGING for child in model.children):
+    model = next(sdf.elements())
+    if not any(child.name in _BRINGING for child in model.elements()):
         return None
     kept, outer = Node(model.name, None, **model.attributes), Node(sdf.name, None, **sdf.attributes)
     kept.children = [

@@ -24,15 +24,9 @@ FOR_DRAKE = frozenset({"planar", "curvilinear"})
 _TRUE = frozenset({"true", "yes", "1"})
 _KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
 OF_MOVING_JOINTS = frozenset(
-    {
-        "stopCfm",
-        "stopErp",
-        "fudgeFactor",
-        "implicitSpringDamper",
-        "cfmDamping",
-        "springReference",
-        "springStiffness",
-    }
+    """
+    stopCfm stopErp fudgeFactor implicitSpringDamper cfmDamping springReference springStiffness
+    """.split()
 )
 """Settings that say nothing of a fixed joint."""
 OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", *_KEEPERS}
@@ -55,10 +49,6 @@ class Plan:
     losses: list[Loss] = field(default_factory=list)
     has_world: bool = False
     """Whether the root link `world` is the world."""
-
-    def carrier(self, link: str) -> Joint | None:
-        """The joint whose child a link is."""
-        return next((joint for joint in self.robot.joints.values() if joint.child == link), None)
 
     def is_merged(self, link: str) -> bool:
         return self.home[link][0] != link

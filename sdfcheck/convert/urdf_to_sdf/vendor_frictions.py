@@ -20,10 +20,7 @@ def keep_frictions_of_drake(context: Context, root: Element) -> None:
     if not uses(root, "drake"):
         return
     for name, link in context.links.items():
-        collisions = [
-            child for child in link.children if isinstance(child, Node) and child.name == "collision"
-        ]
-        concerned = [collision for collision in collisions if _is_only_for_gazebo(collision)]
+        concerned = list(filter(_is_only_for_gazebo, link.elements("collision")))
         for collision in concerned:
             for friction in _FRICTIONS:
                 collision.reach(_PROPERTIES).add(friction, _DEFAULT)

@@ -147,13 +147,8 @@ class VendorTags:
 
 def without(node: Node, source: Element, gone: set[Element]) -> None:
     """Take the copies of some elements out of the copy of ``source``."""
-    for copy, child in _pairs(node, source):
+    for copy, child in zip(list(node.elements()), source.children(), strict=True):
         if child in gone:
             node.children.remove(copy)
         else:
             without(copy, child, gone)
-
-
-def _pairs(node: Node, source: Element) -> Iterator[tuple[Node, Element]]:
-    copies = [child for child in node.children if isinstance(child, Node)]
-    yield from zip(copies, list(source.children()), strict=True)

@@ -8,9 +8,9 @@ from typing import Protocol
 import numpy as np
 
 from sdfcheck.convert.writer import Node, comment_of, declared_prefixes, numbers
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.carriers import value_at
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.robot.motion.rotations import Array
@@ -127,14 +127,10 @@ class Spelling:
                 node.attributes[name] = self.value(text, slot, other.attributes[name])
             elif slot is not None and name in other.parts:
                 node.add(name, self.value(text, slot, other.parts[name]))
-            elif (own := self._by_attribute(tag.name, name)) is not None:
+            elif (own := self._by_use.get(f"{tag.name}/@{name}")) is not None:
                 node.add(own, " ".join(text.split()))
             else:
                 node.attributes[name] = text
-
-    def _by_attribute(self, tag: str, attribute: str) -> str | None:
-        """The tag that says in the other dialect what an attribute says in this one."""
-        return self._by_use.get(f"{tag}/@{attribute}")
 
     def _child(self, child: Element, node: Node, tag: Tag, other: Tag) -> None:
         name = child.name

@@ -126,28 +126,16 @@ def _with_value(described: Description, value: UrdfAttribute) -> Description:
 
 
 def _entry_of_child(child: UrdfElement) -> Entry:
-    value = child.value
-    return Entry(
-        child.name,
-        _often(child),
-        value.type if value else "",
-        value.default if value else "",
-        _unit(value) if value else "",
-        _since(child),
-        note="".join(_consumers(child.consumers)),
-    )
+    return _entry(child.name, _often(child), child.value, child)
 
 
 def _entry_of_attribute(attribute: UrdfAttribute) -> Entry:
-    return Entry(
-        f"@{attribute.name}",
-        "1" if attribute.required else "0",
-        attribute.type,
-        attribute.default,
-        _unit(attribute),
-        _since(attribute),
-        note="".join(_consumers(attribute.consumers)),
-    )
+    return _entry(f"@{attribute.name}", "1" if attribute.required else "0", attribute, attribute)
+
+
+def _entry(name: str, often: str, value: UrdfAttribute | None, thing: UrdfElement | UrdfAttribute) -> Entry:
+    given = (value.type, value.default, _unit(value)) if value else ("", "", "")
+    return Entry(name, often, *given, _since(thing), note="".join(_consumers(thing.consumers)))
 
 
 def _often(element: UrdfElement) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing
 from sdfcheck.formats.describe.summary import summary
 from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import DIALECTS, Effect, Place, Slot, Tag, Vendor
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.source.record import NamedTuple
 

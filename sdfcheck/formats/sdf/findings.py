@@ -11,7 +11,6 @@ from collections import Counter
 
 from sdfcheck.formats.repetition import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
-from sdfcheck.formats.sdf.likely_parents import likely_parents
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
@@ -80,8 +79,7 @@ class Findings:
         """How many unknown attributes an element has."""
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.missing_children: list[tuple[Element, Definition, str]] = []
-        self.too_new: dict[tuple[str, str], list[Element]] = {}
-        self.too_new_at: dict[tuple[str, str], tuple[Element, Version]] = {}
+        self.too_new: dict[tuple[str, str, Version], list[Element]] = {}
 
     def root(self, root: Element, definition: Definition) -> None:
         """The root's attributes; its version decides against what everything else is checked."""
@@ -102,7 +100,8 @@ class Findings:
         definition = history.later(place, name)
         if definition is not None:
             if f"{place.name}/{name}" not in history.READ_IN_ALL_VERSIONS:
-                self.note_too_new(child, parent, definition.place, history.since(place, name))
+                since = history.since(place, name)
+                self.too_new.setdefault((definition.place, "", since), []).append(child)
             return definition
         old = history.last_version(place, name)
         if old is not None:
@@ -112,6 +111,8 @@ class Findings:
             return None
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name):
+            from sdfcheck.formats.sdf.likely_parents import likely_parents
+
             places = likely_parents(places, parent, place)
             ignored = name not in _FOUND_ANYWHERE
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))
@@ -129,10 +130,6 @@ class Findings:
         if displaced := tuple(standard_inside(child, parent, place)):
             self.displaced[child] = displaced
             self.elsewhere.update((parent, each.element.name) for each in displaced)
-
-    def note_too_new(self, element: Element, parent: Element, place: str, since: Version) -> None:
-        self.too_new.setdefault((place, ""), []).append(element)
-        self.too_new_at.setdefault((place, ""), (parent, since))
 
     def repeated(self, element: Element, first: Element, parent: Element) -> None:
         # The content of the root is judged as a whole, by the analysis of structure.
@@ -197,8 +194,7 @@ class Findings:
         newest = history.in_version(definition, NEWEST)
         if newest is not None and name in newest.attributes:
             since = history.since(definition, "@" + name)
-            self.too_new.setdefault((definition.place, name), []).append(element)
-            self.too_new_at.setdefault((definition.place, name), (parent, since))
+            self.too_new.setdefault((definition.place, name, since), []).append(element)
             known = newest.attributes[name]
             if not known.accepts(text):
                 self.attribute_value(element, newest, known, text)
@@ -284,15 +280,14 @@ class Findings:
                 self.replaced.setdefault(custom, []).append(name)
             else:
                 self.found.append(self.absent(parent, place, name))
-        for key, uses in self.too_new.items():
-            attribute = key[1]
-            parent, since = self.too_new_at[key]
-            first, all_uses = uses[0], tuple(uses)
-            root = self.document.root
-            declaration = root.attribute("version") if root is not None else None
+        root = self.document.root
+        declaration = root.attribute("version") if root is not None else None
+        for (_, attribute, since), uses in self.too_new.items():
             assert declaration is not None, "without one nothing is too new"
             if attribute:
-                self.found.append(problems.TooNewAttribute(first, attribute, since, declaration, all_uses))
+                self.found.append(
+                    problems.TooNewAttribute(uses[0], attribute, since, declaration, tuple(uses))
+                )
             else:
-                self.found.append(problems.TooNewElement(first, parent, since, declaration, all_uses))
+                self.found.append(problems.TooNewElement(uses[0], since, declaration, tuple(uses)))
         return folded(counted(self.found, self.strange))

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import inf
 
-from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.formats.sdf.history import in_version
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, Schema, schema
+from sdfcheck.formats.sdf.table import Range
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.source.record import NamedTuple
 

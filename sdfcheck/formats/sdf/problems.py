@@ -63,7 +63,6 @@ class TooNewElement(Record):
     """
 
     element: Element
-    parent: Element
     since: Version
     declaration: Value
     uses: tuple[Element, ...]

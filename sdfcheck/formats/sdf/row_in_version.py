@@ -12,8 +12,8 @@ from sdfcheck.formats.sdf.table import Row, at
 from sdfcheck.formats.sdf.version import Version
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.sdf.bounds import Range
     from sdfcheck.formats.sdf.choices import Choices
+    from sdfcheck.formats.sdf.table import Range
 
 Accepts = Callable[[str], object]
 
@@ -88,7 +88,7 @@ class RowInVersion:
     def _read_range(self) -> Range | None:
         if not self.row.extras:
             return None
-        from sdfcheck.formats.sdf.bounds import Range
+        from sdfcheck.formats.sdf.table import Range
 
         return Range.of(self.row, self.version.minor)
 

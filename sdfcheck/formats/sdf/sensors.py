@@ -11,21 +11,11 @@ from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.sdf.survey import Survey
 from sdfcheck.source.element import Element
 
-_CAMERAS = (
-    "boundingbox",
-    "boundingbox_camera",
-    "camera",
-    "depth",
-    "depth_camera",
-    "multicamera",
-    "rgbd",
-    "rgbd_camera",
-    "segmentation",
-    "segmentation_camera",
-    "thermal",
-    "thermal_camera",
-    "wide_angle_camera",
-    "wideanglecamera",
+_CAMERAS = tuple(
+    """
+    boundingbox boundingbox_camera camera depth depth_camera multicamera rgbd rgbd_camera segmentation
+    segmentation_camera thermal thermal_camera wide_angle_camera wideanglecamera
+    """.split()
 )
 _LIDARS = ("lidar", "gpu_lidar", "ray", "gpu_ray")
 

@@ -142,13 +142,8 @@ def _inertials(surveyed: Survey) -> Iterator[object]:
 
 
 def _is_static(element: Element) -> bool:
-    parent = element.parent
-    while parent is not None:
-        static = parent.find("static")
-        if static is not None and static.content.lower() in {"true", "1"}:
-            return True
-        parent = parent.parent
-    return False
+    given = (static for parent in element.around if (static := parent.find("static")) is not None)
+    return any(static.content.lower() in {"true", "1"} for static in given)
 
 
 def _sensors(surveyed: Survey) -> Iterator[object]:

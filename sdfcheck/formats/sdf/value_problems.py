@@ -18,10 +18,7 @@ from sdfcheck.source.element import Element, Value
 if TYPE_CHECKING:
     from sdfcheck.formats.urdf.table import UrdfAttribute
 
-_KINDS = {
-    Outcome.MISREAD: problems.MisreadValue,
-    Outcome.WRONG_COUNT: problems.WrongComponentCount,
-}
+_KINDS = {Outcome.MISREAD: problems.MisreadValue, Outcome.WRONG_COUNT: problems.WrongComponentCount}
 
 
 def text_problems(element: Element, definition: Definition) -> Iterator[object]:

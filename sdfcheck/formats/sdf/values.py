@@ -7,9 +7,9 @@ a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silenc
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
-from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.formats.sdf.choices import Verdict
 from sdfcheck.formats.sdf.numbers import BLANKS, Width, leading_float, leading_integer
 from sdfcheck.formats.sdf.parts import (
@@ -22,6 +22,7 @@ from sdfcheck.formats.sdf.parts import (
     word_at,
 )
 from sdfcheck.formats.sdf.row_in_version import RowInVersion
+from sdfcheck.formats.sdf.table import Range
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}
 _WHOLE = frozenset(("time", "vector2i"))
@@ -137,10 +138,6 @@ def _read_double(text: str, bounds: Range | None, width: Width = Width.DOUBLE) -
     )
 
 
-def _read_float(text: str, bounds: Range | None) -> Reading:
-    return _read_double(text, bounds, Width.SINGLE)
-
-
 def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Reading:
     if text.lower() in {"true", "false"}:
         return _truth_value(text)
@@ -165,10 +162,6 @@ def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Readin
     return in_range(value, bounds, 0, word_end)
 
 
-def _read_unsigned(text: str, bounds: Range | None) -> Reading:
-    return _read_int(text, bounds, unsigned=True)
-
-
 def _truth_value(text: str) -> Reading:
     return misread(0, len(text), Cause.TRUTH_VALUE, "1" if text.lower() == "true" else "0")
 
@@ -181,9 +174,9 @@ _SCALARS: dict[str, Callable[[str, Range | None], Reading]] = {
     "bool": _read_bool,
     "char": _read_char,
     "double": _read_double,
-    "float": _read_float,
+    "float": partial(_read_double, width=Width.SINGLE),
     "int": _read_int,
-    "unsigned int": _read_unsigned,
+    "unsigned int": partial(_read_int, unsigned=True),
 }
 
 
@@ -201,18 +194,3 @@ def number(text: str) -> float | None:
     """The one number of a text; None for anything else."""
     found = floats(text)
     return found[0] if found is not None and len(found) == 1 else None
-
-
-def boolean(text: str) -> bool | None:
-    """The truth value of a text; None for anything else."""
-    word = text.strip(" \t\n").lower()
-    if word in {"true", "1"}:
-        return True
-    return False if word in {"false", "0"} else None
-
-
-def integer(text: str) -> int | None:
-    """The whole number of a text, decimal or (unsigned) hexadecimal; None for anything else."""
-    word = text.strip(BLANKS)
-    found = leading_integer(word)
-    return found[0] if found is not None and found[1] == len(word) else None

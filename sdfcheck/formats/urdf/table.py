@@ -11,7 +11,7 @@ from functools import cache
 from math import inf
 from pathlib import Path
 
-from sdfcheck.formats.sdf.bounds import Range
+from sdfcheck.formats.sdf.table import Range
 from sdfcheck.formats.sdf.version import Version
 
 _FILE = Path(__file__).parents[1] / "data" / "urdf.txt"

@@ -11,9 +11,9 @@ import re
 from math import isfinite
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed
-from sdfcheck.formats.sdf.bounds import Range
 from sdfcheck.formats.sdf.numbers import BLANKS, stream_float
 from sdfcheck.formats.sdf.parts import no_number
+from sdfcheck.formats.sdf.table import Range
 from sdfcheck.formats.urdf.table import UrdfAttribute, is_expression
 
 _SIZES = {"vector3": 3, "color": 4, "quaternion": 4}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.formats.sdf.bounds import Range
+from sdfcheck.formats.sdf.table import Range
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -248,11 +248,8 @@ class Vendor:
         """The reaction of the consumer to a tag unknown in ``parent`` (None: an attribute)."""
         if self.unknown == IGNORED or (parent is None and "@" in self.ignored_in):
             return IGNORED
-        names: list[str] = []
-        while parent is not None:
-            names.insert(0, parent.name)
-            parent = parent.parent
-        chain = "/".join(names)
+        names = [] if parent is None else [each.name for each in (parent, *parent.around)]
+        chain = "/".join(reversed(names))
         for path in self.ignored_in:
             inside = path.removesuffix("/*")
             if f"/{chain}".endswith(f"/{path}") or (inside != path and f"/{inside}/" in f"/{chain}/"):

@@ -6,6 +6,7 @@ import re
 from functools import cache
 from pathlib import Path
 
+from sdfcheck.formats.vendor import prefix_of
 from sdfcheck.formats.vendor.definitions import (
     DIALECTS,
     BadTable,
@@ -18,7 +19,6 @@ from sdfcheck.formats.vendor.definitions import (
     Tag,
     Vendor,
 )
-from sdfcheck.formats.vendor.files import prefix_of
 
 TYPES = frozenset(
     ("", "bool", "double", "file", "flag", "int", "name", "string", "truth", "vector2", "vector3", "word")

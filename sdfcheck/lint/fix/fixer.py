@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run

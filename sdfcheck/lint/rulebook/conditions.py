@@ -15,10 +15,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.index import keep
 from sdfcheck.lint.rulebook.pack import CONDITIONS, Pack, PackError, rule_classes
-from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.plugins.load import import_pack
-from sdfcheck.lint.run import BUILT_IN
 
 _HEAD = '''"""The conditions of the rules, so that a clean file loads one module; written by ``make generate``."""
 
@@ -223,23 +222,11 @@ def is_current(path: Path, text: str) -> bool:
 
 
 def main(arguments: list[str]) -> int:
-    names = [argument for argument in arguments if not argument.startswith("-")] or [BUILT_IN]
-    stale = 0
-    for pack in map(find_pack, names):
-        path = pack.folder / f"{CONDITIONS}.py"
-        try:
-            text = render(pack)
-        except PackError as error:
-            print(error)
-            return 1
-        if is_current(path, text):
-            continue
-        if "--check" in arguments:
-            print(f"{path} is stale: run `make generate`")
-            stale = 1
-        else:
-            path.write_text(text, encoding="utf-8")
-    return stale
+    try:
+        return keep(arguments, CONDITIONS, render, is_current)
+    except PackError as error:
+        print(error)
+        return 1
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
+from pathlib import Path
 
 from sdfcheck.lint.rulebook.pack import INDEX, Pack, PackError, describe, to_record
 from sdfcheck.lint.rulebook.plugins.find import find_pack
@@ -30,19 +32,30 @@ def render(pack: Pack) -> str:
     return "".join((_HEAD, *(f"    {to_record(fact)!r},\n" for fact in facts), ")\n"))
 
 
-def main(arguments: list[str]) -> int:
+def keep(
+    arguments: list[str], name: str, render: Callable[[Pack], str], is_current: Callable[[Path, str], bool]
+) -> int:
+    """Write a module of each pack that ``arguments`` name, or with ``--check`` say which of them are stale."""
     names = [argument for argument in arguments if not argument.startswith("-")] or [BUILT_IN]
     stale = 0
     for pack in map(find_pack, names):
-        path = pack.folder / f"{INDEX}.py"
-        text = render(pack)
+        path, text = pack.folder / f"{name}.py", render(pack)
+        if is_current(path, text):
+            continue
         if "--check" in arguments:
-            if not path.is_file() or path.read_text(encoding="utf-8") != text:
-                print(f"{path} is stale: run `make generate`")
-                stale = 1
+            print(f"{path} is stale: run `make generate`")
+            stale = 1
         else:
             path.write_text(text, encoding="utf-8")
     return stale
+
+
+def is_current(path: Path, text: str) -> bool:
+    return path.is_file() and path.read_text(encoding="utf-8") == text
+
+
+def main(arguments: list[str]) -> int:
+    return keep(arguments, INDEX, render, is_current)
 
 
 if __name__ == "__main__":

@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
-from sdfcheck.formats.vendor.files import prefix_of
+from sdfcheck.formats.vendor import BUILT_IN as BUILT_IN_TABLES
+from sdfcheck.formats.vendor import prefix_of
 from sdfcheck.lint.rulebook.pack import CONDITIONS, Fault, read_index, rule_classes
 from sdfcheck.lint.run import BUILT_IN, RuleFacts
 

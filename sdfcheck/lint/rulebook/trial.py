@@ -8,7 +8,7 @@ from pathlib import Path
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.example import Bad, Good, fill, unmark
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.example_run import ExampleRunner
 from sdfcheck.lint.rulebook.pack import CONDITIONS

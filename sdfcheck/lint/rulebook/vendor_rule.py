@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from sdfcheck.consumers.reaction import by_effect
 from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Effect, Outcome
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.rule import Rule, Target, make_fix
 from sdfcheck.robot.vendor.tag import VendorTag
 from sdfcheck.robot.vendor.value import VendorValue

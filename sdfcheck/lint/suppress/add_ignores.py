@@ -10,7 +10,7 @@ from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import INTERNAL_ERROR
-from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lint.fix import Edit
 from sdfcheck.lint.fix.fixer import FixedFile, Refused, edited
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.lint.rulebook.rulebook import RuleBook

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.example import IN_URDF_JOINT, Bad, Good
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.text import Span
 

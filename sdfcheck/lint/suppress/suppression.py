@@ -14,7 +14,7 @@ from itertools import accumulate, chain
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.suppress.directives import (
     ANY_RULE,
     DISABLE,

@@ -10,12 +10,7 @@ from sdfcheck.lsp.completion.context import Context, Where, context
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.names import name_items, wanted
 from sdfcheck.lsp.completion.paths import path_items
-from sdfcheck.lsp.completion.tags import (
-    attribute_items,
-    element_items,
-    xacro_attributes,
-    xacro_elements,
-)
+from sdfcheck.lsp.completion.tags import attribute_items, element_items, xacro_attributes, xacro_elements
 from sdfcheck.lsp.completion.values import command_items, control_items, value_items
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.record import NamedTuple

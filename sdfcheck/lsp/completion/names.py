@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort

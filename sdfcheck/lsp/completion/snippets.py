@@ -6,7 +6,7 @@ from itertools import count
 
 from sdfcheck.formats.describe.spot import Spot
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
-from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement
+from sdfcheck.formats.urdf.table import UrdfElement
 from sdfcheck.lsp.completion.item import escaped
 
 _DEEPEST = 3
@@ -45,7 +45,7 @@ class Snippet:
         head = name
         for each in element.required_attributes:
             attribute = element.attributes[each]
-            head += " " + self.attribute(each, attribute.choices, _first(attribute))
+            head += " " + self.attribute(each, attribute.choices, attribute.default)
         if element.value is not None:
             return f"{head}>{self._stop()}</{name}>"
         needed = [] if depth >= _DEEPEST else list(element.required_children)
@@ -74,10 +74,6 @@ class Snippet:
 
 def _default(text: str | None) -> str:
     return "" if text is None or text == NOT_GIVEN else text
-
-
-def _first(attribute: UrdfAttribute) -> str:
-    return attribute.default
 
 
 def plain(snippet: str) -> str:

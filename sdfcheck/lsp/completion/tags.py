@@ -8,8 +8,8 @@ from sdfcheck.formats.describe.spot import Spot, spot
 from sdfcheck.formats.sdf.history import unit
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.urdf.table import UrdfAttribute, extension
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.definitions import Place
-from sdfcheck.formats.vendor.files import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context
 from sdfcheck.lsp.completion.item import Item, Sort

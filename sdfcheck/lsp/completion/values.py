@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from sdfcheck.formats.describe.spot import spot
 from sdfcheck.formats.sdf.schema import NOT_GIVEN
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.formats.vendor.files import BUILT_IN
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
+from sdfcheck.lsp.completion.snippets import plain
 
 _INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")
 _HARDWARE = {
@@ -85,12 +86,7 @@ def control_items(around: tuple[str, ...]) -> Iterator[Item]:
             text = f'{name} name="${{1|{",".join(_INTERFACES[:3])}|}}"/>'
         else:
             text = f'{name} name="$1">\n\t$2\n</{name}>'
-        bare = (
-            text.replace("$1", "")
-            .replace("$2", "")
-            .replace(f"${{1|{','.join(_INTERFACES[:3])}|}}", "position")
-        )
-        yield Item(name, Sort.ELEMENT, bare, text, "ros2_control", 2)
+        yield Item(name, Sort.ELEMENT, plain(text), text, "ros2_control", 2)
 
 
 def _of_format(context: Context, version: Version) -> Iterator[Item]:

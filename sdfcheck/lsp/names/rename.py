@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lint.fix import Edit
 from sdfcheck.lsp.names.index import everywhere, occurrences
+from sdfcheck.lsp.names.robot_names import symbol_of
 from sdfcheck.lsp.names.symbol import Occurrence, Symbol
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.model import Model
@@ -28,11 +29,6 @@ _ENDS = ("link", "joint", "reference")
 
 class Refused(Exception):
     """A name that cannot be given; the message says why."""
-
-
-def renamable(document: Document, offset: int) -> Occurrence | None:
-    """The symbol at a place that can have another name."""
-    return occurrences(document).at(offset)
 
 
 def rename(workspace: Workspace, document: Document, occurrence: Occurrence, name: str) -> list[Edit]:
@@ -129,7 +125,8 @@ def _taken_in_robot(document: Document, symbol: Symbol, name: str) -> Iterator[s
             if isinstance(scope, Model) and root.is_urdf and name in scope.material_names.defined:
                 yield "material"
             continue
-        if any(_is(node, symbol) for node in scope.nodes.values()) and name in scope.nodes:
+        own = (symbol_of(node) for node in scope.nodes.values())
+        if any(each is not None and each.key == symbol.key for each in own) and name in scope.nodes:
             yield scope.nodes[name].kind
         if (
             root.is_urdf
@@ -146,14 +143,6 @@ def _scopes(scopes: Iterable[Scope]) -> Iterator[Scope]:
         scope = waiting.pop()
         yield scope
         waiting += scope.models
-
-
-def _is(node: object, symbol: Symbol) -> bool:
-    from sdfcheck.lsp.names.robot_names import symbol_of
-    from sdfcheck.robot.node import Node
-
-    own = symbol_of(node) if isinstance(node, Node) else None
-    return own is not None and own.key == symbol.key
 
 
 def _check_expanded(document: Document, symbol: Symbol) -> None:

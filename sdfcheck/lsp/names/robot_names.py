@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import Slot
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
 from sdfcheck.lsp.names.symbol import Occurrence, Symbol, steps
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.naming.references import references
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.robot.scope import Scope
+from sdfcheck.robot.vendor.references import owner_of
 from sdfcheck.robot.vendor.tags import values as vendor_values
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -105,7 +106,7 @@ def _of_vendors(document: Document, root: Root) -> Iterator[Occurrence]:
     """The parts that vendors' own elements name."""
     used = [path for path in BUILT_IN if f"{prefix_of(path)}:" in document.source.text]
     for found in vendor_values(document, used):
-        owner = _owner(found.value.element) if found.slot.references else None
+        owner = owner_of(found.value.element) if found.slot.references else None
         if owner is not None:
             yield from _of_tag(found.value, found.slot, owner, root)
 
@@ -125,13 +126,6 @@ def _of_tag(value: Value, slot: Slot, owner: Element, root: Root) -> Iterator[Oc
     scope = root.scopes[0] if root.is_urdf else root.part_of(owner)
     if isinstance(scope, Scope) and len(own) < len(slot.references):
         yield from _path(scope, value)
-
-
-def _owner(element: Element) -> Element | None:
-    at = element.parent
-    while at is not None and at.name not in {"model", "robot"}:
-        at = at.parent
-    return at
 
 
 def _path(scope: Scope, value: Value) -> Iterator[Occurrence]:

@@ -34,10 +34,7 @@ def render(run: Run) -> str:
                 "check_name": diagnostic.code,
                 "fingerprint": sha256(fingerprint).hexdigest(),
                 "severity": _SEVERITIES[diagnostic.severity],
-                "location": {
-                    "path": path,
-                    "positions": {"begin": _position(begin), "end": _position(end)},
-                },
+                "location": {"path": path, "positions": {"begin": _position(begin), "end": _position(end)}},
             }
         )
     return json.dumps(issues, indent=2) + "\n"

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix.fix import Fix
+from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.run import Run
 from sdfcheck.release import __version__
 from sdfcheck.report.paths import Paths
@@ -67,11 +67,7 @@ def _diagnostic(diagnostic: Diagnostic, paths: Paths, page: str | None) -> dict[
 
 
 def _place(place: Label | Origin, paths: Paths) -> dict[str, Any]:
-    return {
-        "file": paths(place.span.source.path),
-        "range": _range(place.span),
-        "message": place.text,
-    }
+    return {"file": paths(place.span.source.path), "range": _range(place.span), "message": place.text}
 
 
 def _fix(fix: Fix, paths: Paths) -> dict[str, Any]:

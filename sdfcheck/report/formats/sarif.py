@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 from sdfcheck.consumers.reaction import lines
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.release import HOME, __version__
 from sdfcheck.report.formats.line_hash import line_hashes

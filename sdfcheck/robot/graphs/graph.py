@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable
 from enum import Enum
 
@@ -50,6 +51,21 @@ class Graph(NamedTuple):
     kind: GraphKind
     nodes: tuple[Node, ...]
     edges: tuple[Edge, ...]
+
+    @property
+    def below(self) -> defaultdict[int, list[Edge]]:
+        """Number of a node → the edges that lead down from it."""
+        found: defaultdict[int, list[Edge]] = defaultdict(list)
+        for edge in self.edges:
+            found[edge.upper].append(edge)
+        return found
+
+    @property
+    def tops(self) -> tuple[int, ...]:
+        """Where to begin to draw: the nodes without one above, then all, as a ring is cut at its first node."""
+        carried = {edge.lower for edge in self.edges}
+        numbers = range(len(self.nodes))
+        return (*(number for number in numbers if number not in carried), *numbers)
 
 
 def graph(document: Document, kind: GraphKind) -> Graph:

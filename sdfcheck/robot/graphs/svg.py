@@ -75,16 +75,11 @@ def svg(graph: Graph) -> str:
 
 def _tree(graph: Graph) -> tuple[list[Edge], list[Edge]]:
     """The edges that reach a node first, in the order of drawing, and the others."""
-    below: defaultdict[int, list[Edge]] = defaultdict(list)
-    for edge in graph.edges:
-        below[edge.upper].append(edge)
-    carried = {edge.lower for edge in graph.edges}
-    roots = [number for number in range(len(graph.nodes)) if number not in carried]
+    below = graph.below
     tree: list[Edge] = []
     again: list[Edge] = []
     seen: set[int] = set()
-    # A ring has no root of its own: it is cut at its first node.
-    for root in (*roots, *range(len(graph.nodes))):
+    for root in graph.tops:
         if root in seen:
             continue
         seen.add(root)

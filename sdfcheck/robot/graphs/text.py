@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable
 
 from sdfcheck.robot.graphs.graph import UNKNOWN, Edge, Graph, GraphKind, Node
@@ -21,15 +20,10 @@ def plain(text: str, what: str) -> str:
 
 def tree(graph: Graph, paint: Paint = plain) -> str:
     """One line a node, indented below its parent; a node that occurs again is not unfolded again."""
-    below: defaultdict[int, list[Edge]] = defaultdict(list)
-    for edge in graph.edges:
-        below[edge.upper].append(edge)
-    carried = {edge.lower for edge in graph.edges}
+    below = graph.below
     lines: list[str] = []
     seen: set[int] = set()
-    roots = [number for number in range(len(graph.nodes)) if number not in carried]
-    # A ring has no root of its own: it is cut at its first node.
-    for root in (*roots, *range(len(graph.nodes))):
+    for root in graph.tops:
         if root in seen:
             continue
         stack: list[tuple[int, str, str, str]] = [(root, "", "", "")]

@@ -11,10 +11,11 @@ from enum import Enum
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.uris import Location, locate
+from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.problems import MisplacedElement
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes.model_config import config_of, model_file
+from sdfcheck.robot.values import is_true
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -48,18 +49,17 @@ class Included(NamedTuple):
 
     include: Element
     uri: Value | None
-    location: Location | None
-    file: Path | None
-    """The file that is meant, after a folder's ``model.config``."""
-    document: Document | None
-    """The file as it was read, also where it holds no model."""
-    config: Document | None
-    """The ``model.config`` of the folder that the uri leads to."""
-    model: Element | None
-    kind: str | None
     name: str | None
     merge: bool
     is_static: bool
+    file: Path | None = None
+    """The file that is meant, after a folder's ``model.config``."""
+    document: Document | None = None
+    """The file as it was read, also where it holds no model."""
+    config: Document | None = None
+    """The ``model.config`` of the folder that the uri leads to."""
+    model: Element | None = None
+    kind: str | None = None
     obstacle: Obstacle | None = None
 
 
@@ -86,7 +86,7 @@ def is_made_static(document: Document) -> bool:
     """Was the document reached by an include that makes its model static?"""
     include = document.included_by[-1].element.parent if document.included_by else None
     static = include.find("static") if include is not None else None
-    return static is not None and _is_true(static.content)
+    return static is not None and is_true(static.content)
 
 
 def included_element(document: Document) -> Element | None:
@@ -134,23 +134,16 @@ def _resolve(document: Document, include: Element) -> Included:
     found = Included(
         include,
         uri.own_value if uri is not None and uri.content else None,
-        None,
-        None,
-        None,
-        None,
-        None,
-        None,
         (name.content or None) if name is not None else None,
-        _is_true(include.attributes.get("merge", "")),
-        static is not None and _is_true(static.content),
+        is_true(include.attributes.get("merge", "")),
+        static is not None and is_true(static.content),
     )
     if found.uri is None:
         return found._replace(obstacle=Obstacle.NO_URI)
-    location = locate(document, found.uri.text)
-    found = found._replace(location=location)
-    if location.path is None or document.library is None:
+    path = locate(document, found.uri.text).path
+    if path is None or document.library is None:
         return found._replace(obstacle=Obstacle.NOT_FOUND)
-    found = _find_file(document, found, location.path)
+    found = _find_file(document, found, path)
     return found if found.file is None else _read(document, found, found.file)
 
 
@@ -195,7 +188,3 @@ def _note_origin(document: Document, other: Document, found: Included) -> None:
     if not other.included_by or (is_made_static(other) and not found.is_static):
         other.included_by = (*document.included_by, found.uri)
         document.is_referred_to = True
-
-
-def _is_true(text: str) -> bool:
-    return text.strip().lower() in {"true", "1"}

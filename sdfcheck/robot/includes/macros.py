@@ -27,12 +27,10 @@ def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator
     robot = root_of(document).scopes[0]
     for element in elements:
         owner = _OWNERS.get(element.name)
-        around = element.parent
-        while around is not None and around.name in TRANSPARENT:
-            around = around.parent
-        if owner is None or around is None:
+        place = next((each for each in element.around if each.name not in TRANSPARENT), None)
+        if owner is None or place is None:
             continue
-        holder = robot.registry.get(around)
+        holder = robot.registry.get(place)
         if holder is None:
-            holder = robot.registry[around] = owner(robot, around)
+            holder = robot.registry[place] = owner(robot, place)
         yield holder.part(element)

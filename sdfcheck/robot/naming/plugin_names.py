@@ -46,7 +46,7 @@ def unresolved(plugin: Plugin, facts: PluginFacts) -> Iterator[PluginReference]:
             node = model.resolve(name)
             if "::" in name and (not naming.is_scoped or model.may_hold(name)):
                 continue
-            if node is None or node.kind != naming.kind or _is_lumped(model, node):
+            if node is None or node.kind != naming.kind or _is_lumped(node):
                 yield PluginReference(value, naming.kind, model, node)
 
 
@@ -70,7 +70,7 @@ def _written(element: Element, naming: Naming) -> Iterator[Value]:
             yield value
 
 
-def _is_lumped(model: Model, node: Node) -> bool:
+def _is_lumped(node: Node) -> bool:
     """Does libsdformat merge a joint away? Names of links it rewrites in some parameters."""
     from sdfcheck.robot.parts.joint import Joint
 

@@ -44,10 +44,6 @@ class Reference(NamedTuple):
     value: Value
     nodes: tuple[Node, ...]
 
-    @property
-    def target(self) -> Node:
-        return self.nodes[-1]
-
 
 def references(root: Root) -> Iterator[Reference]:
     """The references of a file that name something, in no particular order."""
@@ -133,8 +129,3 @@ def _path(scope: Scope, text: str) -> tuple[Node, ...]:
         found.append(node)
         at = node
     return tuple(found)
-
-
-def is_renamable(node: Node) -> bool:
-    """Is its name written in the file itself?"""
-    return node.name_value is not None and node.document is node.root.document

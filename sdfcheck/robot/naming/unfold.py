@@ -26,10 +26,7 @@ def foreign_references(surveyed: Survey) -> dict[Element, Value | Element]:
 
 
 def _is_in_world(element: Element) -> bool:
-    parent = element.parent
-    while parent is not None and parent.name == "model":
-        parent = parent.parent
-    return parent is not None and parent.name == "world"
+    return next((each.name for each in element.around if each.name != "model"), "") == "world"
 
 
 def _in_model(model: Element) -> Iterator[tuple[Element, Value | Element]]:

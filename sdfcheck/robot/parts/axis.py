@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Number, Vector, lazy
+from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.parts.joint import Joint
@@ -107,25 +107,12 @@ class Limit(_AxisPart):
         """The highest position; without limit inf, in URDF 0 where only the rest is written."""
         return self._number("upper", 0.0 if self.is_urdf and self.is_given else math.inf)
 
-    @lazy
-    def effort(self) -> Number:
-        """The greatest force or torque; in SDFormat a negative one means unlimited."""
-        return self._number("effort", math.inf)
-
-    @lazy
-    def velocity(self) -> Number:
-        """The greatest speed; in SDFormat a negative one means unlimited."""
-        return self._number("velocity", math.inf)
-
-    @property
-    def stiffness(self) -> Number:
-        """The stiffness of the stops, in SDFormat."""
-        return self._number("stiffness", 1e8)
-
-    @property
-    def dissipation(self) -> Number:
-        """The dissipation of the stops, in SDFormat."""
-        return self._number("dissipation", 1.0)
+    effort = number(
+        "effort", math.inf, "The greatest force or torque; in SDFormat a negative one means unlimited."
+    )
+    velocity = number("velocity", math.inf, "The greatest speed; in SDFormat a negative one means unlimited.")
+    stiffness = number("stiffness", 1e8, "The stiffness of the stops, in SDFormat.")
+    dissipation = number("dissipation", 1.0, "The dissipation of the stops, in SDFormat.")
 
     @property
     def range(self) -> tuple[float, float]:
@@ -151,25 +138,12 @@ class Dynamics(_AxisPart):
     __slots__ = ()
     kind = "dynamics"
 
-    @property
-    def damping(self) -> Number:
-        """N·m·s/rad or N·s/m."""
-        return self._number("damping", 0.0)
-
-    @property
-    def friction(self) -> Number:
-        """N·m or N."""
-        return self._number("friction", 0.0)
-
-    @property
-    def spring_reference(self) -> Number:
-        """The position at which the spring is at rest, in SDFormat."""
-        return self._number("spring_reference", 0.0)
-
-    @property
-    def spring_stiffness(self) -> Number:
-        """N·m/rad or N/m, in SDFormat."""
-        return self._number("spring_stiffness", 0.0)
+    damping = number("damping", 0.0, "N·m·s/rad or N·s/m.")
+    friction = number("friction", 0.0, "N·m or N.")
+    spring_reference = number(
+        "spring_reference", 0.0, "The position at which the spring is at rest, in SDFormat."
+    )
+    spring_stiffness = number("spring_stiffness", 0.0, "N·m/rad or N/m, in SDFormat.")
 
 
 class Mimic(_AxisPart):
@@ -241,18 +215,11 @@ class Mimic(_AxisPart):
         """The axis of the leader that it follows: ``axis`` or ``axis2``."""
         return (self._text("axis") or "").strip() or "axis"
 
-    @property
-    def multiplier(self) -> Number:
-        return self._number("multiplier", 1.0)
-
-    @property
-    def offset(self) -> Number:
-        return self._number("offset", 0.0)
-
-    @property
-    def reference(self) -> Number:
-        """In SDFormat: the position of the leader at which this one is at the offset."""
-        return self._number("reference", 0.0)
+    multiplier = number("multiplier", 1.0)
+    offset = number("offset", 0.0)
+    reference = number(
+        "reference", 0.0, "In SDFormat: the position of the leader at which this one is at the offset."
+    )
 
 
 def _endless(value: float) -> float:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement, control, is_expression
 from sdfcheck.robot.parts.actuation import JointNames
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.values import lazy, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -20,11 +20,7 @@ if TYPE_CHECKING:
 COMPONENTS = frozenset(("joint", "sensor", "gpio"))
 
 GAZEBO_SYSTEMS = frozenset(
-    (
-        "gazebo_ros2_control/GazeboSystem",
-        "gz_ros2_control/GazeboSimSystem",
-        "ign_ros2_control/IgnitionSystem",
-    )
+    ("gazebo_ros2_control/GazeboSystem", "gz_ros2_control/GazeboSimSystem", "ign_ros2_control/IgnitionSystem")
 )
 """The plugins whose hardware is a joint of a simulator."""
 
@@ -123,10 +119,7 @@ class Ros2Control(JointNames):
                 if plugin is None or not plugin.content:
                     yield holder if plugin is None else plugin
 
-    @property
-    def transmissions(self) -> tuple[ControlTransmission, ...]:
-        """Its transmissions."""
-        return tuple(self._parts("transmission"))
+    transmissions: lazy[tuple[ControlTransmission, ...]] = parts("transmission", "Its transmissions.")
 
     @property
     def earlier(self) -> Iterator[Ros2Control]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.formats.urdf.table import extension, is_expression
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.values import lazy, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -91,27 +91,11 @@ class GazeboBlock(Part):
         subject = self.subject
         return cast("Joint", subject) if subject is not None and subject.kind == "joint" else None
 
-    @property
-    def sensors(self) -> tuple[Sensor, ...]:
-        return self._all("sensor")
-
-    @property
-    def lights(self) -> tuple[Light, ...]:
-        return self._all("light")
-
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        return self._all("plugin")
-
-    @property
-    def joints(self) -> tuple[Joint, ...]:
-        """The joints of SDFormat that it adds."""
-        return self._all("joint")
-
-    @property
-    def models(self) -> tuple[Model, ...]:
-        """The models that it adds."""
-        return self._all("model")
+    sensors: lazy[tuple[Sensor, ...]] = parts("sensor")
+    lights: lazy[tuple[Light, ...]] = parts("light")
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin")
+    joints: lazy[tuple[Joint, ...]] = parts("joint", "The joints of SDFormat that it adds.")
+    models: lazy[tuple[Model, ...]] = parts("model", "The models that it adds.")
 
     def settings(self, name: str) -> Iterator[Value]:
         """The values of the settings of a name (``mu1``, ``material`` …): attribute ``value`` or text."""
@@ -141,15 +125,3 @@ class GazeboBlock(Part):
     def is_on(self, name: str) -> bool:
         """Is a setting of this name true?"""
         return bool(self.switched_on(name))
-
-    def elements(self) -> Iterator[Element]:
-        """All elements in it but those of plugins."""
-        waiting = [self.element]
-        while waiting:
-            for child in waiting.pop().children():
-                yield child
-                if child.name != "plugin":
-                    waiting.append(child)
-
-    def _all(self, name: str) -> tuple[Any, ...]:
-        return tuple(self._parts(name))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.parts.solids import Moments
 from sdfcheck.robot.sound_inertia import is_sound
-from sdfcheck.robot.values import Number, is_true, lazy
+from sdfcheck.robot.values import Number, is_true, lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.parts.link import Link
@@ -133,10 +133,7 @@ class Inertial(Part):
         """Does the simulator compute it from the collisions (``auto="true"``)?"""
         return not self.is_urdf and is_true(self._text("auto") or "")
 
-    @property
-    def density(self) -> Number:
-        """kg/m³, for an automatic inertia."""
-        return self._number("density", 1000.0)
+    density = number("density", 1000.0, "kg/m³, for an automatic inertia.")
 
     @lazy
     def center(self) -> tuple[float, float, float] | None:
@@ -150,15 +147,6 @@ class Inertial(Part):
         Worked out quickly; False proves nothing.
         """
         return self.is_given and is_sound(self.link.element)
-
-    @property
-    def is_possible(self) -> bool:
-        """Can a body have this mass and these moments?"""
-        tensor = self.tensor
-        if not (self.mass > 0 and all(map(math.isfinite, (self.mass, *tensor)))):
-            return False
-        low, middle, high = self.principal
-        return low > 0 and low + middle >= high
 
 
 def position(part: Part) -> tuple[float, float, float] | None:

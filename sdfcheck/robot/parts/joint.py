@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.axis import Axis
-from sdfcheck.robot.values import Number, lazy
+from sdfcheck.robot.values import lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
@@ -183,20 +183,11 @@ class Joint(Node):
         """Is it of a type of URDF that lets its child move?"""
         return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"
 
-    @property
-    def screw_thread_pitch(self) -> Number:
-        """Of a screw: m of travel per turn."""
-        return self._number("screw_thread_pitch", 1.0)
-
-    @property
-    def thread_pitch(self) -> Number:
-        """Of a screw, as older versions write it: radians of turn per m, left-handed."""
-        return self._number("thread_pitch", 1.0)
-
-    @property
-    def gearbox_ratio(self) -> Number:
-        """Of a gearbox: turns of the parent per turn of the child."""
-        return self._number("gearbox_ratio", 1.0)
+    screw_thread_pitch = number("screw_thread_pitch", 1.0, "Of a screw: m of travel per turn.")
+    thread_pitch = number(
+        "thread_pitch", 1.0, "Of a screw, as older versions write it: radians of turn per m, left-handed."
+    )
+    gearbox_ratio = number("gearbox_ratio", 1.0, "Of a gearbox: turns of the parent per turn of the child.")
 
     @property
     def sensors(self) -> tuple[Sensor, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Number, Vector
+from sdfcheck.robot.values import Vector, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
@@ -37,10 +37,7 @@ class Light(Part):
         """Red, green, blue, alpha."""
         return self._vector("specular", (0.1, 0.1, 0.1, 1.0))
 
-    @property
-    def intensity(self) -> Number:
-        """A factor."""
-        return self._number("intensity", 1.0)
+    intensity = number("intensity", 1.0, "A factor.")
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in what it is in, or relative to what a reference names there; raises PoseError."""

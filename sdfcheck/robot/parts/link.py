@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.inertial import Inertial
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.values import lazy, parts
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
@@ -53,15 +53,8 @@ class Link(Node):
         """Is its mass other than 0? In URDF a text that is not a number counts, for it is reported for itself."""
         return self.inertial.has_mass
 
-    @property
-    def visuals(self) -> tuple[Visual, ...]:
-        """The visible shape of it."""
-        return tuple(self._parts("visual"))
-
-    @property
-    def collisions(self) -> tuple[Collision, ...]:
-        """The shape of it that touches other things."""
-        return tuple(self._parts("collision"))
+    visuals: lazy[tuple[Visual, ...]] = parts("visual", "The visible shape of it.")
+    collisions: lazy[tuple[Collision, ...]] = parts("collision", "The shape of it that touches other things.")
 
     @property
     def shapes(self) -> tuple[Shape, ...]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.naming.unknown_name import DEFAULT, UnknownName
+from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Number, is_true, lazy
+from sdfcheck.robot.values import is_true, lazy, number, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.parts.plugin import Plugin
@@ -30,15 +30,8 @@ class Physics(Part):
         """Is it the profile that is used?"""
         return is_true(self._text("default") or "")
 
-    @property
-    def max_step_size(self) -> Number:
-        """s."""
-        return self._number("max_step_size", 0.001)
-
-    @property
-    def real_time_factor(self) -> Number:
-        """Simulated seconds per second."""
-        return self._number("real_time_factor", 1.0)
+    max_step_size = number("max_step_size", 0.001, "s.")
+    real_time_factor = number("real_time_factor", 1.0, "Simulated seconds per second.")
 
 
 class State(Part):
@@ -83,10 +76,7 @@ class Actor(Part):
     __slots__ = ()
     kind = "actor"
 
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        """Its plugins."""
-        return tuple(self._parts("plugin"))
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "Its plugins.")
 
     @property
     def animations(self) -> tuple[Element, ...]:

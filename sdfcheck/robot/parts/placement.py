@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Vector, is_true
+from sdfcheck.robot.values import Vector
 
 if TYPE_CHECKING:
     from sdfcheck.source.element import Element, Value
@@ -39,10 +39,6 @@ class Placement(Part):
             return self._part(slice(3, None))
         quaternion = self.attribute("quat_xyzw")
         return Vector.of(quaternion or self.attribute("rpy"), self.element, (0.0, 0.0, 0.0))
-
-    @property
-    def is_in_degrees(self) -> bool:
-        return not self.is_urdf and is_true(self._text("degrees") or "")
 
     @property
     def is_quaternion(self) -> bool:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.naming.unknown_name import DEFAULT, UnknownName
+from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import Number, is_true
+from sdfcheck.robot.values import is_true, lazy, number, parts
 
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
@@ -108,10 +108,7 @@ class Sensor(Part):
         found = self.holder.subject if isinstance(self.holder, GazeboBlock) else self.holder
         return found if isinstance(found, Link | Joint) else None
 
-    @property
-    def update_rate(self) -> Number:
-        """Hz; 0: as often as the simulation steps."""
-        return self._number("update_rate", 0.0)
+    update_rate = number("update_rate", 0.0, "Hz; 0: as often as the simulation steps.")
 
     @property
     def topic(self) -> str:
@@ -150,10 +147,7 @@ class Sensor(Part):
         part = None if element is None else self.part(element)
         return part if isinstance(part, Setting) else None
 
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        """Its plugins."""
-        return tuple(self._parts("plugin"))
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "Its plugins.")
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in the frame of its link or joint, or relative to what a reference names; raises PoseError."""

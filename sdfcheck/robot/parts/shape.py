@@ -8,7 +8,7 @@ from sdfcheck.robot.part import Part
 from sdfcheck.robot.parts import solids
 from sdfcheck.robot.parts.inertial import position
 from sdfcheck.robot.parts.material import Material
-from sdfcheck.robot.values import Number, Vector, lazy
+from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.pose import Pose
@@ -218,10 +218,7 @@ class Collision(Shape):
         """How it slides and bounces, in SDFormat."""
         return self._only("surface", Surface)
 
-    @property
-    def density(self) -> Number:
-        """kg/m³, for an automatic inertia."""
-        return self._number("density", 1000.0)
+    density = number("density", 1000.0, "kg/m³, for an automatic inertia.")
 
 
 def _count(numbers: Vector, count: int) -> Vector:

@@ -24,6 +24,11 @@ _URDF_KINDS = frozenset({"frame", "joint", "link"})
 _UNKNOWABLE = "?"
 
 
+def owner_of(element: Element) -> Element | None:
+    """The model or robot that the names in an element belong to."""
+    return next((each for each in element.around if each.name in {"model", "robot"}), None)
+
+
 class Unresolved(NamedTuple):
     """A name that nothing of the right kind has."""
 
@@ -56,20 +61,13 @@ class References:
     def unresolved(self, value: VendorValue) -> Unresolved | None:
         """The fault of a name that is not defined; None for one that may refer to something."""
         slot, name = value.slot, value.text.strip()
-        owner = self.owner(value.value.element)
+        owner = owner_of(value.value.element)
         if owner is None:
             return None
         found = self.look_up(owner, slot, name)
         if found.kind in slot.references or found.kind == _UNKNOWABLE:
             return None
         return Unresolved(slot.references, found.kind, suggest_in(self.document, name, found.candidates))
-
-    def owner(self, element: Element) -> Element | None:
-        """The model or robot that the names belong to."""
-        at = element.parent
-        while at is not None and at.name not in {"model", "robot"}:
-            at = at.parent
-        return at
 
     def look_up(self, owner: Element, slot: Slot, name: str) -> _Found:
         own = [kind for kind in slot.references if ":" in kind]

@@ -137,7 +137,7 @@ def _collect(stream: int, limits: dict[str, int]) -> tuple[bytes, str]:
 def expand(request: Request, packages: Packages, memory: Any) -> Answer:
     """Expand one file, locked up."""
     path = request["path"]
-    tracer = Tracer(xacro, path, {**request["texts"], path: request["text"]}, Crumbs(memory))
+    tracer = Tracer(xacro, {**request["texts"], path: request["text"]}, Crumbs(memory))
     os.chdir(request["cwd"])
     os.environ.clear()
     os.environ.update(request["environment"])

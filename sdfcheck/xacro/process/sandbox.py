@@ -20,44 +20,17 @@ VALUE_LIMIT = 10_000_000
 
 # Through these attributes code reaches other frames, and from them everything.
 _FRAMES = frozenset(
-    [
-        "gi_frame",
-        "gi_code",
-        "gi_yieldfrom",
-        "cr_frame",
-        "cr_code",
-        "cr_await",
-        "cr_origin",
-        "ag_frame",
-        "ag_code",
-        "ag_await",
-        "tb_frame",
-        "tb_next",
-        "f_back",
-        "f_builtins",
-        "f_code",
-        "f_globals",
-        "f_locals",
-        "f_trace",
-        "func_globals",
-        "func_code",
-    ]
+    """
+    gi_frame gi_code gi_yieldfrom cr_frame cr_code cr_await cr_origin ag_frame ag_code ag_await tb_frame
+    tb_next f_back f_builtins f_code f_globals f_locals f_trace func_globals func_code
+    """.split()
 )
 # Exceptions of evaluating and reading; an expansion catches no others.
 _HARMLESS = frozenset(
-    [
-        "builtins.id",
-        "compile",
-        "exec",
-        "glob.glob",
-        "glob.glob/2",
-        "object.__getattr__",
-        "os.listdir",
-        "os.scandir",
-        "os.walk",
-        "sys.excepthook",
-        "sys.unraisablehook",
-    ]
+    """
+    builtins.id compile exec glob.glob glob.glob/2 object.__getattr__ os.listdir os.scandir os.walk
+    sys.excepthook sys.unraisablehook
+    """.split()
 )
 _WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 

@@ -69,14 +69,13 @@ class Crumbs:
 class Tracer:
     """Knows the places of one expansion."""
 
-    def __init__(self, xacro: Any, path: str, texts: Mapping[str, str], crumbs: Crumbs) -> None:
+    def __init__(self, xacro: Any, texts: Mapping[str, str], crumbs: Crumbs) -> None:
         self.xacro = xacro
         self.texts = texts
         """Path → text, for files that are not read from disk: the one that is expanded, and others."""
         self.crumbs = crumbs
         self.files: list[str] = []
         self.definitions: dict[str, Written] = {}
-        self.step: Step | None = None
         self.include: Step | None = None
         self.is_left_out: Callable[[str], bool] | None = None
         """Whether an include is left as it is; where there is such a thing, unknown macros are, too."""

@@ -10,7 +10,6 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX
-from sdfcheck.xacro.parameters import Parameter
 from sdfcheck.xacro.problems import (
     Mismatch,
     Problem,
@@ -27,14 +26,13 @@ from sdfcheck.xacro.static.definitions import Definitions, is_robot, knows_all, 
 from sdfcheck.xacro.static.elements import element_problems
 from sdfcheck.xacro.static.expressions import expression_problems
 from sdfcheck.xacro.static.names import free_names
-from sdfcheck.xacro.static.oversights import oversights
+from sdfcheck.xacro.static.oversights import oversights, parameter_place
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
 from sdfcheck.xacro.static.suggestions import guess, nearest
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
-_BLOCK_MAKERS = frozenset({"xacro:if", "xacro:unless", "xacro:insert_block", "xacro:include"})
 
 
 def problems(document: Document) -> Iterator[Problem]:
@@ -191,7 +189,7 @@ def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Pro
     for macro in reading(document).macros:
         for parameter in macro.parameters:
             if not _is_read(parameter.name.lstrip("*"), macro, visible, set()):
-                yield UnusedMacroParameter(_parameter_place(macro, parameter), parameter.name, macro.name)
+                yield UnusedMacroParameter(parameter_place(macro, parameter), parameter.name, macro.name)
 
 
 def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> bool:
@@ -213,13 +211,6 @@ def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> b
     return False
 
 
-def _parameter_place(macro: Macro, parameter: Parameter) -> Span:
-    span = macro.element.document.spans.attribute_value(macro.element, "params")
-    if span.text[parameter.start : parameter.end] == parameter.name:
-        return span.source.span(span.start + parameter.start, span.start + parameter.end)
-    return span
-
-
 def _unknown_packages(document: Document) -> Iterator[Problem]:
     """Packages that an expansion needs for certain; in a robot the expansion itself reports the others."""
     if (library := library_of(document)) is None:
@@ -234,4 +225,4 @@ def _unknown_packages(document: Document) -> Iterator[Problem]:
         if packages.find(match[1]) is None:
             span = place(command.element, command.attribute, command.text, match[1])
             near = nearest(match[1], set(packages.names))
-            yield UnknownPackage(span, match[1], near, tuple(str(folder) for folder in packages.searched))
+            yield UnknownPackage(span, match[1], near)

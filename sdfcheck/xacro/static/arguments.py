@@ -9,7 +9,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.xacro.problems import ExpansionFailure, Failure
 from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.elements import is_conditional
+from sdfcheck.xacro.static.elements import is_conditional, is_outside
 from sdfcheck.xacro.static.reading import Command, place
 
 _ASKED = re.compile(r"arg\s+([^\s${}]+)\s*$")
@@ -54,6 +54,8 @@ def _is_asked(command: Command, visible: Definitions) -> bool:
     element = command.element
     if command.certain or element.name != "xacro:property":
         return command.certain
-    above = element.parent
-    is_outside = above is not None and above.parent is None
-    return is_outside and not is_conditional(element) and element.attributes.get("name") in visible.words
+    return (
+        is_outside(element)
+        and not is_conditional(element)
+        and element.attributes.get("name") in visible.words
+    )

@@ -76,11 +76,9 @@ class Definitions:
             if not targets and not way and not include.optional and self._known_path(include, document):
                 self.missing.append(include)
             for target in targets:
-                self._follow(target, include, document, (*way, (path, include)))
+                self._follow(target, document, (*way, (path, include)))
 
-    def _follow(
-        self, target: Path, include: Include, document: Document, way: tuple[tuple[Path, Include | None], ...]
-    ) -> None:
+    def _follow(self, target: Path, document: Document, way: tuple[tuple[Path, Include | None], ...]) -> None:
         real = _real(target)
         paths = [path for path, _ in way]
         if real in paths:

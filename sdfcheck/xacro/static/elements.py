@@ -35,20 +35,18 @@ def lacks_prefix(element: Element) -> bool:
 
 def is_free(element: Element) -> bool:
     """Whether an element is inside of what is another format's than the document's."""
-    above = element.parent
-    while above is not None:
-        if above.name in _FREE or (":" in above.name and not above.name.startswith(PREFIX)):
-            return True
-        above = above.parent
-    return False
+    names = [each.name for each in element.around]
+    return any(name in _FREE or (":" in name and not name.startswith(PREFIX)) for name in names)
 
 
 def is_conditional(element: Element) -> bool:
     """Whether xacro may ignore an element."""
-    above = element.parent
-    while above is not None and keyword(above) not in {"if", "unless"}:
-        above = above.parent
-    return above is not None
+    return any(keyword(each) in {"if", "unless"} for each in element.around)
+
+
+def is_outside(element: Element) -> bool:
+    """Is an element directly in the root?"""
+    return element.parent is not None and element.parent.parent is None
 
 
 def own_attributes(element: Element, own: str) -> dict[str, str]:
@@ -79,10 +77,7 @@ def element_problems(document: Document) -> Iterator[Found]:
 
 def is_in_include(element: Element) -> bool:
     """Whether an element is where xacro looks at nothing."""
-    above = element.parent
-    while above is not None and above.name != _INCLUDE:
-        above = above.parent
-    return above is not None
+    return any(each.name == _INCLUDE for each in element.around)
 
 
 def _wrong_attributes(element: Element, own: str) -> Iterator[WrongXacroAttribute]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -28,7 +28,7 @@ from sdfcheck.xacro.oversights import (
 )
 from sdfcheck.xacro.parameters import Parameter
 from sdfcheck.xacro.static.definitions import Definitions, knows_all
-from sdfcheck.xacro.static.elements import is_conditional
+from sdfcheck.xacro.static.elements import is_conditional, is_outside
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.reading import Macro, Property, Reading, own_words, place, reading
 from sdfcheck.xacro.static.suggestions import nearest
@@ -74,7 +74,7 @@ def _macros(read: Reading) -> Iterator[Oversight]:
     for macro in read.macros:
         if macro.element.attributes.get("name", "").startswith(PREFIX):
             yield PrefixedMacroName(_named(macro.element), macro.name)
-        if macro.name and is_literal(macro.name) and _is_outside(macro.element):
+        if macro.name and is_literal(macro.name) and is_outside(macro.element):
             earlier = first.setdefault(macro.name, macro)
             if earlier is not macro:
                 yield RedefinedMacro(_named(macro.element), macro.name, _named(earlier.element))
@@ -238,9 +238,3 @@ def _named(element: Element) -> Span:
     """The name that an element gives."""
     spans = element.document.spans
     return spans.attribute_value(element, "name") if "name" in element.attributes else element.span
-
-
-def _is_outside(element: Element) -> bool:
-    """Is an element directly in the root?"""
-    above: Iterable[Element | None] = (element.parent,)
-    return all(each is not None and each.parent is None for each in above)

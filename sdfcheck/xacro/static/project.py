@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -70,28 +71,21 @@ def is_included(document: Document) -> bool:
 
 
 def _is_included(document: Document) -> bool:
-    if (library := library_of(document)) is None:
-        return False
-    packages = library.packages(document.path)
-    own = library.disk.real(document.path)
-    return any(
-        _leads(filename, own, packages, library)
-        for filename in _project(library, document).of(document.path.name)
-        if library.disk.real(filename.by) != own
-    )
+    return any(True for _ in _inclusions(document))
 
 
 def includers(document: Document) -> list[Path]:
     """The other xacro files of the project that include this one, directly, sorted."""
-    if (library := library_of(document)) is None:
-        return []
-    packages = library.packages(document.path)
-    own = library.disk.real(document.path)
-    filenames = _project(library, document).of(document.path.name)
-    found = {each.by for each in filenames if library.disk.real(each.by) != own}
-    return sorted(
-        by for by in found if any(_leads(each, own, packages, library) for each in filenames if each.by == by)
-    )
+    return sorted({each.by for each in _inclusions(document)})
+
+
+def _inclusions(document: Document) -> Iterator[_Filename]:
+    if (library := library_of(document)) is not None:
+        packages = library.packages(document.path)
+        own = library.disk.real(document.path)
+        for each in _project(library, document).of(document.path.name):
+            if library.disk.real(each.by) != own and _leads(each, own, packages, library):
+                yield each
 
 
 def _leads(filename: _Filename, own: str, packages: Packages, library: Library) -> bool:

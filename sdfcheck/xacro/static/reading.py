@@ -9,18 +9,11 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import (
-    KEYWORDS,
-    PREFIX,
-    expressions,
-    is_literal,
-    substitutions,
-)
+from sdfcheck.xacro.language import KEYWORDS, PREFIX, expressions, is_literal, substitutions
 from sdfcheck.xacro.parameters import Parameter, parameters
 from sdfcheck.xacro.static.elements import keyword, own_attributes
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_OWN_LANGUAGE = frozenset({"name", "filename"})
 
 
 class Macro(Record):
@@ -202,9 +195,7 @@ def _without_comma(parameter: Parameter) -> Parameter:
         return parameter
     name = parameter.name.rstrip(",")
     end = parameter.end - len(parameter.name) + len(name)
-    return Parameter(
-        name, parameter.start, end, (parameter.default or "").rstrip(",") or None, parameter.forwards
-    )
+    return parameter._replace(name=name, end=end, default=(parameter.default or "").rstrip(",") or None)
 
 
 def _words_of(element: Element) -> set[str]:

@@ -15,7 +15,6 @@ from sdfcheck.xacro.problems import (
     Failure,
     Problem,
     Reason,
-    UndefinedBlock,
     UndefinedMacro,
     UndefinedProperty,
 )
@@ -57,8 +56,6 @@ _OTHER_LANGUAGES = (
 
 def with_reason(problem: Problem, document: Document) -> Problem:
     """The same problem with the reason for it, where that is known."""
-    if isinstance(problem, UndefinedBlock):
-        return problem
     if isinstance(problem, UndefinedProperty):
         reason = _of_property(problem, visible_definitions(document))
     elif isinstance(problem, UndefinedMacro):
@@ -71,10 +68,7 @@ def with_reason(problem: Problem, document: Document) -> Problem:
         reason = _of_file(problem, document)
     else:
         return problem
-    if reason is None:
-        return problem
-    values = {field: getattr(problem, field) for field in problem._fields}
-    return type(problem)(**{**values, "reason": reason})
+    return problem if reason is None else problem.changed(reason=reason)
 
 
 def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable
 
+from sdfcheck.formats.suggest import Effort
 from sdfcheck.source.document import Document
-from sdfcheck.source.effort import Effort
 from sdfcheck.source.scanner.evidence import alike
 
 _DIGIT = re.compile(r"\d")

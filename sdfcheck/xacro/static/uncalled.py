@@ -39,7 +39,7 @@ def _not_taken(
         return
     shown = set().union(*(expansion.provenance.offsets_in(document.path) for expansion in expansions))
     for branch in branches:
-        if done.isdisjoint(_above(branch)):
+        if done.isdisjoint(branch.around):
             starts = {content.span.start - 1 for content in _content(branch)}
             if starts and shown.isdisjoint(starts):
                 done.add(branch)
@@ -61,7 +61,7 @@ def _called(visible: Definitions) -> frozenset[str]:
         call.name
         for read in visible.readings
         for call in read.calls
-        if all(above.name != "xacro:macro" for above in _above(call.element))
+        if all(each.name != "xacro:macro" for each in call.element.around)
     ]
     called: set[str] = set()
     while waiting:
@@ -70,10 +70,3 @@ def _called(visible: Definitions) -> frozenset[str]:
             called.add(name)
             waiting += [inner for macro in visible.macros.get(name, ()) for inner in macro.calls]
     return frozenset(called)
-
-
-def _above(element: Element) -> Iterator[Element]:
-    parent = element.parent
-    while parent is not None:
-        yield parent
-        parent = parent.parent

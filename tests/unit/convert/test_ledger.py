@@ -234,7 +234,7 @@ class TestLedger:
         ledger, root = self.of('<sdf version="1.12"><model name="m"/></sdf>')
         ledger.take(root)
         ledger.close(root)
-        assert [loss.kind for loss in ledger.losses] == [LossKind.UNACCOUNTED]
+        assert [loss.kind for loss in ledger.losses] == [LossKind.UNACCOUNTED_ITEM]
 
 
 INCLUDING = """<sdf version="1.9" xmlns:hid="u"><model name="m" hid:a1="1"><link name="base"/>

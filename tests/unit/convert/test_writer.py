@@ -8,16 +8,7 @@ from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.result_paths import seen_from
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
-from sdfcheck.convert.writer import (
-    Comment,
-    Node,
-    copied,
-    number,
-    numbers,
-    render,
-    settled,
-    write_atomically,
-)
+from sdfcheck.convert.writer import Comment, Node, copied, number, numbers, render, settled, write_atomically
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -30,7 +21,7 @@ def test_text_and_attributes_are_escaped() -> None:
 
 def test_comments_stay_comments() -> None:
     root = Node("a")
-    root.comment(" one -- two -")
+    root.children.append(Comment(" one -- two -"))
     text = render(root, before=[Comment(" first ")])
     assert "<!-- first -->" in text
     assert "<!-- one - - two - -->" in text

@@ -11,7 +11,7 @@ from sdfcheck.formats.describe.summary import summary
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.formats.urdf.table import UrdfElement, urdf
-from sdfcheck.formats.vendor.files import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 
 FILE = Path(__file__).parents[3] / "sdfcheck" / "formats" / "data" / "descriptions.txt"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome, Reading
-from sdfcheck.formats.sdf.bounds import Range
-from sdfcheck.formats.sdf.values import boolean, floats, integer, number, read
+from sdfcheck.formats.sdf.table import Range
+from sdfcheck.formats.sdf.values import floats, number, read
 
 FINE = Outcome.AS_WRITTEN
 BAD = Outcome.MALFORMED
@@ -253,19 +253,3 @@ def test_typed_reads() -> None:
     assert [floats(text) for text in ("", "1,5", "1 x", "1_0", "\u0661")] == [None] * 5
     assert (number("-1e3"), number("1 2"), number("")) == (-1000.0, None, None)
     assert number("inf") == float("inf")
-    assert [boolean(text) for text in (" True", "1", "false", "0", "yes", "")] == [
-        True,
-        True,
-        False,
-        False,
-        None,
-        None,
-    ]
-    assert [integer(text) for text in ("12", " 0x10 ", "-3", "1.0", "x", "")] == [
-        12,
-        16,
-        -3,
-        None,
-        None,
-        None,
-    ]

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Edit, Fix
 from sdfcheck.lint.fix.fixer import FixedFile, Refused, edited, fix_file, together
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.source.decode import decode

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.fold import fold
 from sdfcheck.source.text import Source
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sdfcheck.lint.fix.fix import Edit
+from sdfcheck.lint.fix import Edit
 from sdfcheck.lsp.actions import differences, offers
 from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.completion.context import Checkpoints, context

@@ -9,7 +9,7 @@ from typing import Any
 
 from sdfcheck.consumers.reaction import refuses, warns
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Edit, Fix
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.source.text import Source, Span

@@ -13,7 +13,7 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.report import OutputFormat, content, render
 from sdfcheck.report.edits import DELETED, INSERTED, KEPT, Hunk, hunks
 from sdfcheck.report.formats.html import MOST_ROBOTS

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat, render
 from tests.unit.report.runs import diagnostic, fixed, marked, parsed, rich_diagnostic, run

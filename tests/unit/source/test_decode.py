@@ -8,8 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sdfcheck.source.decode import decode
-from sdfcheck.source.encoding_defect import EncodingDefect, EncodingKind
+from sdfcheck.source.decode import EncodingDefect, EncodingKind, decode
 
 PATH = Path("example.sdf")
 DECLARED = '<?xml version="1.0" encoding="{}"?><sdf name="Wörld"/>'

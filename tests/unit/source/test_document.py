@@ -11,12 +11,7 @@ from lxml import etree
 
 import sdfcheck
 from sdfcheck.source.document import Document, problems, read
-from sdfcheck.source.problems import (
-    ContentAfterRoot,
-    SyntaxDefect,
-    UnknownEntity,
-    UnrecognizedDocument,
-)
+from sdfcheck.source.problems import ContentAfterRoot, SyntaxDefect, UnknownEntity, UnrecognizedDocument
 from sdfcheck.source.sniff import Kind
 
 PATH = Path("example.sdf")

@@ -8,12 +8,7 @@ import pytest
 from lxml import etree
 
 from sdfcheck.lint.example import unmark
-from sdfcheck.source.problems import (
-    ContentAfterRoot,
-    LateDeclaration,
-    SyntaxDefect,
-    SyntaxKind,
-)
+from sdfcheck.source.problems import ContentAfterRoot, LateDeclaration, SyntaxDefect, SyntaxKind
 from sdfcheck.source.rewritten import written_name
 from sdfcheck.source.scanner.full_scan import scan
 from sdfcheck.source.scanner.scan import Scan

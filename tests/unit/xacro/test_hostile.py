@@ -10,13 +10,7 @@ import pytest
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Surroundings
-from sdfcheck.xacro.problems import (
-    ExpansionFailure,
-    Failure,
-    Problem,
-    UndefinedProperty,
-    XacroIncludeCycle,
-)
+from sdfcheck.xacro.problems import ExpansionFailure, Failure, Problem, UndefinedProperty, XacroIncludeCycle
 from sdfcheck.xacro.process.watch import Limits
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'

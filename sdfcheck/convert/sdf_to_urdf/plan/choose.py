@@ -4,25 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sdfcheck.convert.items import models
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.robot.model import Model
-from sdfcheck.robot.root import root_of
-from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.wrong_usage import WrongUsage
-
-
-def models(document: Document) -> list[Model]:
-    """The top-level models of a file and of its worlds, in document order."""
-    return [model for root in root_of(document).scopes for model in _models(root)]
-
-
-def _models(scope: Scope) -> Iterator[Model]:
-    if isinstance(scope, Model):
-        yield scope
-    else:
-        yield from (node for node in scope.nodes.values() if isinstance(node, Model) and node.is_readable)
 
 
 def choose(document: Document, name: str) -> Model:

@@ -9,7 +9,7 @@ from types import NoneType
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix.fix import Edit, Fix
+from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.rulebook.plugins.place import Misbehavior, place_of_check
 from sdfcheck.lint.rulebook.plugins.prints import Aside
 from sdfcheck.source.text import Span

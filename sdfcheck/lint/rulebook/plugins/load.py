@@ -10,8 +10,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.vendor.files import BUILT_IN as BUILT_IN_TABLES
-from sdfcheck.formats.vendor.files import SUFFIX, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN as BUILT_IN_TABLES
+from sdfcheck.formats.vendor import SUFFIX, prefix_of
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import (
     CONDITIONS,

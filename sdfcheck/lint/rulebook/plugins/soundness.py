@@ -13,8 +13,8 @@ from sdfcheck.lint.rule import Rule
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 
-_CODE = re.compile(r"[A-Z][A-Z0-9]*[A-Z][0-9]{3,}|[A-Z][0-9]{3,}")
-_NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+_CODE = r"[A-Z][A-Z0-9]*[A-Z][0-9]{3,}|[A-Z][0-9]{3,}"
+_NAME = r"[a-z][a-z0-9]*(-[a-z0-9]+)*"
 _DIALECTS = ("sdf", "urdf", "xacro", "model-config")
 
 
@@ -53,22 +53,12 @@ def _looks_nowhere(rule: type[Rule]) -> str | None:
     return None
 
 
-def _code(value: object) -> str | None:
-    if isinstance(value, str) and _CODE.fullmatch(value):
-        return None
-    return f"`code` should be capitals and three digits, such as `ABC001`, not {value!r}"
+def _spelled(attribute: str, form: str, what: str) -> Callable[[Any], str | None]:
+    def examine(value: Any) -> str | None:
+        is_sound = isinstance(value, str) and re.fullmatch(form, value)
+        return None if is_sound else f"`{attribute}` should be {what}, not {value!r}"
 
-
-def _name(value: object) -> str | None:
-    if isinstance(value, str) and _NAME.fullmatch(value):
-        return None
-    return f"`name` should be lower-case words joined by hyphens, such as `zero-effort`, not {value!r}"
-
-
-def _severity(value: object) -> str | None:
-    if isinstance(value, Severity):
-        return None
-    return f"`severity` should be a Severity, such as Severity.WARNING, not {value!r}"
+    return examine
 
 
 def _tuple_of(attribute: str, kind: type, what: str, *, needed: bool = False) -> Callable[[Any], str | None]:
@@ -161,9 +151,9 @@ def _instance(attribute: str, kind: type, what: str) -> Callable[[Any], str | No
 
 
 _EXAMINED: dict[str, Callable[[Any], str | None]] = {
-    "code": _code,
-    "name": _name,
-    "severity": _severity,
+    "code": _spelled("code", _CODE, "capitals and three digits, such as `ABC001`"),
+    "name": _spelled("name", _NAME, "lower-case words joined by hyphens, such as `zero-effort`"),
+    "severity": _instance("severity", Severity, "a Severity, such as Severity.WARNING"),
     "looks_at": _looks_at,
     "selects": _selects,
     "needs": _tuple_of("needs", str, "texts, such as `<mesh`"),
