@@ -84,6 +84,12 @@ class UnknownDrakeReference(VendorRule):
             "<drake:member>arm::hand</drake:member></drake:collision_filter_group>",
             why="nobody knows what is in a file that is not there",
         ),
+        Good(
+            '<drake:joint name="p" type="planar"><drake:parent>__model__</drake:parent>'
+            "<drake:child>b</drake:child>"
+            "<drake:damping>0 0 0</drake:damping></drake:joint>",
+            why="every model has a frame of this name",
+        ),
     )
 
     @staticmethod

@@ -148,6 +148,11 @@ def test_urdf_loops_lead_nowhere() -> None:
         pose_of("hand", document(closed))
 
 
+def test_a_joint_of_urdf_without_a_child_is_nowhere() -> None:
+    with pytest.raises(PoseError, match="joint k has no child"):
+        pose_of("k", document(URDF.replace('<child link="hand"/>', "")))
+
+
 @pytest.mark.parametrize(
     ("pose", "expected"),
     [
@@ -199,3 +204,12 @@ def test_a_quaternion_of_urdf() -> None:
     turned, plain = robot.each(Placement)
     assert turned.is_quaternion
     assert not plain.is_quaternion
+
+
+def test_the_rotation_of_a_pose_is_what_follows_its_position() -> None:
+    robot = sdfcheck.parse(
+        '<sdf version="1.9"><model name="m"><link name="a"><pose>1 2 3 4 5 6</pose></link><link name="b">'
+        '<pose rotation_format="quat_xyzw">1 2 3 0 0 0 1</pose></link></model></sdf>'
+    )
+    assert [(*each.xyz,) for each in robot.each(Placement)] == [(1, 2, 3), (1, 2, 3)]
+    assert [(*each.rotation,) for each in robot.each(Placement)] == [(4, 5, 6), (0, 0, 0, 1)]
