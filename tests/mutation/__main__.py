@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator
 from hashlib import sha256
 from pathlib import Path
 
-from tests.mutation.covering import Covering, read, record
+from tests.mutation.covering import Covering, collected, read, record
 from tests.mutation.mutants import Mutant, make, marks
 from tests.mutation.trial import survives
 
@@ -111,7 +111,7 @@ def main() -> int:
     given = parser.parse_args()
     if given.anew or not given.note.exists():
         _record(given.note)
-    covering, harmless = read(given.note), equivalent()
+    covering, harmless = read(given.note).among(collected(ROOT, _tests())), equivalent()
     only = listed(given.again) if given.again is not None else None
     total = survived = 0
     for mutant in (mutant for room in given.rooms for mutant in sample(room, given.seed)):

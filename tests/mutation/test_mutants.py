@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.mutation.__main__ import ROOMS, drawn, equivalent, listed, sample, within
-from tests.mutation.covering import Covering
+from tests.mutation.covering import Covering, collected
 from tests.mutation.mutants import Mutant, make, marks
 
 ROOT = Path(__file__).parents[2]
@@ -83,6 +83,13 @@ def test_the_quickest_tests_come_first() -> None:
     assert covering.of(Path("a.py"), 5) == ["quick", "medium", "slow"]
     assert covering.of(Path("a.py"), 2) == []
     assert within(covering.of(Path("a.py"), 3), covering) == ["quick", "medium"]
+
+
+def test_a_test_that_is_gone_is_not_run() -> None:
+    covering = Covering({"a.py": {3: ("gone", "here")}}, {"gone": 1, "here": 2})
+    assert covering.among({"here", "new"}).of(Path("a.py"), 3) == ["here"]
+    this = f"tests/mutation/test_mutants.py::{test_a_test_that_is_gone_is_not_run.__name__}"
+    assert this in collected(ROOT, ["tests/mutation/test_mutants.py"])
 
 
 def test_survivors_are_read_from_a_report(tmp_path: Path) -> None:
