@@ -28,6 +28,7 @@ TESTS = (
     *("tests/unit/robot", "tests/unit/lint", "tests/unit/convert", "tests/unit/rules", "tests/test_rules.py"),
     *("tests/test_golden.py", "tests/test_golden_sdf_to_urdf.py", "tests/test_golden_urdf_to_sdf.py"),
     *(
+        "tests/unit/report/test_manual.py",
         "tests/unit/test_api.py",
         "tests/unit/test_extensions.py",
         "tests/unit/cli/test_targets.py",
