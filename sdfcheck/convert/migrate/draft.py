@@ -9,7 +9,6 @@ from lxml import etree
 
 from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.node import Node
-from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Source
@@ -37,11 +36,6 @@ class Draft:
         self._elements: dict[Node, Element] = {}
         self._nodes: dict[Element, Node] = {}
         self._pair()
-
-    @property
-    def version(self) -> Version:
-        """The version that the draft is marked with."""
-        return Version.parse(self.root.get("version") or "") or NEWEST
 
     def text(self) -> str:
         text = self._before + self.root.text() + self._after

@@ -124,6 +124,7 @@ def test_the_noise_of_old_imus_is_said_for_each_axis() -> None:
     after = f'<gazebo reference="l"><sensor name="s" type="imu">{NOISE}</sensor></gazebo>'
     done = urdf_to_sdf(robot(after=after), Options())
     assert done.text.count("<stddev>0.01</stddev>") == done.text.count("<stddev>0.2</stddev>") == 3
+    assert done.text.count('<noise type="gaussian">') == 6
     assert "<rate>" not in done.text
     assert "<rate>" in urdf_to_sdf(robot(after=after), Options(Version(1, 5))).text
 
