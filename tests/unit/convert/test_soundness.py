@@ -10,7 +10,7 @@ from sdfcheck.cli.main import main
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
-from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.convert.urdf_to_sdf.options import Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.document import Document, read
 
@@ -142,3 +142,11 @@ def test_a_custom_element_of_a_block_gets_a_name_that_nothing_in_the_model_has()
     done = urdf_to_sdf(robot(after='<gazebo><x:tag name="l" xmlns:x="urn:x"/></gazebo>'), Options())
     assert 'name="l_2"' in done.text
     assert [loss.message for loss in done.losses] == ["x:tag `l` is named `l_2`"]
+
+
+def test_a_package_is_named_once() -> None:
+    mesh = '<visual><geometry><mesh filename="package://{}.obj"/></geometry></visual>'
+    meshes = "".join(mesh.format(file) for file in ("arm/a", "arm/b", "hand/a"))
+    done = urdf_to_sdf(robot(meshes), Options(package_uris=PackageUris.MODEL))
+    assert done.text.count("model://") == 3
+    assert [loss.kind for loss in done.losses].count(LossKind.CHANGED_URI) == 2

@@ -8,7 +8,7 @@ from sdfcheck.convert.loss import LossKind, NotConvertible
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.naming import legal
-from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.convert.verification import Verification
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.motion.flatten import mechanism_of
@@ -277,15 +277,6 @@ def test_joints_after_a_floating_one_are_compared() -> None:
     assert done.verification is not None
     assert done.verification.is_equal, done.verification.differences
     assert "swing" in done.comparisons[0].source.joints
-
-
-def test_a_package_is_named_once() -> None:
-    mesh = '<visual><geometry><mesh filename="package://{}/{}.obj"/></geometry></visual>'
-    files = (("arm", "a"), ("arm", "b"), ("hand", "a"))
-    text = f'<robot name="r"><link name="a">{"".join(mesh.format(*file) for file in files)}</link></robot>'
-    done = convert(text, Options(package_uris=PackageUris.MODEL))
-    assert done.text.count("model://") == 3
-    assert [loss.kind for loss in done.losses].count(LossKind.CHANGED_URI) == 2
 
 
 def test_an_origin_that_moves_nothing_is_no_pose() -> None:

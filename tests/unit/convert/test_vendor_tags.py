@@ -261,17 +261,6 @@ def to_urdf(text: str) -> str:
             '<drake:joint name="j" type="ball"><parent link="a"/><child link="b"/></drake:joint>',
         ),
         (
-            sdf(joint="<joint name='j' type='ball'><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz>"
-                      "<dynamics><damping>0.5</damping></dynamics></axis></joint>"),
-            '<parent link="a"/><child link="b"/><dynamics damping="0.5"/></drake:joint>',
-        ),
-        (
-            sdf(joint="<drake:joint name='j' type='curvilinear'><drake:parent>a</drake:parent>"
-                      "<drake:child>b</drake:child><drake:initial_tangent><xyz>0 1 0</xyz></drake:initial_tangent>"
-                      "<drake:curves><drake:line_segment><drake:length>1</drake:length></drake:line_segment></drake:curves></drake:joint>"),
-            '<drake:initial_tangent xyz="0 1 0"/><drake:curves><drake:line_segment length="1"/></drake:curves>',
-        ),
-        (
             sdf("<link name='c'/><joint name='k' type='revolute'><parent>a</parent><child>c</child>"
                 '<axis><xyz>0 0 1</xyz></axis><drake:mimic joint="j" multiplier="2" offset="1"/></joint>'),
             '<mimic joint="j" multiplier="2" offset="1"/>',
@@ -287,7 +276,7 @@ def to_urdf(text: str) -> str:
     ],
     ids=[
         "acceleration", "actuator", "properties", "ellipsoid", "friction", "bushing", "planar", "ball",
-        "damped-ball", "curvilinear", "mimic", "constraint",
+        "mimic", "constraint",
     ],
 )  # fmt: skip
 def test_sdf_becomes_urdf(source: str, result: str) -> None:
