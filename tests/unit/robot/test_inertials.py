@@ -99,6 +99,18 @@ def test_inertials_of_macros_have_no_solids_yet() -> None:
     assert math.isnan(found.solid_trace)
 
 
+@pytest.mark.parametrize("declared", [' xmlns:xacro="http://www.ros.org/wiki/xacro"', ""])
+def test_a_macro_counts_as_the_link_whose_parts_it_writes(declared: str) -> None:
+    inside = '<inertial><mass value="1"/></inertial>'
+    text = f'<robot name="r"{declared}><xacro:macro name="part">{inside}</xacro:macro></robot>'
+    document = read(text.encode(), Path("r.xacro"), Kind.XACRO)
+    assert document.root is not None
+    (macro,) = document.root.children()
+    (found,) = parts_in_macros(document, macro.children("inertial"))
+    assert isinstance(found, Inertial)
+    assert found.mass.number == 1
+
+
 def test_models_in_extensions_are_looked_at() -> None:
     inner = '<model name="m"><link name="l"><inertial><mass>-3</mass></inertial></link></model>'
     run = sdfcheck.lint(f'<robot name="r"><link name="a"/><gazebo>{inner}</gazebo></robot>', isolated=True)

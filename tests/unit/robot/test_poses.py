@@ -213,3 +213,4 @@ def test_the_rotation_of_a_pose_is_what_follows_its_position() -> None:
     )
     assert [(*each.xyz,) for each in robot.each(Placement)] == [(1, 2, 3), (1, 2, 3)]
     assert [(*each.rotation,) for each in robot.each(Placement)] == [(4, 5, 6), (0, 0, 0, 1)]
+    assert [each.is_quaternion for each in robot.each(Placement)] == [False, True]
