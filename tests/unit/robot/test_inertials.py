@@ -82,6 +82,12 @@ def test_parts_that_may_be_static(static: str, may_be: bool) -> None:
     assert inertial("<inertial/>", f"<static>{static}</static>").link.may_be_static is may_be
 
 
+@pytest.mark.parametrize(("static", "is_static"), [("true", True), ("1", True), ("false", False)])
+def test_a_block_makes_a_robot_static(static: str, is_static: bool) -> None:
+    text = f'<robot name="r"><link name="a"/><gazebo><static>{static}</static></gazebo></robot>'
+    assert sdfcheck.parse(text).models[0].is_static is is_static
+
+
 def test_inertials_of_macros_have_no_solids_yet() -> None:
     text = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="part">'
