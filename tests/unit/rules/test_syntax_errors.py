@@ -1,4 +1,4 @@
-"""What is said of tags that are missing, and where."""
+"""The messages about tags that are missing, and their places."""
 
 from __future__ import annotations
 
