@@ -190,15 +190,19 @@ def test_a_joint_of_a_world_moves_into_its_model(end: str, written: str) -> None
     assert done.text.index("<joint") < done.text.index("</world>")
 
 
-def test_a_joint_of_a_world_does_not_move_to_one_of_its_name() -> None:
+@pytest.mark.parametrize(("name", "kind"), [("j", "joint"), ("base", "link")])
+@pytest.mark.parametrize("minor", [7, 9])
+def test_a_joint_of_a_world_does_not_move_to_one_of_its_name(name: str, kind: str, minor: int) -> None:
     ends = "<parent>{}</parent><child>{}</child>"
     own = f'<joint name="j" type="fixed">{ends.format("base", "lid")}</joint>'
     model = f'<model name="box"><link name="base"/><link name="lid"/>{own}</model>'
-    joint = f'<joint name="j" type="fixed">{ends.format("world", "box::base")}</joint>'
-    done = migrate(f'<sdf version="1.12"><world name="w">{model}{joint}</world></sdf>', Version(1, 9))
-    assert [loss.message for loss in done.losses] == [
-        "joint `j` is left out: 1.9 has no joints between models of a world"
-    ]
+    joint = f'<joint name="{name}" type="fixed">{ends.format("world", "box::base")}</joint>'
+    done = migrate(f'<sdf version="1.12"><world name="w">{model}{joint}</world></sdf>', Version(1, minor))
+    (loss,) = done.losses
+    assert loss.message == (
+        f"joint `{name}` is left out: 1.{minor} has joints in models only, "
+        f"and in model `box` its name is that of a {kind}"
+    )
     assert done.text.count("<joint") == 1
 
 
