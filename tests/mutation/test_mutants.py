@@ -63,6 +63,17 @@ def test_a_mutant_is_one_change_at_a_place() -> None:
         assert mutant.key == f"module.py: {mutant.before} → {mutant.after}"
 
 
+def test_a_line_that_is_in_several_places_differs_by_its_function() -> None:
+    code = "class A:\n    def f(self):\n        if self.a:\n            return []\n        return []\n"
+    code += "def f():\n    return []\n"
+    made = [make(MODULE, code, number) for number in range(len(marks(code)))]
+    assert [mutant.own_key for mutant in made if mutant.after == "return None"] == [
+        "module.py in A.f: return [] → return None",
+        "module.py in A.f 2: return [] → return None",
+        "module.py in f: return [] → return None",
+    ]
+
+
 def test_a_sample_is_that_of_its_seed() -> None:
     first = [mutant.key for mutant in sample("lint", 1)]
     assert first == [mutant.key for mutant in sample("lint", 1)]
@@ -94,14 +105,14 @@ def test_a_test_that_is_gone_is_not_run() -> None:
 
 def test_survivors_are_read_from_a_report(tmp_path: Path) -> None:
     report = tmp_path / "report.txt"
-    report.write_text("a/b.py:3: 5 tests\n  - x = 1\n  + x = 2\n1 of 2 mutants are killed: 50.0 %\n")
+    report.write_text("a/b.py:3 in f 2: 5 tests\n  - x = 1\n  + x = 2\n1 of 2 mutants are killed: 50.0 %\n")
     assert listed(report) == {"a/b.py: x = 1 → x = 2"}
 
 
 def test_mutants_that_make_no_difference_have_a_reason() -> None:
     keys = equivalent()
     assert all(key.count(" → ") == 1 and reason.strip() for key, reason in keys.items())
-    assert all((ROOT / key.partition(":")[0]).exists() for key in keys)
+    assert all((ROOT / key.partition(":")[0].partition(" in ")[0]).exists() for key in keys)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="mutants are tried in copies of the process")
