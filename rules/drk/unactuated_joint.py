@@ -67,6 +67,11 @@ class UnactuatedJoint(Rule):
             says="`f` has no actuator in Drake: it is fixed",
         ),
         Bad(
+            DRIVE.format("SimpleTransmission"),
+            says="joint `j`: its effort is negative",
+            scaffold=ROBOT.replace('effort="5"', 'effort="«-1»"'),
+        ),
+        Bad(
             "",
             says="no transmission names it",
             scaffold=ROBOT.replace('<joint name="j"', '<«joint» name="j"'),
@@ -84,6 +89,7 @@ class UnactuatedJoint(Rule):
     )
     good = (
         Good(DRIVE.format("transmission_interface/SimpleTransmission")),
+        Good(DRIVE.format("SimpleTransmission"), scaffold=ROBOT.replace('effort="5"', 'effort="0.5"')),
         Good("<limit><effort>-1</effort></limit>", scaffold=AXIS, why="without limit"),
     )
 

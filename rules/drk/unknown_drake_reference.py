@@ -89,6 +89,12 @@ class UnknownDrakeReference(VendorRule):
             "</drake:collision_filter_group>",
             why="Drake skips a group that is to be ignored",
         ),
+        Good(
+            '<drake:joint name="p" type="planar"><drake:parent>__model__</drake:parent>'
+            "<drake:child>b</drake:child>"
+            "<drake:damping>0 0 0</drake:damping></drake:joint>",
+            why="every model has a frame of this name",
+        ),
     )
 
     @staticmethod

@@ -33,6 +33,11 @@ class UnknownPlacementFrame(Rule):
     good = (
         Good('<model name="m" placement_frame="foot"><link name="base"/><frame name="foot"/></model>'),
         Good('<model name="m" placement_frame="__model__"><link name="base"/></model>'),
+        Good(
+            '<robot name="r" placement_frame="foot"><link name="base"/></robot>',
+            why="URDF has no placement frames",
+            scaffold="",
+        ),
     )
 
     @staticmethod

@@ -39,6 +39,10 @@ class OversizedInertia(Rule):
         Good(
             "<inertial><mass>1e5</mass><inertia><ixx>1e6</ixx><iyy>1e6</iyy><izz>1e6</izz></inertia></inertial>"
         ),
+        Good(
+            "<inertial><mass>1</mass><inertia><ixx>inf</ixx><iyy>inf</iyy><izz>1</izz></inertia></inertial>",
+            why="out-of-range owns this one",
+        ),
     )
 
     @staticmethod

@@ -76,6 +76,9 @@ class UnknownJointEnd(Rule):
         ),
     )
     good = (
+        Good(
+            '<joint name="j" type="fixed"><parent>base</parent></joint>', why="missing-element owns this one"
+        ),
         Good('<joint name="j" type="fixed"><parent>world</parent><child>base</child></joint>'),
         Good(
             '<frame name="f"/><link name="arm"/>'

@@ -21,6 +21,10 @@ class MalformedQualifiedName(Rule):
             '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w"><«p:a:b»/></world></sdf>',
             says="`p:a:b` has 2 colons",
         ),
+        Bad(
+            '<sdf version="1.12" «xmlns:p:q»="https://example.org/p"><world name="w"/></sdf>',
+            says="`xmlns:p:q` has 2 colons",
+        ),
         Bad('<sdf version="1.12"><world name="w" «:kind»="2d"/></sdf>', says="has nothing before its colon"),
         Bad('<sdf version="1.12"><world name="w"><«p:»/></world></sdf>', says="has nothing after its colon"),
     )

@@ -22,6 +22,10 @@ class ReservedPrefix(Rule):
             says="prefix `xml` is reserved",
         ),
         Bad(
+            '<sdf version="1.12" «xmlns:xmlns»="https://example.org/p"><world name="w"/></sdf>',
+            says="prefix `xmlns` is reserved",
+        ),
+        Bad(
             '<sdf version="1.12" «xmlns:p»="http://www.w3.org/2000/xmlns/">'
             '<world name="w" p:kind="2d"/></sdf>',
             says="the name of prefix `p` is reserved",

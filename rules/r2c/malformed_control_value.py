@@ -33,6 +33,7 @@ class MalformedControlValue(Rule):
     good = (
         Good('<joint name="lift" mimic="False"/>'),
         Good('<gpio name="io"><state_interface name="port" data_type="uint8" size="4"/></gpio>'),
+        Good('<gpio name="io"><state_interface name="port" data_type="uint8" size="1"/></gpio>'),
     )
 
     @staticmethod

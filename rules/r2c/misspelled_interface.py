@@ -72,6 +72,13 @@ class MisspelledInterface(Rule):
             scaffold=IN_BLOCK,
             says="did you mean `orientation.x`?",
         ),
+        Bad(
+            '<sensor name="imu"><state_interface name="«lin_acceleration.x»"/></sensor>',
+            fixed='<sensor name="imu"><state_interface name="linear_acceleration.x"/></sensor>',
+            unsafe=True,
+            scaffold=IN_BLOCK,
+            says="did you mean `linear_acceleration.x`?",
+        ),
     )
     good = (
         Good('<command_interface name="stiffness"/>', why="names are free"),

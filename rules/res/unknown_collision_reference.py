@@ -60,6 +60,12 @@ class UnknownCollisionReference(Rule):
             scaffold=IN_WORLD,
             says="world `w` has no model `cart`",
         ),
+        Bad(
+            '<state world_name="w"><model name="«cart»"/></state>',
+            scaffold='<sdf version="1.9"><world name="w">{}</world></sdf>',
+            says="world `w` has no model `cart`",
+        ),
+        Bad('<state world_name="«v»"/>', scaffold=IN_WORLD, says="has no world `v`"),
     )
     good = (
         Good(SHELL + SENSOR.format("shell")),

@@ -226,7 +226,7 @@ class Part:
         if not self.is_given:
             return found
         for name in self.element.attributes:
-            if ":" in name and not name.startswith(("xmlns:", "xml:")):
+            if ":" in name and not name.startswith("xml:"):
                 made: Any = class_named("Custom")
                 found[name] = made(self, self.element, self.element.attribute(name))
         for child in self.children():

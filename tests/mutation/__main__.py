@@ -3,7 +3,8 @@
 A sample of the mutants of each room is drawn with a seed. The tests that run the changed line
 run on each, the quickest first. A mutant that all of them pass has survived: a test is missing,
 or the change makes no difference; those of the second kind are listed with the reason in
-``equivalent.txt``.
+``equivalent.txt``: as ``file: before → after``, or as ``file in function: before → after`` where
+the line is in other functions, too.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from collections.abc import Iterable, Iterator
 from hashlib import sha256
 from pathlib import Path
 
-from tests.mutation.covering import Covering, read, record
+from tests.mutation.covering import Covering, collected, read, record
 from tests.mutation.mutants import Mutant, make, marks
 from tests.mutation.trial import survives
 
@@ -28,6 +29,7 @@ TESTS = (
     *("tests/unit/robot", "tests/unit/lint", "tests/unit/convert", "tests/unit/rules", "tests/test_rules.py"),
     *("tests/test_golden.py", "tests/test_golden_sdf_to_urdf.py", "tests/test_golden_urdf_to_sdf.py"),
     *(
+        "tests/unit/report/test_manual.py",
         "tests/unit/test_api.py",
         "tests/unit/test_extensions.py",
         "tests/unit/cli/test_targets.py",
@@ -44,7 +46,7 @@ LEFT_OUT = (
 """Tests of processes, and those that compare the code with what is generated from it."""
 OWN = {"sdfcheck/lint/rulebook/conditions.py": ("tests/unit/lint/test_conditions.py",)}
 """A module → tests that are left out, and run for it alone."""
-_SURVIVOR = re.compile(r"^(\S+\.py):\d+: .*\n  - (.*)\n  \+ (.*)$", re.MULTILINE)
+_SURVIVOR = re.compile(r"^(\S+\.py):\d+(?: in .*)?: .*\n  - (.*)\n  \+ (.*)$", re.MULTILINE)
 PASS = 30.0
 """So many seconds of tests are run on a mutant at most."""
 
@@ -111,11 +113,11 @@ def main() -> int:
     given = parser.parse_args()
     if given.anew or not given.note.exists():
         _record(given.note)
-    covering, harmless = read(given.note), equivalent()
+    covering, harmless = read(given.note).among(collected(ROOT, _tests())), equivalent()
     only = listed(given.again) if given.again is not None else None
     total = survived = 0
     for mutant in (mutant for room in given.rooms for mutant in sample(room, given.seed)):
-        if mutant.key in harmless or (only is not None and mutant.key not in only):
+        if harmless.keys() & {mutant.key, mutant.own_key} or (only is not None and mutant.key not in only):
             continue
         total += 1
         tests = [
@@ -126,7 +128,10 @@ def main() -> int:
         if not tests or survives(ROOT / mutant.path, mutant.text, tests):
             survived += 1
             change = f"  - {mutant.before}\n  + {mutant.after}"
-            print(f"{mutant.path.as_posix()}:{mutant.line}: {len(tests)} tests\n{change}", flush=True)
+            print(
+                f"{mutant.path.as_posix()}:{mutant.line} in {mutant.function}: {len(tests)} tests\n{change}",
+                flush=True,
+            )
     print(f"{total - survived} of {total} mutants are killed: {100 * (1 - survived / max(1, total)):.1f} %")
     return int(survived > 0.05 * total)
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 import time
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -27,6 +29,14 @@ class Covering(NamedTuple):
         # Of a statement of several lines some may not be noted.
         found = next((lines[at] for at in range(line, line - _LINES, -1) if lines.get(at)), ())
         return sorted(found, key=lambda test: (self.seconds.get(test, 0.0), test))
+
+    def among(self, tests: Collection[str]) -> Covering:
+        """Only what these tests cover. pytest fails at a test that is gone, as if the mutant were killed."""
+        lines = {
+            path: {line: tuple(name for name in names if name in tests) for line, names in at.items()}
+            for path, at in self.tests.items()
+        }
+        return Covering(lines, self.seconds)
 
 
 class _Recorder:
@@ -74,3 +84,16 @@ def read(note: Path) -> Covering:
     for path, lines in known["lines"].items():
         tests[path] = {int(line): tuple(names) for line, names in lines.items()}
     return Covering(tests, known["seconds"])
+
+
+def collected(root: Path, tests: list[str]) -> frozenset[str]:
+    """The tests that there are now."""
+    options = ["--collect-only", "-q", "-n0", "-p", "no:randomly", "-p", "no:cacheprovider"]
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", *options, *tests],
+        cwd=root,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return frozenset(line for line in done.stdout.splitlines() if "::" in line)

@@ -37,18 +37,27 @@ _UNTOUCHED = {"__repr__", "__reduce__", "applies"}
 
 
 class Mutant(NamedTuple):
-    """A changed module: its file, the line of the change, what it was and became, and the whole text."""
+    """A changed module: its file, the line of the change, what it was and became, the whole text, and the function.
+
+    A line that is in its function several times has its number there, from the second on: ``f 2``.
+    """
 
     path: Path
     line: int
     before: str
     after: str
     text: str
+    function: str
 
     @property
     def key(self) -> str:
         """How it is known wherever it is in the file."""
         return f"{self.path.as_posix()}: {self.before} → {self.after}"
+
+    @property
+    def own_key(self) -> str:
+        """The same for it alone, where the same line is in other places, too."""
+        return f"{self.path.as_posix()} in {self.function}: {self.before} → {self.after}"
 
 
 def marks(text: str) -> list[str]:
@@ -76,7 +85,22 @@ def make(path: Path, text: str, number: int) -> Mutant:
     changed = ast.unparse(ast.fix_missing_locations(tree))
     after = changed.splitlines()
     at = next(i for i, (a, b) in enumerate(zip(before, after, strict=False)) if a != b)
-    return Mutant(path, node.lineno, before[at].strip(), after[at].strip(), changed)
+    function = _function("\n".join(before), before, at)
+    return Mutant(path, node.lineno, before[at].strip(), after[at].strip(), changed, function)
+
+
+def _function(text: str, lines: list[str], at: int) -> str:
+    """The innermost function around a line, and which of its lines that say the same it is."""
+    around = [
+        node
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+        and node.lineno <= at + 1 <= (node.end_lineno or 0)
+    ]
+    name = ".".join(node.name for node in sorted(around, key=lambda node: node.lineno))
+    first = max(node.lineno for node in around) - 1
+    number = sum(line.strip() == lines[at].strip() for line in lines[first : at + 1])
+    return name if number == 1 else f"{name} {number}"
 
 
 def _places(tree: ast.Module) -> Iterator[Place]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.mutation.__main__ import ROOMS, drawn, equivalent, listed, sample, within
-from tests.mutation.covering import Covering
+from tests.mutation.covering import Covering, collected
 from tests.mutation.mutants import Mutant, make, marks
 
 ROOT = Path(__file__).parents[2]
@@ -63,6 +63,17 @@ def test_a_mutant_is_one_change_at_a_place() -> None:
         assert mutant.key == f"module.py: {mutant.before} → {mutant.after}"
 
 
+def test_a_line_that_is_in_several_places_differs_by_its_function() -> None:
+    code = "class A:\n    def f(self):\n        if self.a:\n            return []\n        return []\n"
+    code += "def f():\n    return []\n"
+    made = [make(MODULE, code, number) for number in range(len(marks(code)))]
+    assert [mutant.own_key for mutant in made if mutant.after == "return None"] == [
+        "module.py in A.f: return [] → return None",
+        "module.py in A.f 2: return [] → return None",
+        "module.py in f: return [] → return None",
+    ]
+
+
 def test_a_sample_is_that_of_its_seed() -> None:
     first = [mutant.key for mutant in sample("lint", 1)]
     assert first == [mutant.key for mutant in sample("lint", 1)]
@@ -85,16 +96,23 @@ def test_the_quickest_tests_come_first() -> None:
     assert within(covering.of(Path("a.py"), 3), covering) == ["quick", "medium"]
 
 
+def test_a_test_that_is_gone_is_not_run() -> None:
+    covering = Covering({"a.py": {3: ("gone", "here")}}, {"gone": 1, "here": 2})
+    assert covering.among({"here", "new"}).of(Path("a.py"), 3) == ["here"]
+    this = f"tests/mutation/test_mutants.py::{test_a_test_that_is_gone_is_not_run.__name__}"
+    assert this in collected(ROOT, ["tests/mutation/test_mutants.py"])
+
+
 def test_survivors_are_read_from_a_report(tmp_path: Path) -> None:
     report = tmp_path / "report.txt"
-    report.write_text("a/b.py:3: 5 tests\n  - x = 1\n  + x = 2\n1 of 2 mutants are killed: 50.0 %\n")
+    report.write_text("a/b.py:3 in f 2: 5 tests\n  - x = 1\n  + x = 2\n1 of 2 mutants are killed: 50.0 %\n")
     assert listed(report) == {"a/b.py: x = 1 → x = 2"}
 
 
 def test_mutants_that_make_no_difference_have_a_reason() -> None:
     keys = equivalent()
     assert all(key.count(" → ") == 1 and reason.strip() for key, reason in keys.items())
-    assert all((ROOT / key.partition(":")[0]).exists() for key in keys)
+    assert all((ROOT / key.partition(":")[0].partition(" in ")[0]).exists() for key in keys)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="mutants are tried in copies of the process")

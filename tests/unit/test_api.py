@@ -182,6 +182,8 @@ def test_linting(tmp_path: Path) -> None:
     assert isinstance(run, sdfcheck.Run)
     (found,) = run.diagnostics
     assert (found.name, found.span.begin) == ("double-hyphen-in-comment", (1, 41))
+    assert [run.count(each) for each in sdfcheck.Severity if each is not found.severity] == [0, 0]
+    assert run.count(found.severity) == 1
     assert found.fix is not None
     assert sdfcheck.lint(ARM, isolated=True).files == (ARM,)
     assert len(sdfcheck.lint([ARM, GARDEN], isolated=True).files) == 2

@@ -87,7 +87,9 @@ def test_angles_in_degrees_and_back(tmp_path: Path) -> None:
     pose = "<pose>0 0 1 0 0 1.5707963267948966</pose>"
     in_degrees = '<pose degrees="true">0 0 1 0 0 90</pose>'
     assert link(tmp_path, pose, NumberStyle(degrees=True)) == in_degrees
-    assert link(tmp_path, in_degrees, NumberStyle(degrees=False)) == pose
+    for degrees in ("true", "True", "1"):
+        written = in_degrees.replace("true", degrees)
+        assert link(tmp_path, written, NumberStyle(degrees=False)) == pose
 
 
 def test_versions_without_degrees(tmp_path: Path) -> None:

@@ -82,6 +82,13 @@ def test_a_change_across_formats(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.parametrize(("static", "count"), [("true", 0), ("1", 0), ("0", 1)])
+def test_a_block_of_a_urdf_makes_the_robot_static(tmp_path: Path, static: str, count: int) -> None:
+    urdf = URDF.replace("</robot>", f"<gazebo><static>{static}</static></gazebo></robot>")
+    sdf = ARM.replace("<model name='arm'>", "<model name='arm'><static>true</static>")
+    assert sum(change.what == "static" for change in changes(tmp_path, urdf, sdf)) == count
+
+
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
@@ -186,6 +193,14 @@ def test_a_moved_frame_is_one_change(tmp_path: Path) -> None:
     (change,) = changes(tmp_path, a, b)
     assert (change.part, change.name, change.what) == ("link", "b", "frame")
     assert change.after == "0 0 -1 0 0 0"
+
+
+def test_a_joint_moved_between_links_that_stay_is_one_change(tmp_path: Path) -> None:
+    model = """<sdf version='1.10'><model name='m'><link name='a'/><link name='b'><pose>0 0 1 0 0 0</pose></link>
+      <joint name='j' type='revolute'><pose>0 0 {} 0 0 0</pose><parent>a</parent><child>b</child>
+      <axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+    (change,) = changes(tmp_path, model.format(0), model.format(1))
+    assert (change.part, change.name, change.what) == ("joint", "j", "pose in the child")
 
 
 def test_a_model_moved_within_its_frame_stays(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
 
 pytest.importorskip("yourdfpy")
 
@@ -77,3 +79,11 @@ def test_a_part_that_it_cannot_read_is_reported(tmp_path: Path, monkeypatch: pyt
     urdf.write_text(ARM)
     assert convert("urdf-to-sdf", urdf, tmp_path / "arm.sdf") == 2
     assert not (tmp_path / "arm.sdf").exists()
+
+
+def test_without_the_library_the_conversion_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
+    done = urdf_to_sdf(document, Options())
+    monkeypatch.setitem(sys.modules, "yourdfpy", None)
+    with pytest.raises(WrongUsage, match=r"needs the package yourdfpy: install sdfcheck\[verify\]"):
+        differences(done, document)

@@ -190,6 +190,22 @@ def test_a_joint_of_a_world_moves_into_its_model(end: str, written: str) -> None
     assert done.text.index("<joint") < done.text.index("</world>")
 
 
+@pytest.mark.parametrize(("name", "kind"), [("j", "joint"), ("base", "link")])
+@pytest.mark.parametrize("minor", [7, 9])
+def test_a_joint_of_a_world_does_not_move_to_one_of_its_name(name: str, kind: str, minor: int) -> None:
+    ends = "<parent>{}</parent><child>{}</child>"
+    own = f'<joint name="j" type="fixed">{ends.format("base", "lid")}</joint>'
+    model = f'<model name="box"><link name="base"/><link name="lid"/>{own}</model>'
+    joint = f'<joint name="{name}" type="fixed">{ends.format("world", "box::base")}</joint>'
+    done = migrate(f'<sdf version="1.12"><world name="w">{model}{joint}</world></sdf>', Version(1, minor))
+    (loss,) = done.losses
+    assert loss.message == (
+        f"joint `{name}` is left out: 1.{minor} has joints in models only, "
+        f"and in model `box` its name is that of a {kind}"
+    )
+    assert done.text.count("<joint") == 1
+
+
 @pytest.mark.parametrize(
     ("around", "minor", "stays"), [("model", 9, True), ("world", 9, False), ("world", 10, True)]
 )
@@ -211,6 +227,14 @@ def test_nested_models_are_flattened_in_worlds_too(around: str) -> None:
     done = migrate(f'<sdf version="1.7">{around.format(model)}</sdf>', Version(1, 4))
     assert '<link name="n__b"' in done.text
     assert '<model name="n"' not in done.text
+
+
+def test_a_link_of_a_flattened_model_is_placed_before_anything_else_is_said_of_it() -> None:
+    nested = '<model name="n"><pose>1 2 3 0 0 0</pose><link name="b"><gravity>false</gravity></link></model>'
+    done = migrate(
+        f'<sdf version="1.7"><model name="m"><link name="a"/>{nested}</model></sdf>', Version(1, 4)
+    )
+    assert '<link name="n__b"><pose>1 2 3 0 0 0</pose>\n<gravity>' in done.text
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ import pytest
 from sdfcheck.convert.loss import LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
+from sdfcheck.convert.sdf_to_urdf.plan.naming import Naming
 from sdfcheck.convert.verify import verify
 from sdfcheck.files.library import Library
 from sdfcheck.robot.motion.flatten import mechanism_of
@@ -81,9 +82,11 @@ def test_kept_link_frames_need_no_shift() -> None:
     assert "<pose>0 0 0.1 0 0 0</pose>" in done.text
 
 
-def test_a_second_parent_is_reversed() -> None:
+@pytest.mark.parametrize("axes", [_axis(), _axis() + _axis("axis2", "1 0 0")], ids=["one-axis", "two-axes"])
+def test_a_second_parent_is_reversed(axes: str) -> None:
     links = _LINKS + f'<link name="c"><pose>1 0 0 0 0 0</pose>{_BODY}</link>'
-    joints = _joint("revolute", _axis()) + _joint("revolute", _axis(), ("c", "b"), "k")
+    kind = "universal" if "axis2" in axes else "revolute"
+    joints = _joint("revolute", _axis()) + _joint(kind, axes, ("c", "b"), "k")
     done = _convert(links + joints)
     assert _is_equal(done)
     assert LossKind.REVERSED_JOINT in _kinds(done)
@@ -252,3 +255,13 @@ def test_settings_of_an_include_are_accounted_for(tmp_path: Path) -> None:
     assert document is not None
     lost = {loss.span.text for loss in convert(document, Options(forest=Unsupported.FIXED)).losses}
     assert not lost & {"name", "static", "placement_frame"}
+
+
+def test_equal_names_are_numbered_upwards() -> None:
+    naming = Naming({"world"})
+    assert [naming.unique(name) for name in ("arm", "n::arm", "arm", "arm")] == [
+        "arm",
+        "n__arm",
+        "arm_2",
+        "arm_3",
+    ]

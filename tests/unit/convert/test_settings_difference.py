@@ -76,6 +76,8 @@ def test_one_edit_of_a_setting_is_one_change(
             "<sensor name='cam' type='camera'>",
             "<sensor name='cam' type='camera'><always_on>false</always_on>",
         ),
+        ("<mesh><uri>", "<mesh optimization=''><uri>"),
+        ("<diffuse>1 0 0<", "<shader type='pixel'/><diffuse>1 0 0<"),
     ],
 )
 def test_other_words_for_a_setting_are_no_change(tmp_path: Path, old: str, new: str) -> None:
@@ -118,3 +120,19 @@ def test_paths_to_one_file_may_differ_between_formats(tmp_path: Path, file: str,
     sdf = ARM.replace("</model>", f"{plugin.format('model://arm/' + file)}</model>")
     whats = [change.what for change in changes(tmp_path, urdf, sdf)]
     assert whats.count("plugin `p`/file") == count
+
+
+def test_settings_of_a_merged_model_are_those_of_the_model_that_it_is_merged_into(tmp_path: Path) -> None:
+    model = (
+        "<sdf version='1.10'><model name='{}'><plugin name='p' filename='p.so'><gain>{}</gain></plugin>"
+        "<link name='l'/></model></sdf>"
+    )
+    include = (
+        "<sdf version='1.10'><model name='m'><include merge='true'><uri>{}.sdf</uri></include></model></sdf>"
+    )
+    for name, gain in (("one", 1), ("two", 2)):
+        (tmp_path / f"{name}.sdf").write_text(model.format("part", gain))
+    found = changes(tmp_path, include.format("one"), include.format("two"))
+    assert [(change.name, change.what, change.before, change.after) for change in found] == [
+        ("m", "plugin `p`/gain", "1", "2")
+    ]

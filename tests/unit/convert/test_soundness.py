@@ -10,7 +10,7 @@ from sdfcheck.cli.main import main
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
-from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.convert.urdf_to_sdf.options import Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.document import Document, read
 
@@ -124,6 +124,7 @@ def test_the_noise_of_old_imus_is_said_for_each_axis() -> None:
     after = f'<gazebo reference="l"><sensor name="s" type="imu">{NOISE}</sensor></gazebo>'
     done = urdf_to_sdf(robot(after=after), Options())
     assert done.text.count("<stddev>0.01</stddev>") == done.text.count("<stddev>0.2</stddev>") == 3
+    assert done.text.count('<noise type="gaussian">') == 6
     assert "<rate>" not in done.text
     assert "<rate>" in urdf_to_sdf(robot(after=after), Options(Version(1, 5))).text
 
@@ -141,3 +142,11 @@ def test_a_custom_element_of_a_block_gets_a_name_that_nothing_in_the_model_has()
     done = urdf_to_sdf(robot(after='<gazebo><x:tag name="l" xmlns:x="urn:x"/></gazebo>'), Options())
     assert 'name="l_2"' in done.text
     assert [loss.message for loss in done.losses] == ["x:tag `l` is named `l_2`"]
+
+
+def test_a_package_is_named_once() -> None:
+    mesh = '<visual><geometry><mesh filename="package://{}.obj"/></geometry></visual>'
+    meshes = "".join(mesh.format(file) for file in ("arm/a", "arm/b", "hand/a"))
+    done = urdf_to_sdf(robot(meshes), Options(package_uris=PackageUris.MODEL))
+    assert done.text.count("model://") == 3
+    assert [loss.kind for loss in done.losses].count(LossKind.CHANGED_URI) == 2

@@ -277,3 +277,18 @@ def test_joints_after_a_floating_one_are_compared() -> None:
     assert done.verification is not None
     assert done.verification.is_equal, done.verification.differences
     assert "swing" in done.comparisons[0].source.joints
+
+
+def test_an_origin_that_moves_nothing_is_no_pose() -> None:
+    origin = '<origin xyz="0 0 0" rpy="0 0 0"/>'
+    shape = f'<visual>{origin}<geometry><box size="1 1 1"/></geometry></visual>'
+    done = convert(f'<robot name="r"><link name="a">{MASS}{shape}</link></robot>')
+    assert "<pose" not in done.text
+
+
+def test_moments_of_light_links_are_compared_as_closely_as_those_of_others() -> None:
+    done = convert(ARM.replace('".1"', '"1e-8"'))
+    assert "<ixx>1e-8</ixx>" in done.text
+    assert verified(done, done.text).is_equal
+    other = verified(done, done.text.replace("<ixx>1e-8</ixx>", "<ixx>1.01e-8</ixx>", 1))
+    assert {one.what for one in other.differences} == {"inertia"}

@@ -100,3 +100,8 @@ def test_places_are_those_of_the_included_file(tmp_path: Path) -> None:
 
 def test_plain_includes_need_no_writing_out(tmp_path: Path) -> None:
     assert not needs_writing_out(included(tmp_path))
+
+
+def test_an_include_of_nothing_hides_no_other(tmp_path: Path) -> None:
+    document = included(tmp_path, file="none.sdf</uri></include><include><uri>part.urdf")
+    assert needs_writing_out(document)

@@ -189,3 +189,9 @@ def test_a_condition_may_use_the_classes_of_sdfcheck(pack: Path) -> None:
     text = render(find_pack(pack.name))
     assert "import sdfcheck as sdfcheck_\n" in text
     assert "isinstance(limit, sdfcheck_.Element)" in text
+
+
+def test_a_pack_that_cannot_be_imported_is_refused(pack: Path) -> None:
+    changed(pack, "LEAST = (SMALL, -inf)", "LEAST = 1 / 0")
+    with pytest.raises(PackError, match=r"odd_limit\.py.* division by zero"):
+        render(find_pack(pack.name))

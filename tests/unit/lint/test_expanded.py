@@ -59,12 +59,15 @@ def test_the_chain_is_that_of_the_call_at_fault(tmp_path: Path, expander: Expand
     assert [origin.span.begin.line for d in found for origin in d.origins] == [4]
 
 
-def test_an_expression_is_not_fixed(tmp_path: Path, expander: Expander) -> None:
-    text = f'{HEAD}<model name="${{\'m\'}}"><link name="a"/><color>red</color></model></sdf>'
-    for diagnostic in lint(expander, tmp_path / "r.sdf.xacro", text):
-        if diagnostic.fix is not None:
-            assert all("$" not in edit.span.text for edit in diagnostic.fix.edits)
-            assert all(edit.span.source.path.suffix == ".xacro" for edit in diagnostic.fix.edits)
+@pytest.mark.parametrize(("lower", "is_fixed"), [("2", True), ("${low}", False)])
+def test_an_expression_is_not_fixed(lower: str, is_fixed: bool, tmp_path: Path, expander: Expander) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:property name="low" value="2"/>'
+        '<link name="a"/><link name="b"/><joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
+        f'<limit lower="{lower}" upper="1" effort="1" velocity="1"/></joint></robot>'
+    )
+    (found,) = (d for d in lint(expander, tmp_path / "r.urdf.xacro", text) if d.code == "JNT005")
+    assert (found.fix is not None) is is_fixed
 
 
 def test_each_set_of_arguments_is_tried(tmp_path: Path, expander: Expander) -> None:

@@ -93,6 +93,11 @@ def line_of(text: str, part: str) -> int:
         ("selects = ('sdf:jiont',)", "selects = ('sdf:jiont'", "no `jiont`, did you mean `joint`?"),
         ("selects = ('urdf:link/pose',)", "selects = ('urdf", "`urdf:link/pose`, which is nowhere"),
         ("selects = ('mjcf:body',)", "selects = ('mjcf", "should begin with one of `sdf:`, `urdf:`"),
+        (
+            "selects = ('sdf:joint/@name',)",
+            "selects = ('sdf:joint/",
+            "should name an element after the colon",
+        ),
         ("selects = 'sdf:link'", "selects = 'sdf:link'", "`selects` should be a tuple of selectors"),
         ("selects = ()", "class Faulty", "looks at nothing"),
         ("looks_at = (str,)", "looks_at = (str,)", "`looks_at` has `str`, which is not a part of a robot"),

@@ -61,3 +61,8 @@ def test_fixes_are_shown_as_differences() -> None:
     text = render(named("undeclared-prefix"))
     assert "The fix:\n\n```diff\n-<sdf" in text
     assert "  = help: declare it on the root element (safe fix)\n" in text
+
+
+def test_an_example_is_in_a_file_of_its_format() -> None:
+    names = [example.name for example in named("absolute-path").bad]
+    assert names == ["robot.sdf", "robot.urdf", "robot.sdf", "robot.urdf"]

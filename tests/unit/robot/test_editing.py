@@ -149,3 +149,11 @@ def test_an_element_is_removed_with_its_line(end: str, before: str) -> None:
     robot.remove(robot.model("r").link("b"))
     rest = f"{before}{end}</robot>" if before.strip() else "</robot>"
     assert robot.text == end.join(['<robot name="r">', '  <link name="a"/>', rest])
+
+
+def test_a_text_needs_a_path_to_be_saved(tmp_path: Path) -> None:
+    robot = sdfcheck.edit('<robot name="r"><link name="a"/></robot>')
+    with pytest.raises(sdfcheck.EditError, match="no file to be saved in: give a path"):
+        robot.save()
+    robot.save(tmp_path / "r.urdf")
+    assert (tmp_path / "r.urdf").read_text() == robot.text

@@ -40,6 +40,15 @@ def test_meshes(tmp_path: Path, uri: str, expected: list[str]) -> None:
     assert kinds(tmp_path, VISUAL.format(MESH.format(uri))) == expected
 
 
+@pytest.mark.parametrize(("uri", "expected"), [("wood.png", []), ("old/wood.png", ["RES001"])])
+def test_pictures_beside_the_model_are_found_by_their_bare_names(
+    tmp_path: Path, uri: str, expected: list[str]
+) -> None:
+    write(tmp_path, {"materials/textures/old/wood.png": ""})
+    material = f"<material><pbr><metal><albedo_map>{uri}</albedo_map></metal></pbr></material>"
+    assert kinds(tmp_path, VISUAL.format(material)) == expected
+
+
 @pytest.mark.parametrize(
     "text",
     [

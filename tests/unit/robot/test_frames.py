@@ -187,3 +187,11 @@ def test_poses_at_the_top_of_the_file() -> None:
 def test_thousands_of_unknown_names_are_reported() -> None:
     text = "".join(f'<frame name="frame_{n}" attached_to="nothing_{n}"/>' for n in range(3000))
     assert len(reported(model(text), "FRM001")) == 3000
+
+
+@pytest.mark.parametrize(("frame", "count"), [("a", 0), ("x", 1)])
+def test_frames_that_blocks_of_urdf_name(frame: str, count: int) -> None:
+    sensor = f'<sensor name="s" type="imu"><pose relative_to="{frame}">0 0 0 0 0 0</pose></sensor>'
+    text = f'<robot name="r"><link name="a"/><gazebo reference="a">{sensor}</gazebo></robot>'
+    run = sdfcheck.lint(text, isolated=True, select=("FRM001",))
+    assert len(run.diagnostics) == count

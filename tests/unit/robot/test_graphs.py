@@ -180,6 +180,13 @@ def test_arrows_of_a_picture_point_as_in_the_other_formats() -> None:
         assert other not in svg(graph)
 
 
+def test_marks_of_mermaid_in_names_are_written_as_entities() -> None:
+    (_, node) = mermaid(
+        draw("<model name='m'><link name='#&lt;&gt;&amp;`'/></model>", GraphKind.JOINTS)
+    ).splitlines()
+    assert node == '  n0["link #35;#lt;#gt;#amp;#96;"]'
+
+
 def test_a_ring_is_drawn_once_with_a_dashed_edge() -> None:
     frames = '<frame name="p" attached_to="q"/><frame name="q" attached_to="p"/>'
     picture = svg(draw(f'<model name="m"><link name="a"/>{frames}</model>', GraphKind.FRAMES))

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.formats.sdf.problems import MissingElement
 from sdfcheck.robot.includes.gate import problems
 from sdfcheck.robot.includes.included import Included, Obstacle, included, includes_of
@@ -214,3 +215,25 @@ def test_without_a_library_nothing_is_looked_up(tmp_path: Path) -> None:
     found.library = None
     assert codes(found) == []
     assert kinds(found) == []
+
+
+@pytest.mark.parametrize("merged", ['<robot name="r">{}</robot>', MODEL])
+def test_names_of_a_merged_model_are_those_of_the_model_around_it(tmp_path: Path, merged: str) -> None:
+    text = MODEL.format('<link name="base"/>' + include("other.sdf", merge="true"))
+    found = document(tmp_path, text, other=merged.format('<link name="base"/>'))
+    (diagnostic,) = reported(found, "NAM")
+    assert diagnostic.message == "there is another link `base` in model `m`"
+
+
+def test_the_way_to_a_file_that_includes_itself_has_one_step(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "main.sdf": WORLD.format(include("a.sdf", "<static>1</static>")),
+            "a.sdf": WORLD.format(include("a.sdf")),
+        },
+    )
+    run = sdfcheck.lint(tmp_path / "main.sdf", isolated=True, select=("RES003",))
+    (diagnostic,) = run.diagnostics
+    assert diagnostic.message == "a.sdf includes itself"
+    assert [origin.span.source.path.name for origin in diagnostic.origins] == ["main.sdf"]

@@ -82,6 +82,12 @@ def test_parts_that_may_be_static(static: str, may_be: bool) -> None:
     assert inertial("<inertial/>", f"<static>{static}</static>").link.may_be_static is may_be
 
 
+@pytest.mark.parametrize(("static", "is_static"), [("true", True), ("1", True), ("false", False)])
+def test_a_block_makes_a_robot_static(static: str, is_static: bool) -> None:
+    text = f'<robot name="r"><link name="a"/><gazebo><static>{static}</static></gazebo></robot>'
+    assert sdfcheck.parse(text).models[0].is_static is is_static
+
+
 def test_inertials_of_macros_have_no_solids_yet() -> None:
     text = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="part">'
@@ -97,6 +103,18 @@ def test_inertials_of_macros_have_no_solids_yet() -> None:
     assert found.link.name == "a"
     assert found.link.solids == ()
     assert math.isnan(found.solid_trace)
+
+
+@pytest.mark.parametrize("declared", [' xmlns:xacro="http://www.ros.org/wiki/xacro"', ""])
+def test_a_macro_counts_as_the_link_whose_parts_it_writes(declared: str) -> None:
+    inside = '<inertial><mass value="1"/></inertial>'
+    text = f'<robot name="r"{declared}><xacro:macro name="part">{inside}</xacro:macro></robot>'
+    document = read(text.encode(), Path("r.xacro"), Kind.XACRO)
+    assert document.root is not None
+    (macro,) = document.root.children()
+    (found,) = parts_in_macros(document, macro.children("inertial"))
+    assert isinstance(found, Inertial)
+    assert found.mass.number == 1
 
 
 def test_models_in_extensions_are_looked_at() -> None:

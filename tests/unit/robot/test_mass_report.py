@@ -83,6 +83,16 @@ def test_the_inertia_of_a_mesh(tmp_path: Path) -> None:
     assert np.diag(model.total.moments) == pytest.approx([13, 10, 5])
 
 
+def test_a_part_of_a_mesh_is_not_measured(tmp_path: Path) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.creation.box((1, 1, 1)).export(tmp_path / "cube.stl")
+    mesh = "<mesh><uri>cube.stl</uri><submesh><name>lid</name></submesh></mesh>"
+    collision = f'<collision name="c"><geometry>{mesh}</geometry></collision>'
+    link = f'<link name="a"><inertial auto="true"/>{collision}</link>'
+    (model,) = measured(tmp_path, f'<model name="m">{link}</model>').models
+    assert "the mass of a submesh cannot be computed" in model.links[0].note
+
+
 def test_a_folder_is_no_mesh(tmp_path: Path) -> None:
     pytest.importorskip("trimesh")
     (tmp_path / "cube.stl").mkdir()

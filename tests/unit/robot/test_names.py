@@ -211,9 +211,10 @@ JOINT = '<joint name="A::j" type="revolute"><parent>{}</parent><child>{}</child>
     ],
 )
 def test_references_that_cannot_be_unfolded(text: str, foreign: str | None) -> None:
-    (diagnostic,) = found(f'<world name="w"><model name="m">{text}</model></world>', "1.7")
-    assert diagnostic.name == "delimiter-in-name"
-    assert [label.span.text for label in diagnostic.labels] == ([] if foreign is None else [foreign])
+    for inside in (text, f'<model name="n">{text}</model>'):
+        (diagnostic,) = found(f'<world name="w"><model name="m">{inside}</model></world>', "1.7")
+        assert diagnostic.name == "delimiter-in-name"
+        assert [label.span.text for label in diagnostic.labels] == ([] if foreign is None else [foreign])
 
 
 def test_only_worlds_are_unfolded() -> None:

@@ -10,6 +10,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
+from sdfcheck.robot.motion.flatten import direction_of
 from sdfcheck.robot.motion.poses import PoseError, Poses, written_pose
 from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
 from sdfcheck.robot.parts.placement import Placement
@@ -148,6 +149,11 @@ def test_urdf_loops_lead_nowhere() -> None:
         pose_of("hand", document(closed))
 
 
+def test_a_joint_of_urdf_without_a_child_is_nowhere() -> None:
+    with pytest.raises(PoseError, match="joint k has no child"):
+        pose_of("k", document(URDF.replace('<child link="hand"/>', "")))
+
+
 @pytest.mark.parametrize(
     ("pose", "expected"),
     [
@@ -199,3 +205,32 @@ def test_a_quaternion_of_urdf() -> None:
     turned, plain = robot.each(Placement)
     assert turned.is_quaternion
     assert not plain.is_quaternion
+
+
+def test_the_rotation_of_a_pose_is_what_follows_its_position() -> None:
+    robot = sdfcheck.parse(
+        '<sdf version="1.9"><model name="m"><link name="a"><pose>1 2 3 4 5 6</pose></link><link name="b">'
+        '<pose rotation_format="quat_xyzw">1 2 3 0 0 0 1</pose></link></model></sdf>'
+    )
+    assert [(*each.xyz,) for each in robot.each(Placement)] == [(1, 2, 3), (1, 2, 3)]
+    assert [(*each.rotation,) for each in robot.each(Placement)] == [(4, 5, 6), (0, 0, 0, 1)]
+    assert [each.is_quaternion for each in robot.each(Placement)] == [False, True]
+
+
+def test_a_sensor_of_urdf_is_placed_by_its_pose() -> None:
+    sensor = '<gazebo reference="hand"><sensor name="s" type="imu"><pose>0 1 0 0 0 0</pose></sensor></gazebo>'
+    robot = sdfcheck.parse(URDF.replace("</robot>", f"{sensor}</robot>")).models[0]
+    (found,) = robot.link("hand").sensors
+    assert found.pose().xyz == pytest.approx((0, 1, 0))
+
+
+@pytest.mark.parametrize(
+    ("version", "direction"), [("1.4", (0, -1, 0)), ("1.6", (0, -1, 0)), ("1.7", (1, 0, 0))]
+)
+def test_an_axis_in_the_frame_of_the_model_until_1_6(version: str, direction: tuple[float, ...]) -> None:
+    axis = "<axis><xyz>1 0 0</xyz><use_parent_model_frame>true</use_parent_model_frame></axis>"
+    pose = f"<pose>0 0 0 0 0 {math.pi / 2}</pose>"
+    ends = f'<link name="a"/><link name="b">{pose}</link>'
+    joint = f'<joint name="j" type="revolute"><parent>a</parent><child>b</child>{axis}</joint>'
+    (found,) = root_of(document(f'<model name="m">{ends}{joint}</model>', version)).each("Axis")
+    assert direction_of(found) == pytest.approx(direction)

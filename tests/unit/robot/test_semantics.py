@@ -7,6 +7,10 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
+from sdfcheck.files.library import Library
+from sdfcheck.robot.semantics.find import semantics_in
+from sdfcheck.robot.semantics.robots import descriptions_of
+from sdfcheck.source.sniff import Kind
 
 LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
 ROBOT = (
@@ -65,12 +69,11 @@ def test_a_robot_without_most_of_the_names_is_another_one(package: Path) -> None
     assert found(package, text) == []
 
 
-def test_the_robot_and_the_semantics_may_be_xacro(package: Path) -> None:
-    (package / "arm.urdf").rename(package / "arm.urdf.xacro")
-    xacro = ' xmlns:xacro="http://ros.org/wiki/xacro"'
-    (package / "arm.urdf.xacro").write_text(
-        ROBOT.format(xacro).replace("</robot>", "<xacro:property name='k'/></robot>")
-    )
+@pytest.mark.parametrize("name", ["arm.urdf.xacro", "arm.urdf"])
+def test_the_robot_and_the_semantics_may_be_xacro(package: Path, name: str) -> None:
+    (package / "arm.urdf").unlink()
+    xacro = ' xmlns:xacro="http://ros.org/wiki/xacro"><xacro:property name="top" value="1"/'
+    (package / name).write_text(ROBOT.format(xacro).replace('upper="1"', 'upper="${top}"'))
     assert found(package, state("1.5")) == [("SRD006", "1.5")]
     macro = (
         '<xacro:macro name="pose" params="at"><group_state name="home" group="arm">'
@@ -78,3 +81,17 @@ def test_the_robot_and_the_semantics_may_be_xacro(package: Path) -> None:
     )
     assert found(package, ARM + macro, "arm.srdf.xacro") == [("SRD006", "${at}")]
     assert found(package, macro.replace('at="7"', 'att="7"'), "part.srdf.xacro") == []
+
+
+def test_descriptions_of_the_robot_come_by_nearness(package: Path) -> None:
+    folder = package / "deep"
+    folder.mkdir()
+    for place in (folder, package):
+        (place / "arm.srdf").write_text(f'<robot name="arm">{ARM}</robot>')
+        (place / "arm.urdf").write_text(ROBOT.format(""))
+    for place, order in ((folder, [folder, package]), (package, [package, folder])):
+        document = Library().document(place / "arm.srdf", Kind.SRDF)
+        assert document is not None
+        (semantics,) = semantics_in(document)
+        folders = [each.path.parent for each in descriptions_of(semantics)]
+        assert folders[:2] == order

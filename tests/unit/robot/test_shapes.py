@@ -45,12 +45,24 @@ def test_a_shape_without_volume_is_not_a_solid() -> None:
     assert solid_of("<box><size>2 1 1</size></box>") is not None
 
 
-def test_the_moments_of_a_cone() -> None:
-    cone = solid_of("<cone><radius>2</radius><length>4</length></cone>")
-    assert cone is not None
-    assert cone.volume == pytest.approx(16 / 3 * math.pi)
-    assert tuple(cone.moments) == pytest.approx((2.4 / 2, 2.4 / 2, 1.2, 0, 0, 0)[: len(tuple(cone.moments))])
-    assert cone.center == -1
+@pytest.mark.parametrize(
+    ("shape", "volume", "moments", "center"),
+    [
+        ("<cone><radius>2</radius><length>4</length></cone>", 16 / 3, (1.2, 1.2, 1.2), -1),
+        ("<capsule><radius>1</radius><length>2</length></capsule>", 10 / 3, (1.21, 1.21, 0.46), 0),
+        ("<cylinder><radius>1</radius><length>2</length></cylinder>", 2, (7 / 12, 7 / 12, 0.5), 0),
+        ("<sphere><radius>3</radius></sphere>", 36, (3.6, 3.6, 3.6), 0),
+        ("<ellipsoid><radii>1 2 3</radii></ellipsoid>", 8, (2.6, 2, 1), 0),
+    ],
+)
+def test_the_moments_of_round_solids(
+    shape: str, volume: float, moments: tuple[float, ...], center: float
+) -> None:
+    solid = solid_of(shape)
+    assert solid is not None
+    assert solid.volume == pytest.approx(volume * math.pi)
+    assert solid.moments == pytest.approx((*moments, 0, 0, 0))
+    assert solid.center == center
 
 
 @pytest.mark.parametrize(

@@ -140,6 +140,7 @@ KEPT = '<gazebo reference="j"><{0}>true</{0}></gazebo>'
         (links("world") + links("b", MASS) + joint("j", "world", "b"), ["b"], ["b"]),
         (links("a", MASS) + links("b") + joint("j", "a", "b"), ["a"], ["a"]),
         (links("a", MASS.replace('"1"', '"0"', 1)), ["a"], []),
+        (links("a b", MASS) + joint("j", "a", "b") + joint("k", "b", "a"), [], ["a", "b"]),
         (links("a", MASS.replace('"1"', '"${m}"', 1)), ["a"], ["a"]),
         (
             links("a b") + links("c", MASS) + joint("j", "a", "b") + joint("k", "b", "c"),
@@ -220,6 +221,7 @@ def test_moments_that_cannot_be_summed() -> None:
             ["b", "c"],
         ),
         (links("world") + links("b", MASS) + joint("j", "world", "b"), []),
+        (links("a b", MASS) + joint("j", "a", "b") + joint("k", "b", "a"), []),
     ],
 )
 def test_links_that_are_left_out(text: str, dropped: list[str]) -> None:

@@ -80,6 +80,21 @@ def test_whom_a_mimic_follows() -> None:
     assert third.next is None
 
 
+@pytest.mark.parametrize("mimic", ["<mimic/>", '<mimic joint=" "/>', '<mimic joint="x"/>'])
+def test_a_mimic_of_nothing_has_no_leader(mimic: str) -> None:
+    (found,) = root(links("a b") + joint("j", "a", "b", f"<axis><xyz>0 0 1</xyz>{mimic}</axis>")).each(
+        "Mimic"
+    )
+    assert found.leader is None
+    assert (found.leader_value is None) is ("x" not in mimic.replace("mimic", ""))
+
+
+def test_the_axes_of_a_joint_have_names() -> None:
+    axes = "<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 1 0</xyz></axis2>"
+    (both,) = root(links("a b") + joint("j", "a", "b", axes)).each("Joint")
+    assert (both.axis.name, both.axis2.name) == ("axis", "axis2")
+
+
 def test_misspelled_children() -> None:
     (one,) = root(links("a b") + joint("j", "a", "b", "<axsi/>")).each("Joint")
     assert one.misspells("axis")

@@ -43,6 +43,15 @@ def test_limits_that_look_like_degrees(upper: int, count: int) -> None:
     assert len(messages(SDF.format(joint), "JNT014")) == count
 
 
+@pytest.mark.parametrize("size", ["1e160 1e160 1e160", "1e200 1 1"])
+def test_an_inertia_is_not_compared_with_that_of_an_endless_solid(size: str) -> None:
+    solid = f'<collision name="c"><geometry><box><size>{size}</size></box></geometry></collision>'
+    moments = "<inertia><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia>"
+    link = f'<link name="c"><inertial><mass>1</mass>{moments}</inertial>{solid}</link>'
+    run = sdfcheck.lint(SDF.format(link), isolated=True, select=("INR",))
+    assert [each.message for each in run.diagnostics if "link `c`" not in each.message] == []
+
+
 @pytest.mark.parametrize(("outer", "count"), [(2 * math.pi, 0), (6.3, 1)])
 def test_a_cone_is_no_wider_than_all(outer: float, count: int) -> None:
     spot = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import sdfcheck
+from sdfcheck.robot.parts.control_component import ControlComponent
 
 LINKS = "".join(f'<link name="{name}"/>' for name in "abcd")
 LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
@@ -74,3 +75,11 @@ def test_the_robot_knows_its_blocks() -> None:
     assert lift.joint is robot.joints_by_name["j"]
     assert [each.is_command for each in lift.interfaces] == [True]
     assert found.joints["k"].mimic is not None
+
+
+def test_a_simulated_sensor_is_that_of_a_sensor_not_of_a_joint() -> None:
+    simulated = '<gazebo reference="a"><sensor name="j" type="imu"/></gazebo>'
+    text = ROBOT.replace("{}", block(joint("j") + '<sensor name="j"/>') + simulated)
+    of_joint, of_sensor = sdfcheck.parse(text).each(ControlComponent)
+    assert of_joint.sensor is None
+    assert of_sensor.sensor is not None

@@ -20,15 +20,22 @@ def move_world_joints(migration: Migration) -> None:
     for world in migration.root.children("world"):
         for joint in world.children("joint"):
             model = _only_model(world, joint)
-            if model is not None and all(
-                other.get("name") != joint.get("name") for other in model.children()
-            ):
+            namesake = _namesake(joint, model) if model is not None else None
+            if model is not None and namesake is None:
                 _move(migration, places, joint, model)
             elif not migration.goes_below(7):
-                text = (
-                    f"{title(joint)} is left out: {migration.target} has no joints between models of a world"
-                )
-                migration.drop(joint, text, severity=Severity.ERROR)
+                reason = f"{migration.target} has no joints between models of a world"
+                if model is not None and namesake is not None:
+                    reason = (
+                        f"{migration.target} has joints in models only, and in {title(model)} its name is that of a "
+                        f"{namesake.name}"
+                    )
+                migration.drop(joint, f"{title(joint)} is left out: {reason}", severity=Severity.ERROR)
+
+
+def _namesake(joint: Node, model: Node) -> Node | None:
+    """The part of a model that has the name of a joint."""
+    return next((other for other in model.children() if other.get("name") == joint.get("name")), None)
 
 
 def _only_model(world: Node, joint: Node) -> Node | None:

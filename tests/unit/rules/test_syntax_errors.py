@@ -1,0 +1,25 @@
+"""The messages about tags that are missing, and their places."""
+
+from __future__ import annotations
+
+import pytest
+
+import sdfcheck
+
+MODEL = '<sdf version="1.12"><model name="m">\n{}\n</model></sdf>'
+
+
+@pytest.mark.parametrize(
+    ("inside", "place", "message"),
+    [
+        ('  <link name="a">\n    <gravity>1</gravity>\n  ', "  ", "`</link>` is missing here"),
+        ("  \n    <gravity>1</gravity>\n  </link>", "  ", "`<link>` is missing here"),
+        ("<static>true", "true", "`</static>` is missing after `true`"),
+        ("true</static>", "true", "`<static>` is missing before `true`"),
+        (f"<static>{'x' * 80}", "x" * 80, f"`</static>` is missing after `{'x' * 60}`"),
+    ],
+    ids=["end-tag-on-its-line", "start-tag-on-its-line", "end-tag", "start-tag", "long-text"],
+)
+def test_a_tag_is_missing(inside: str, place: str, message: str) -> None:
+    run = sdfcheck.lint(MODEL.format(inside), isolated=True, select=("XML001",))
+    assert [(each.span.text, each.message) for each in run.diagnostics] == [(place, message)]
