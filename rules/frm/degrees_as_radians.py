@@ -54,6 +54,11 @@ class DegreesAsRadians(Rule):
             says="roll -180 and yaw 45 are read as radians, and look like degrees",
         ),
         Bad(
+            '<pose relative_to="__model__">0 0 1 0 0 «90»</pose>',
+            fixed='<pose relative_to="__model__">0 0 1 0 0 1.5707963267948966</pose>',
+            unsafe=True,
+        ),
+        Bad(
             '<link name="arm"><inertial><origin rpy="«90» 0 0"/><mass value="1"/>'
             '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
             '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
@@ -63,6 +68,7 @@ class DegreesAsRadians(Rule):
     )
     good = (
         Good('<pose degrees="true">0 0 1 0 0 90</pose>'),
+        Good('<pose rotation_format="quat_xyzw">0 0 1 0 0 90 0</pose>', why="a quaternion"),
         Good("<pose>90 0 0 0 0 0</pose>", why="the first three are meters"),
         Good("<pose>0 0 1 0 0 7.853981633974483</pose>", why="a turn and a quarter, in radians"),
         Good("<pose>0 0 1 0 0 6</pose>", why="less than a turn"),

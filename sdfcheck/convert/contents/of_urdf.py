@@ -84,8 +84,13 @@ def _link(found: Contents, link: Link, definition: Definition) -> None:
         elif name == "dampingFactor":
             for kind in ("linear", "angular"):
                 made.reach(("velocity_decay", kind), element).text = _value(element)
-        elif name not in _HINTS and name not in _JOINT:
+        elif name not in _HINTS and name not in _JOINT and not _is_of_joint(link, element):
             _add(made, element)
+
+
+def _is_of_joint(link: Link, element: Element) -> bool:
+    """Where a joint has the link's name: is a setting the joint's?"""
+    return element.name == "physics" and any(joint.name == link.name for joint in link.model.joints)
 
 
 def _of_shape(made: Entry, element: Element, definition: Definition | None) -> None:

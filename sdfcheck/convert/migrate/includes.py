@@ -69,10 +69,7 @@ def _nodes(text: str) -> list[Node]:
     root = Draft(Document(Source(Path(), f"<sdf>\n{text}\n</sdf>"), Kind.SDF, [])).root
     for node in root.walk():
         node.origin = None
-    nodes = root.children()
-    for node in nodes:
-        node.remove()
-    return nodes
+    return root.children()
 
 
 def _says_more(include: Node) -> bool:

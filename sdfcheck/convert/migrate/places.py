@@ -76,10 +76,7 @@ class Places:
         reference = reference_of(pose)
         frame = self.frame(holder) if holder is not None else None
         if not reference:
-            parent = node.parent
-            within = parent is not None and parent is not holder and holder is not None
-            outer = self.in_holder(parent, holder) if within and parent is not None else np.eye(4)
-            return outer @ written_pose(pose)
+            return written_pose(pose)
         if frame is not None:
             return self.poses.of_part(self.migration.draft.element(node), frame)
         scope = self.scope(node)

@@ -98,7 +98,7 @@ class VendorTags:
             if kind == "link" and full in context.links:
                 own = context.links[full]
                 return self._frame(full, f"{own}_frame", full, np.eye(4)) if "frame" in kinds else own
-            if kind[:1] not in {"", "f", "j", "l"} or ":" in kind:
+            if ":" in kind:
                 return full.replace("::", "__")
         return text
 

@@ -34,15 +34,16 @@ class Joints:
     def __init__(self, context: Context) -> None:
         self.context = context
 
-    def write(self, joint: Joint, model: Node) -> Node | None:
-        """The joint; None where SDFormat expresses it by having none."""
+    def write(self, joint: Joint, model: Node) -> None:
+        """Write the joint, unless SDFormat expresses it by having none."""
         element = joint.element
         context = self.context
         if is_for_drake(context.plan, joint, context.options):
-            return write_for_drake(joint, model, context)
+            write_for_drake(joint, model, context)
+            return
         if joint.kind not in _KINDS:
             self._free(joint)
-            return None
+            return
         names = context.plan.names
         node = model.add("joint", None, name=names.joints[joint.name], type=_KINDS[joint.kind])
         context.ledger.take(element)
@@ -67,7 +68,6 @@ class Joints:
             if child.name not in _READ:
                 context.keep(child, node)
         context.joints[joint.name] = node
-        return node
 
     def _special(self, joint: Joint, node: Node) -> None:
         """A joint that URDF has for Drake only, and its settings."""

@@ -29,7 +29,7 @@ OF_MOVING_JOINTS = frozenset(
     """.split()
 )
 """Settings that say nothing of a fixed joint."""
-OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", *_KEEPERS}
+OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", "physics", *_KEEPERS}
 """Settings that only joints have."""
 
 

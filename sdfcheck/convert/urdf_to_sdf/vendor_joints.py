@@ -61,7 +61,7 @@ def _number(word: str) -> float:
         return math.nan
 
 
-def write_for_drake(joint: Joint, model: Node, context: Context) -> Node:
+def write_for_drake(joint: Joint, model: Node, context: Context) -> None:
     """A planar or curvilinear joint between two frames, which have the joint's axis along z."""
     plan, element = context.plan, joint.element
     names = plan.names
@@ -91,7 +91,6 @@ def write_for_drake(joint: Joint, model: Node, context: Context) -> Node:
         "for other simulators its child floats freely"
     )
     context.note(element, LossKind.APPROXIMATED_JOINT, text, Severity.WARNING)
-    return node
 
 
 def _frame(model: Node, wished: str, link: str, pose: Array, context: Context) -> str:

@@ -62,6 +62,22 @@ def test_a_sound_pack_passes(capsys: pytest.CaptureFixture[str]) -> None:
     ]
 
 
+@pytest.mark.parametrize("written", ["bad = MORE", "bad = (*MORE,)"])
+def test_examples_that_are_made_elsewhere_are_where_they_are_assigned(
+    capsys: pytest.CaptureFixture[str], written: str
+) -> None:
+    pack()
+    rules = Path("checks", "rules.py")
+    before, _, rest = rules.read_text().partition("    bad = (\n")
+    after = rest.partition("    )\n")[2]
+    rules.write_text(
+        f"{before}    MORE = (Bad('<link name=\"«bad»\"/>'), Bad('<link/>'))\n    {written}\n{after}"
+    )
+    code, (found, _) = outcome_of(capsys)
+    assert code == 1
+    assert found.startswith("checks/rules.py:14: TST001 bad-name, bad example 2: "), found
+
+
 def test_one_example_fails_alone() -> None:
     pack(good="Good('<link name=\"bad\"/>')")
     *sound, faulty = examples(Path("checks"))

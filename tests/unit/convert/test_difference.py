@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -80,6 +81,15 @@ def test_a_change_across_formats(tmp_path: Path) -> None:
         "1",
         "2",
     )
+
+
+def test_a_link_without_mass_in_the_other_format_is_a_change(tmp_path: Path) -> None:
+    massless = re.sub(
+        "<link name='fore'>.*</link><link name='tip'/>", "<link name='fore'/><link name='tip'/>", URDF
+    )
+    for a, b, texts in ((ARM, massless, ("2 kg", "none")), (massless, ARM, ("none", "2 kg"))):
+        (change,) = changes(tmp_path, a, b)
+        assert (change.name, change.what, change.before, change.after) == ("fore", "inertial", *texts)
 
 
 @pytest.mark.parametrize(("static", "count"), [("true", 0), ("1", 0), ("0", 1)])

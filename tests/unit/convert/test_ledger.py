@@ -183,6 +183,10 @@ def test_an_element_that_is_not_a_shape_is_not_called_one() -> None:
             ),
             "`sphere` in `geometry` is left out: there is another shape before it",
         ),
+        (
+            '<link name="a"><inertial><mass>1<x/>kg<y/>net</mass></inertial></link>',
+            "the text `net` in `mass` is left out: it has no place in URDF",
+        ),
     ],
 )
 def test_a_tag_that_another_one_hides_is_a_loss(inside: str, lost: str) -> None:

@@ -246,3 +246,43 @@ def test_a_gripper_of_links_outside_stays_outside(palm: str, name: str) -> None:
     model = f'<model name="m">{links}<gripper name="arm::hand">{ends}</gripper></model>'
     done = migrate(f'<sdf version="1.7">{model}</sdf>', Version(1, 8))
     assert name in done.text
+
+
+@pytest.mark.parametrize(
+    ("carrier", "relative", "written"),
+    [
+        ("", "", "<pose>1 -3 0 0 0 0</pose>"),
+        ("", ' relative_to="base"', "<pose>1 -3 1 0 0 0</pose>"),
+        (' attached_to="arm::lid"', "", "<pose>1 0 0 0 0 0</pose>"),
+        (
+            ' attached_to="arm::lid"',
+            ' relative_to="base"',
+            '<pose relative_to="__model__">1 -3 1 0 0 0</pose>',
+        ),
+    ],
+)
+def test_a_frame_of_a_model_by_name_stays_in_place(carrier: str, relative: str, written: str) -> None:
+    base, lid = (
+        '<link name="{}"><pose>0 0 {} 0 0 0</pose></link>'.format(*each)
+        for each in (("base", 1), ("arm::lid", 5))
+    )
+    own = '<frame name="arm::__model__" attached_to="arm::lid"><pose relative_to="__model__">0 3 0 0 0 0</pose></frame>'
+    tool = f'<frame name="arm::tool"{carrier}><pose{relative}>1 0 0 0 0 0</pose></frame>'
+    done = migrate(f'<sdf version="1.7"><model name="m">{base}{lid}{own}{tool}</model></sdf>', Version(1, 8))
+    assert done.text.partition('<frame name="tool"')[2].partition(">")[2].startswith(written)
+
+
+def test_an_automatic_inertia_is_written_with_a_plain_pose() -> None:
+    inertial = '<inertial auto="true"><pose degrees="true">0 0 0 0 0 90</pose><density>2</density></inertial>'
+    ball = "<geometry><sphere><radius>1</radius></sphere></geometry>"
+    link = f'<link name="a">{inertial}<collision name="c"><pose>0 0 1 0 0 0</pose>{ball}</collision></link>'
+    done = migrate(f'<sdf version="1.12"><model name="m">{link}</model></sdf>', Version(1, 10))
+    assert "<inertial><pose>0 0 1 0 0 0</pose>" in done.text
+
+
+def test_of_two_thread_pitches_the_older_one_is_written() -> None:
+    pitches = "<screw_thread_pitch>2</screw_thread_pitch><thread_pitch>5</thread_pitch>"
+    joint = f'<joint name="j" type="screw"><parent>a</parent><child>b</child>{pitches}</joint>'
+    text = f'<sdf version="1.12"><model name="m"><link name="a"/><link name="b"/>{joint}</model></sdf>'
+    done = migrate(text, Version(1, 9))
+    assert "</child><thread_pitch>-3.141592653589793</thread_pitch></joint>" in done.text

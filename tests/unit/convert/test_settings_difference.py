@@ -136,3 +136,22 @@ def test_settings_of_a_merged_model_are_those_of_the_model_that_it_is_merged_int
     assert [(change.name, change.what, change.before, change.after) for change in found] == [
         ("m", "plugin `p`/gain", "1", "2")
     ]
+
+
+@pytest.mark.parametrize(
+    ("setting", "part", "what"),
+    [
+        ("<physics><ode><limit><cfm>{}</cfm></limit></ode></physics>", "joint", "physics/ode/limit/cfm"),
+        (
+            "<sensor name='s' type='imu'><update_rate>{}</update_rate></sensor>",
+            "link",
+            "sensor `s`/update_rate",
+        ),
+    ],
+)
+def test_where_a_joint_has_the_name_of_a_link_a_setting_is_of_one(
+    tmp_path: Path, setting: str, part: str, what: str
+) -> None:
+    block = f"<gazebo reference='fore'>{setting.format(1)}</gazebo></robot>"
+    text = URDF.replace("name='elbow'", "name='fore'").replace("</robot>", block)
+    assert edited(tmp_path, setting.format(1), setting.format(2), text) == [(part, "fore", what, "1", "2")]

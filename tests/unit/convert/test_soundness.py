@@ -56,6 +56,16 @@ def test_a_xacro_file_that_lacks_an_argument_is_refused_with_this_reason(
     assert main([*arguments, "--no-expand"]) == 0, "the source has the error of the result"
 
 
+def test_an_error_in_an_included_file_is_the_sources(tmp_path: Path) -> None:
+    xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    impossible = LINK.format("").replace('ixx="1"', 'ixx="9"')
+    (tmp_path / "part.xacro").write_text(f"<robot {xacro}>{impossible}</robot>")
+    source = tmp_path / "r.xacro"
+    source.write_text(f'<robot name="r" {xacro}><xacro:include filename="part.xacro"/></robot>')
+    assert main(["convert", "urdf-to-sdf", str(source), "-o", str(tmp_path / "r.sdf"), "--isolated"]) == 0
+    assert "<ixx>9</ixx>" in (tmp_path / "r.sdf").read_text()
+
+
 def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     source, target = tmp_path / "r.urdf", tmp_path / "r.sdf"
     source.write_text(

@@ -87,6 +87,29 @@ def test_a_sensor_of_a_merged_link_stays_in_place(pose: str, moved: str) -> None
     assert f"<pose>{moved}</pose>" in text[text.index("<sensor") :]
 
 
+def test_the_custom_data_of_a_merged_joint_is_that_of_its_frame() -> None:
+    text = merged('<x:bolt xmlns:x="urn:x"/>', "").replace("\n", "")
+    frame = text[text.index('<frame name="j"') :].partition("</frame>")[0]
+    assert "<x:bolt" in frame
+    joint = 'name="j" x:nr="7" xmlns:x="urn:x"'
+    document = read(URDF.replace('name="j"', joint).format("fixed", "", "").encode(), Path("r.urdf"))
+    done = urdf_to_sdf(document, Options(fixed_joints=FixedJoints.MERGE))
+    assert '<frame name="j" attached_to="a" x:nr="7">' in done.text
+
+
+@pytest.mark.parametrize(
+    ("inside", "times"),
+    [
+        ("<safety_controller k_velocity='1'><!-- why --></safety_controller>", 1),
+        ("<calibration rising='0'><!-- why --></calibration>", 1),
+        ('<x:bolt xmlns:x="urn:x"><!-- why --></x:bolt>', 1),
+    ],
+)
+def test_a_comment_in_a_part_of_a_joint_is_kept_once(inside: str, times: int) -> None:
+    text = convert(URDF.format("revolute", inside, ""), "sdf").text
+    assert text.count("<!-- why -->") == times
+
+
 def test_a_list_of_names_is_cut_after_three() -> None:
     three = {name: f"{name}1" for name in "abc"}
     assert _list(three) == "`a` → `a1`, `b` → `b1`, `c` → `c1`"

@@ -122,7 +122,10 @@ def test_an_index_is_taken_and_its_age_is_noticed(
 ) -> None:
     name = f"{installed.parent.name}.robot_rules"
     index = installed / "rule_index.py"
+    assert write_index(["--check", name]) == 1
+    assert not index.exists()
     assert write_index([name]) == 0
+    assert write_index(["--check", name]) == 0
     assert main(["rules", "--test", "acme"]) == 0
     index.write_text(index.read_text().replace("bad-name", "worse-name"))
     sys.modules.pop(f"{name}.rule_index")

@@ -226,10 +226,13 @@ def test_programs_get_faults_as_an_exception() -> None:
         ("gone", "sdfcheck.toml:1: plugin gone: no folder, no entry point `sdfcheck.rules` and no package"),
         ("./gone", "plugin gone: no such folder"),
         ("empty", "there are no rules in it"),
+        ("./broken", "broken/__init__.py:2: ZeroDivisionError: division by zero"),
     ],
 )
 def test_a_plugin_that_cannot_be_loaded_at_all_stops_the_run(run: Run, name: str, reason: str) -> None:
     Path("empty").mkdir()
+    Path("broken").mkdir()
+    Path("broken/__init__.py").write_text("RATIO = 0\nRATIO = 1 / RATIO\n")
     Path("sdfcheck.toml").write_text(f'plugins = ["{name}"]\n')
     code, out, (line,) = run()
     assert (code, out) == (2, [])

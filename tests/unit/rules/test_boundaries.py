@@ -43,6 +43,76 @@ def test_limits_that_look_like_degrees(upper: int, count: int) -> None:
     assert len(messages(SDF.format(joint), "JNT014")) == count
 
 
+@pytest.mark.parametrize(("mass", "found"), [(0, ["INR001"]), (1, ["INR002"])])
+def test_of_a_link_without_mass_only_the_mass_is_reported(mass: int, found: list[str]) -> None:
+    moments = "<inertia><ixx>-1</ixx><iyy>1</iyy><izz>1</izz></inertia>"
+    link = f'<link name="c"><inertial><mass>{mass}</mass>{moments}</inertial></link>'
+    run = sdfcheck.lint(SDF.format(link), isolated=True, select=("INR001", "INR002", "INR003", "INR006"))
+    assert [each.code for each in run.diagnostics] == found
+
+
+BOX = '<collision name="c"><pose>{0} 0 0 0 0 0</pose><geometry><box><size>1 1 1</size></box></geometry></collision>'
+
+
+@pytest.mark.parametrize("mass", [0.5, 2])
+@pytest.mark.parametrize(
+    ("factor", "offset", "found"),
+    [
+        (0.009, 0, ["INR006"]),
+        (0.011, 0, []),
+        (99, 0, []),
+        (101, 0, ["INR006"]),
+        (9.9, 1.49, []),
+        (10.1, 1.51, ["INR007"]),
+    ],
+)
+def test_moments_far_from_those_of_a_box(mass: float, factor: float, offset: float, found: list[str]) -> None:
+    own = mass / 6 * (factor if not offset else 1)
+    about = own + mass * offset**2
+    assert about * 2 + own == pytest.approx(mass / 2 * factor, rel=0.01)
+    moments = f"<inertia><ixx>{own}</ixx><iyy>{about}</iyy><izz>{about}</izz></inertia>"
+    inertial = f"<inertial><pose>{offset} 0 0 0 0 0</pose><mass>{mass}</mass>{moments}</inertial>"
+    link = f'<link name="c">{inertial}{BOX.format(offset)}</link>'
+    run = sdfcheck.lint(SDF.format(link), isolated=True, select=("INR006", "INR007"))
+    assert [each.code for each in run.diagnostics] == found
+
+
+@pytest.mark.parametrize("x", [0, 6])
+@pytest.mark.parametrize(("mass", "count"), [(400, 0), (590, 0), (610, 1)])
+def test_moments_of_1_may_be_right_for_a_heavy_box(mass: int, count: int, x: int) -> None:
+    moments = "<inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>"
+    inertial = f"<inertial><pose>{x} 0 0 0 0 0</pose><mass>{mass}</mass>{moments}</inertial>"
+    assert len(messages(SDF.format(f'<link name="c">{inertial}{BOX.format(x)}</link>'), "INR005")) == count
+
+
+LEAST_TURN = 2 * math.pi - 1e-3
+
+
+@pytest.mark.parametrize(
+    ("upper", "count"), [(LEAST_TURN, 1), (math.nextafter(LEAST_TURN, 7), 0), (6.283, 0)]
+)
+def test_limits_of_a_whole_turn_exclude_nothing(upper: float, count: int) -> None:
+    limit = f'<axis xyz="0 0 1"/><limit lower="0" upper="{upper!r}" effort="1" velocity="1"/>'
+    assert len(messages(URDF.replace("revolute", "continuous").format(limit), "JNT011", "a.urdf")) == count
+
+
+@pytest.mark.parametrize(("lower", "upper", "count"), [(0, 0, 1), (1, 0, 0), (-1, 1, 1)])
+def test_limits_that_a_continuous_joint_does_not_have(lower: int, upper: int, count: int) -> None:
+    limit = f"<limit><lower>{lower}</lower><upper>{upper}</upper></limit>"
+    ends = "<parent>a</parent><child>b</child>"
+    joint = f'<joint name="j" type="continuous">{ends}<axis><xyz>0 0 1</xyz>{limit}</axis></joint>'
+    assert len(messages(SDF.format(joint), "JNT011")) == count
+
+
+@pytest.mark.parametrize(("sine", "count"), [(0.99999, 1), (0.999989, 0)])
+def test_from_a_sine_on_a_pitch_is_taken_for_a_right_angle(sine: float, count: int) -> None:
+    pitch = math.asin(sine)
+    assert math.sin(pitch) == sine
+    box = f'<origin rpy="0 {pitch!r} 0"/><geometry><box size="1 1 1"/></geometry>'
+    text = f'<robot name="r"><link name="a"><visual>{box}</visual></link></robot>'
+    assert len(messages(text, "URD016", "a.urdf")) == count
+
+
 @pytest.mark.parametrize("size", ["1e160 1e160 1e160", "1e200 1 1"])
 def test_an_inertia_is_not_compared_with_that_of_an_endless_solid(size: str) -> None:
     solid = f'<collision name="c"><geometry><box><size>{size}</size></box></geometry></collision>'
@@ -97,6 +167,33 @@ def test_the_first_misspelling_of_a_plugin_is_named() -> None:
         d.span.text for d in found if "did you mean `plugin`" in d.message and d.code.startswith("R2C")
     )
     assert place == "plugn"
+
+
+@pytest.mark.parametrize(("name", "title"), [("waxed", "write `waxed`"), ("wax&amp;ed", None)])
+def test_a_name_is_written_where_it_was_meant_unless_it_would_be_escaped(
+    name: str, title: str | None
+) -> None:
+    material = f'<material name="{name}"><color rgba="1 1 1 1"/></material>'
+    visual = f'<visual><geometry><sphere radius="1"/></geometry><material name="{name}d"/></visual>'
+    text = f'<robot name="r">{material}<link name="a">{visual}</link></robot>'
+    (found,) = sdfcheck.lint(text, name="a.urdf", isolated=True, select=("URD006",)).diagnostics
+    assert (found.fix and found.fix.title) == title
+
+
+def test_letters_that_are_not_utf_8_are_reported(tmp_path: Path) -> None:
+    file = tmp_path / "a.sdf"
+    file.write_bytes('<sdf version="1.9"><world name="Wörld"/></sdf>'.encode("latin-1"))
+    (found,) = (each for each in sdfcheck.lint(file, isolated=True).diagnostics if each.code == "XML005")
+    assert "is not stored as UTF-8" in found.message
+    assert found.help == "save the file as UTF-8"
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_simulators_cannot_read_wide_characters(encoding: str, tmp_path: Path) -> None:
+    file = tmp_path / "a.sdf"
+    file.write_bytes('\ufeff<sdf version="1.9"/>'.encode(encoding))
+    found = [each.message for each in sdfcheck.lint(file, isolated=True).diagnostics if each.code == "XML005"]
+    assert found == ["the file is UTF-16, and simulators read UTF-8 only"]
 
 
 def test_a_second_document_is_called_so() -> None:

@@ -59,6 +59,8 @@ def _gather(migration: Migration, model: Node, head: str) -> None:
             if member in poses:
                 own = member.find("pose") or member.add("pose")
                 own.unset("relative_to")
+                if member.get("attached_to"):
+                    own.set("relative_to", "__model__")  # else it would be in what it is attached to
                 own.write(numbers.pose(poses[member]))
             nested.append(member)
 

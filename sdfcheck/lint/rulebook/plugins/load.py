@@ -194,7 +194,7 @@ def _import(name: str) -> ModuleType | BaseException:
 
 
 def _failure(error: BaseException, package: str, folder: Path) -> str:
-    return f"{place_of_error(error, package) or at(folder, 1)}: {described(error)}"
+    return f"{place_of_error(error, package, folder) or at(folder, 1)}: {described(error)}"
 
 
 def _open(pack: Pack) -> None:

@@ -54,9 +54,9 @@ def failure(facts: RuleFacts, error: BaseException) -> tuple[str, str]:
     return message, f'correct the rule, or leave it out with `ignore = ["{facts.name}"]`'
 
 
-def place_of_error(error: BaseException, module: str) -> str | None:
-    """The innermost place within the package of a module at which an error came up."""
-    roots = _roots(module)
+def place_of_error(error: BaseException, module: str, *folders: Path) -> str | None:
+    """The innermost place within the package of a module, or within folders, at which an error came up."""
+    roots = (*_roots(module), *(f"{folder}{os.sep}" for folder in folders))
     if isinstance(error, SyntaxError) and str(error.filename).startswith(roots):
         return at(str(error.filename), error.lineno or 1)
     places = [(file, line) for file, line in _frames(error.__traceback__) if file.startswith(roots)]
