@@ -43,8 +43,8 @@ def test_limits_that_look_like_degrees(upper: int, count: int) -> None:
     assert len(messages(SDF.format(joint), "JNT014")) == count
 
 
-@pytest.mark.parametrize(("mass", "found"), [(0, ["INR001"]), (1, ["INR002"])])
-def test_of_a_link_without_mass_only_the_mass_is_reported(mass: int, found: list[str]) -> None:
+@pytest.mark.parametrize(("mass", "found"), [(-1, ["INR001"]), (0, ["INR001", "INR002"]), (1, ["INR002"])])
+def test_moments_are_judged_with_any_mass_that_libsdformat_takes(mass: int, found: list[str]) -> None:
     moments = "<inertia><ixx>-1</ixx><iyy>1</iyy><izz>1</izz></inertia>"
     link = f'<link name="c"><inertial><mass>{mass}</mass>{moments}</inertial></link>'
     run = sdfcheck.lint(SDF.format(link), isolated=True, select=("INR001", "INR002", "INR003", "INR006"))
