@@ -58,6 +58,8 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
     found = dict(unreadable(element))
     if element.name == "material" and "visual" in _place(element):
         found[Consumer.DRAKE] = accepts("needs no name there")
+    if (element.name, name) == ("link", "name"):
+        found[Consumer.URDFDOM] = warns("drops the rest of the link")
     if element.name == "mass":
         found[Consumer.DRAKE] = warns("takes 0")
     if (element.name, name) == ("robot", "link"):
