@@ -21,7 +21,7 @@ def is_remarkable(inertial: Inertial) -> bool:
 
 
 def has_moments(inertial: Inertial) -> bool:
-    """The same of moments that can be read, with a mass that libsdformat takes, which 0 is in SDFormat."""
+    """The same of moments that can be read, with a mass that libsdformat takes: above 0, in SDFormat also 0."""
     if not is_remarkable(inertial) or not inertial.is_legible:
         return False
     mass = inertial.mass

@@ -18,13 +18,14 @@ class Disk:
         self._existing: dict[str, bool] = {}
         self._listings: dict[str, Mapping[str, str]] = {}
         self._real: dict[str, str] = {}
-        self._views: dict[str, object] = {}
+        self._views: dict[tuple[object, str], object] = {}
 
     def view(self, folder: str, compute: Callable[[str, Disk], T]) -> T:
-        """The result of ``compute`` for a folder as it is written, computed once; there is one kind of them."""
-        if folder not in self._views:
-            self._views[folder] = compute(folder, self)
-        return cast(T, self._views[folder])
+        """The result of ``compute`` for a folder, as its path is written; computed once."""
+        key = (compute, folder)
+        if key not in self._views:
+            self._views[key] = compute(folder, self)
+        return cast(T, self._views[key])
 
     def has(self, path: str) -> bool:
         """Is there a file or folder?"""

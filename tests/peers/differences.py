@@ -183,6 +183,8 @@ def main() -> int:
     FOLDER.mkdir(parents=True)
     files = [path for path in sorted(options.folder.rglob("*")) if path.suffix in suffixes and is_apart(path)]
     origins = [path for path, loads in ask_peer(files).items() if loads and not lint(path, consumer)]
+    if not origins:
+        parser.error(f"no file below {options.folder} is found sound by both")
     changes = dict(mutants(origins, options.number, random.Random(options.seed)))
     differences = 0
     for path, loads in ask_peer(list(changes)).items():
