@@ -195,7 +195,7 @@ def main() -> int:
             differences += 1
             what = "not reported" if alarm is None else f"taken, but {alarm.message} [{alarm.code}]"
             print(f"{path}: {changes[path]}: {what}")
-    print(f"{differences} differences in {len(changes)} changes of {len(origins)} files")
+    print(f"changes: {len(changes)}, sound files: {len(origins)}, differences: {differences}")
     return 1 if differences else 0
 
 
