@@ -11,7 +11,9 @@ from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.urdf.table import settings
 from sdfcheck.robot.model import Model
+from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.parts.material import Material
@@ -19,28 +21,11 @@ from sdfcheck.robot.parts.shape import Shape, Visual
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
 
-_SURFACE = {
-    "mu1": ("friction", "ode", "mu"), "mu": ("friction", "ode", "mu"), "mu2": ("friction", "ode", "mu2"),
-    "fdir1": ("friction", "ode", "fdir1"), "kp": ("contact", "ode", "kp"), "kd": ("contact", "ode", "kd"),
-    "maxVel": ("contact", "ode", "max_vel"), "minDepth": ("contact", "ode", "min_depth"),
-}  # fmt: skip
-"""Setting → where a surface has it."""
-_COLLISION = {"maxContacts": "max_contacts", "max_contacts": "max_contacts", "laserRetro": "laser_retro"}
-_LINK = {"turnGravityOff": ("gravity", True), "selfCollide": ("self_collide", False)}
-_JOINT = {
-    "stopCfm": ("physics", "ode", "limit", "cfm"), "stopErp": ("physics", "ode", "limit", "erp"),
-    "fudgeFactor": ("physics", "ode", "fudge_factor"), "provideFeedback": ("physics", "provide_feedback"),
-    "implicitSpringDamper": ("physics", "ode", "implicit_spring_damper"),
-    "cfmDamping": ("physics", "ode", "implicit_spring_damper"),
-    "springReference": ("axis", "dynamics", "spring_reference"),
-    "springStiffness": ("axis", "dynamics", "spring_stiffness"),
-}  # fmt: skip
 _KEPT = ("transmission", "ros2_control")
 """What SDFormat has under a prefix only."""
 _HINTS = frozenset({"preserveFixedJoint", "disableFixedJointLumping", "material"})
 _OF_MODELS = frozenset({"pose", "static", "frame", "joint", "link", "model", "include"})
 _MOTION = frozenset({"axis", "pose", "parent", "child"})
-_TRUE = frozenset({"true", "yes", "1"})
 
 
 def of_urdf(model: Model) -> Contents:
@@ -60,7 +45,9 @@ def of_urdf(model: Model) -> Contents:
         _joint(found, joint, sdf.children["joint"])
     for block in model.blocks_by_reference.get("", ()):
         for entry in block.element.children():
-            if entry.name not in _OF_MODELS and entry.name not in _SURFACE:
+            if entry.name not in _OF_MODELS and entry.name not in (
+                settings("link").keys() | settings("joint").keys()
+            ):
                 _add(robot, entry)
     _drive(found, model)
     return found
@@ -74,33 +61,25 @@ def _link(found: Contents, link: Link, definition: Definition) -> None:
         found.shapes[shape.element] = entry
     for element in (element for block in link.gazebo_blocks for element in block.element.children()):
         name = element.name
-        role = "collision" if name in _SURFACE or name in _COLLISION else name
-        if role in {"visual", "collision"}:
-            for entry in (entry for shape, entry in shapes if shape.kind == role):
-                _of_shape(entry, element, definition.children.get(role))
-        elif name in _LINK:
-            own, negated = _LINK[name]
-            made.reach((own,), element).text = str((_value(element).lower() in _TRUE) is not negated).lower()
-        elif name == "dampingFactor":
-            for kind in ("linear", "angular"):
-                made.reach(("velocity_decay", kind), element).text = _value(element)
-        elif name not in _HINTS and name not in _JOINT and not _is_of_joint(link, element):
+        setting = settings("link").get(name)
+        if name in {"visual", "collision"}:
+            for entry in (entry for shape, entry in shapes if shape.kind == name):
+                _lay_over(entry, entry_of(element, definition.children.get(name)))
+        elif setting is not None:
+            text = setting.translated(text_of_setting(element))
+            for path in setting.counterparts:
+                if path[0] == "collision":
+                    for entry in (entry for shape, entry in shapes if shape.kind == "collision"):
+                        entry.reach(path[1:], element).text = text
+                else:
+                    made.reach(path, element).text = text
+        elif name not in _HINTS and name not in settings("joint") and not _is_of_joint(link, element):
             _add(made, element)
 
 
 def _is_of_joint(link: Link, element: Element) -> bool:
     """Where a joint has the link's name: is a setting the joint's?"""
     return element.name == "physics" and any(joint.name == link.name for joint in link.model.joints)
-
-
-def _of_shape(made: Entry, element: Element, definition: Definition | None) -> None:
-    """The settings in a block for all visuals or collisions of a link."""
-    name = element.name
-    if name == made.name:
-        _lay_over(made, entry_of(element, definition))
-    else:
-        path = ("surface", *_SURFACE[name]) if name in _SURFACE else (_COLLISION[name],)
-        made.reach(path, element).text = _value(element)
 
 
 def _shape(shape: Shape, definition: Definition) -> Entry:
@@ -131,12 +110,9 @@ def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
             _add_customs(made, inner.children())
             made.children += attribute_entries(inner)
     for element in (element for block in joint.gazebo_blocks for element in block.element.children()):
-        if element.name in _JOINT:
-            text = _value(element)
-            is_flag = element.name in {"provideFeedback", "implicitSpringDamper", "cfmDamping"}
-            made.reach(_JOINT[element.name], element).text = (
-                str(text.lower() in _TRUE).lower() if is_flag else text
-            )
+        if (setting := settings("joint").get(element.name)) is not None:
+            for path in setting.counterparts:
+                made.reach(path, element).text = setting.translated(text_of_setting(element))
         elif element.name not in _HINTS and element.name not in _MOTION and not _is_of_link(joint, element):
             _add(made, element)
 
@@ -190,7 +166,3 @@ def _add_customs(made: Entry, elements: Iterable[Element], without: tuple[str, .
         if ":" in name and tag_of(name, Kind.URDF) is None:
             made.attributes.setdefault(name, text)
     made.children += custom_entries((e for e in elements if e.name not in without), Kind.URDF)
-
-
-def _value(element: Element) -> str:
-    return " ".join((element.content or element.attributes.get("value", "")).split())

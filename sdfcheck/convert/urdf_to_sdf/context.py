@@ -11,14 +11,15 @@ from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
-from sdfcheck.convert.urdf_to_sdf.settings import value_of
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
 from sdfcheck.convert.urdf_to_sdf.words import WORDS
 from sdfcheck.convert.writer import Node, comment_of, copied, declare, numbers, spaced, undeclared_prefixes
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
+from sdfcheck.formats.urdf.table import UrdfElement
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
+from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.source.element import Element
 
 KEPT = "urdf"
@@ -124,9 +125,19 @@ class Context:
             definition = definition.children.get(name) if definition is not None else None
         return definition is not None
 
+    def translated(self, entry: Element, setting: UrdfElement) -> str | None:
+        """The text of a setting of ``<gazebo>`` as SDFormat has it; None, and reported, if it is malformed."""
+        kind = "" if setting.value is None else setting.value.type
+        text = (
+            text_of_setting(entry) if kind == "flag" else self.numbers(entry, 3 if kind == "vector3" else 1)
+        )
+        if text is None:
+            return None
+        return text.removesuffix(".0") if kind == "int" else setting.translated(text)
+
     def numbers(self, setting: Element, count: int = 1) -> str | None:
         """The numbers of a setting as they are written; None, and reported, if there are not so many."""
-        text = value_of(setting)
+        text = text_of_setting(setting)
         found = floats(text) or ()
         if len(found) == count and all(map(math.isfinite, found)):
             return text

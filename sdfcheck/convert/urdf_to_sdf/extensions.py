@@ -11,24 +11,17 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.blocks import copied_entry
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS
-from sdfcheck.convert.urdf_to_sdf.settings import (
-    BOUNDS,
-    COUNT,
-    FLAGS,
-    OF_COLLISIONS,
-    OF_JOINT,
-    TRUE,
-    merge,
-    value_of,
-)
 from sdfcheck.convert.writer import Node, comment_of, copied
 from sdfcheck.formats.sdf.values import number
+from sdfcheck.formats.urdf.table import TRUE, UrdfElement, extension, settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
+from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.source.element import Element
 
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
 _PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
+_BOUNDS = frozenset({"lower", "upper", "effort", "velocity", "damping", "friction"})
 _SCRIPTS = "file://media/materials/scripts/gazebo.material"
 
 
@@ -100,10 +93,9 @@ class Extensions:
     # The model
 
     def _model_part(self, entry: Element, model: Node) -> None:
-        if entry.name in OF_COLLISIONS or entry.name == "material":
-            text = (
-                f"<{entry.name}> outside a block for a link has no effect, in Gazebo neither; it is left out"
-            )
+        setting = extension().children.get(entry.name)
+        if setting is not None and setting.about in {"link", "joint"}:
+            text = f"<{entry.name}> outside a block for a {setting.about} has no effect; it is left out"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
         elif entry.is_custom or self.context.allows(entry.name):
             self._native(entry, model)
@@ -140,8 +132,8 @@ class Extensions:
 
     def _joint_part(self, entry: Element, joint: Node) -> None:
         context, name = self.context, entry.name
-        if name in OF_JOINT:
-            self._joint_number(entry, joint)
+        if (setting := settings("joint").get(name)) is not None:
+            self._joint_setting(entry, setting, joint)
         elif name == "axis":
             self._axis(entry, joint)
         elif name in _KEEP_FIXED:
@@ -171,11 +163,11 @@ class Extensions:
             context.ledger.copy(part)
             merge(copied(part), axis.reach(part.name))
             for setting in part.children():
-                if setting.name in BOUNDS and (value := number(setting.content)) is not None:
+                if setting.name in _BOUNDS and (value := number(setting.content)) is not None:
                     context.overruled.setdefault(joint.attributes["name"], {})[setting.name] = value
 
-    def _joint_number(self, entry: Element, joint: Node) -> None:
-        context, path = self.context, OF_JOINT[entry.name]
+    def _joint_setting(self, entry: Element, setting: UrdfElement, joint: Node) -> None:
+        context, path = self.context, setting.counterparts[0]
         if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
             path = (*path[:-1], "cfm_damping")
         if path[0] == "axis" and joint.find("axis") is None:
@@ -183,12 +175,7 @@ class Extensions:
             context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, message)
             return
         context.ledger.take(entry, TEXT, "value")
-        text: str | None
-        if path[-1] in {"implicit_spring_damper", "cfm_damping", "provide_feedback"}:
-            text = "true" if value_of(entry).lower() in TRUE else "false"
-        else:
-            text = context.numbers(entry)
-        if text is not None:
+        if (text := context.translated(entry, setting)) is not None:
             joint.reach(*path).text = text
 
 
@@ -202,34 +189,27 @@ class _LinkPart:
 
     def put(self, entry: Element, link: Node) -> None:
         context, name = self.context, entry.name
-        if name in OF_COLLISIONS:
-            self._of_collisions(entry, link)
+        if (setting := settings("link").get(name)) is not None:
+            self._setting(entry, setting, link)
         elif name in {"visual", "collision"}:
             self._of_shapes(entry, link)
         elif name == "material":
             self._script(entry, link)
-        elif name in FLAGS:
-            context.ledger.take(entry, TEXT, "value")
-            path, negated = FLAGS[name]
-            link.reach(path).text = "true" if (value_of(entry).lower() in TRUE) is not negated else "false"
-        elif name == "dampingFactor":
-            context.ledger.take(entry, TEXT, "value")
-            text = self.context.numbers(entry)
-            for kind in ("linear", "angular") if text is not None else ():
-                link.reach("velocity_decay", kind).text = text
         elif entry.is_custom or context.allows(f"link/{name}"):
             self._native(entry, link)
         else:
             context.keep(entry, link)
 
-    def _of_collisions(self, entry: Element, link: Node) -> None:
+    def _setting(self, entry: Element, setting: UrdfElement, link: Node) -> None:
         self.context.ledger.take(entry, TEXT, "value")
-        text = self.context.numbers(entry, 3 if entry.name == "fdir1" else 1)
-        if text is None:
+        if (text := self.context.translated(entry, setting)) is None:
             return
-        place = OF_COLLISIONS[entry.name]
-        for collision in self._some_parts(entry, link, "collision"):
-            collision.reach(*place).text = text.removesuffix(".0") if place == COUNT else text
+        for path in setting.counterparts:
+            if path[0] == "collision":
+                for collision in self._some_parts(entry, link, "collision"):
+                    collision.reach(*path[1:]).text = text
+            else:
+                link.reach(*path).text = text
 
     def _of_shapes(self, entry: Element, link: Node) -> None:
         """The settings of a block for all visuals or collisions."""
@@ -255,11 +235,12 @@ class _LinkPart:
             if (script := material.find("script")) is not None:
                 material.children.remove(script)
             made = Node("script")
-            made.add("name", value_of(entry))
+            made.add("name", text_of_setting(entry))
             made.add("uri", _SCRIPTS)
             material.children.insert(0, made)
         if visuals and self.context.once("script"):
-            text = f"material script `{value_of(entry)}` is for classic Gazebo; its successor shows the URDF's color"
+            name = text_of_setting(entry)
+            text = f"material script `{name}` is for classic Gazebo; its successor shows the URDF's color"
             self.context.note(entry, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
 
     def _native(self, entry: Element, link: Node) -> None:
@@ -290,3 +271,17 @@ class _LinkPart:
             pose = Node("pose")
             made.children.insert(0, pose)
         pose.say(pose_of(self.offset @ here) or "0 0 0 0 0 0")
+
+
+def merge(extra: Node, into: Node) -> None:
+    """Write what is in one element into another: values replace, structures are joined."""
+    into.attributes.update({k: v for k, v in extra.attributes.items() if k != "name"})
+    if extra.text:
+        into.text = extra.text
+    for child in extra.children:
+        if not isinstance(child, Node):
+            into.children.append(child)
+        elif (there := into.find(child.name)) is not None and child.name not in {"plugin", "sensor"}:
+            merge(child, there)
+        else:
+            into.children.append(child)

@@ -9,10 +9,12 @@ import numpy as np
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.naming import WORLD, Names
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
+from sdfcheck.formats.urdf.table import TRUE, settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
@@ -21,16 +23,11 @@ SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw"})
 FOR_DRAKE = frozenset({"planar", "curvilinear"})
 """Kinds of joint that only Drake has in SDFormat, between frames."""
-_TRUE = frozenset({"true", "yes", "1"})
 _KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
-OF_MOVING_JOINTS = frozenset(
-    """
-    stopCfm stopErp fudgeFactor implicitSpringDamper cfmDamping springReference springStiffness
-    """.split()
-)
-"""Settings that say nothing of a fixed joint."""
-OF_JOINTS = OF_MOVING_JOINTS | {"provideFeedback", "physics", *_KEEPERS}
+OF_JOINTS = frozenset(("physics", *_KEEPERS, *settings("joint")))
 """Settings that only joints have."""
+OF_MOVING_JOINTS = frozenset(settings("joint")) - {"provideFeedback"}
+"""Settings that say nothing of a fixed joint."""
 
 
 @dataclass(slots=True)
@@ -152,8 +149,7 @@ def _kept_joints(document: Document, robot: Mechanism) -> set[str]:
 
 
 def _says_yes(element: Element) -> bool:
-    text = element.content or element.attributes.get("value", "")
-    return text.strip().lower() in _TRUE
+    return text_of_setting(element).lower() in TRUE
 
 
 def _weigh(made: Plan, link: Link, options: Options) -> None:

@@ -88,7 +88,9 @@ class UrdfElement:
         "attributes",
         "children",
         "consumers",
+        "counterparts",
         "name",
+        "negated",
         "open",
         "release",
         "required",
@@ -111,6 +113,11 @@ class UrdfElement:
         self.consumers = tuple(filter(None, keys.get("consumers", "").split(",")))
         self.about = keys.get("at", "")
         """Of a setting in ``<gazebo>``: what the block is about (link, joint or robot); empty: nobody reads it."""
+        paths = keys.get("sdf", "")
+        self.counterparts = tuple(tuple(path.split("/")) for path in paths.lstrip("!").split(",") if path)
+        """Of a setting in ``<gazebo>``: the paths at which SDFormat has it in the link or joint."""
+        self.negated = paths.startswith("!")
+        """Of a flag: does SDFormat say the contrary?"""
         self.value = UrdfAttribute(self.name, row) if kind and not self.open else None
         """The type of its text; None for an element that holds elements, or nothing."""
         self.attributes: dict[str, UrdfAttribute] = {}
@@ -128,6 +135,12 @@ class UrdfElement:
 
     def __repr__(self) -> str:
         return f"UrdfElement({self.name})"
+
+    def translated(self, text: str) -> str:
+        """The text of a setting as SDFormat writes it: libsdformat takes each flag that is not true for false."""
+        if self.value is None or self.value.type != "flag":
+            return text
+        return str((text.strip().lower() in TRUE) is not self.negated).lower()
 
     def at(self, path: str) -> UrdfElement | None:
         """The definition at a path below this one, such as ``joint/limit``; None without one."""
@@ -149,6 +162,15 @@ def extension() -> UrdfElement:
     """The element ``gazebo``, with the settings in it that libsdformat translates."""
     blocks = _blocks()
     return UrdfElement(blocks["extension"], blocks["extension"], blocks)
+
+
+def settings(about: str) -> dict[str, UrdfElement]:
+    """The settings in ``<gazebo>`` that SDFormat has a place for, of blocks about a ``link`` or a ``joint``."""
+    return {
+        name: setting
+        for name, setting in extension().children.items()
+        if setting.about == about and setting.counterparts
+    }
 
 
 @cache
@@ -205,7 +227,9 @@ def _range(keys: dict[str, str]) -> Range | None:
     return found
 
 
-_FLAGS = frozenset(("", "0", "1", "false", "no", "true", "yes"))
+TRUE = frozenset(("1", "true", "yes"))
+"""The words for true in ``<gazebo>``."""
+_FLAGS = frozenset(("", "0", "false", "no", *TRUE))
 """The words for true and false in ``<gazebo>``; everything else is false as well."""
 _COUNTS = {"double": 1, "vector3": 3, "color": 4, "quaternion": 4}
 

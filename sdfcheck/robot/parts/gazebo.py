@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.formats.urdf.table import extension, is_expression
+from sdfcheck.formats.urdf.table import TRUE, extension, is_expression
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy, parts
 
@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     from sdfcheck.robot.scope import Scope
     from sdfcheck.source.element import Element, Value
 
-_TRUE = frozenset(("1", "true", "yes"))
+
+def text_of_setting(element: Element) -> str:
+    """The text of a setting, or its ``value`` attribute, with one space between words."""
+    return " ".join((element.content or element.attributes.get("value", "")).split())
 
 
 class GazeboBlock(Part):
@@ -120,7 +123,7 @@ class GazeboBlock(Part):
 
     def switched_on(self, name: str) -> list[Element]:
         """The settings of a name that are true."""
-        return [value.element for value in self.settings(name) if value.text.strip().lower() in _TRUE]
+        return [value.element for value in self.settings(name) if value.text.strip().lower() in TRUE]
 
     def is_on(self, name: str) -> bool:
         """Is a setting of this name true?"""

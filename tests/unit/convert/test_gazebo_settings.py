@@ -1,0 +1,68 @@
+"""Settings of ``<gazebo>`` blocks: the table says what SDFormat calls them, for the writer and the comparison."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.urdf.table import extension, settings
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+
+_ROBOT = """\
+<robot name="r">
+  <link name="a">
+    <inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+    <collision><geometry><box size="1 1 1"/></geometry></collision>
+  </link>
+  <gazebo reference="a">{}</gazebo>
+</robot>
+"""
+
+
+@pytest.mark.parametrize("about", ["link", "joint"])
+def test_each_place_is_one_of_the_newest_version(about: str) -> None:
+    root = schema(NEWEST).root.children["model"].children[about]
+    for name, setting in settings(about).items():
+        for path in setting.counterparts:
+            place = root
+            for step in path:
+                assert step in place.children, f"{name}: {'/'.join(path)}"
+                place = place.children[step]
+
+
+def test_settings_of_links_and_joints_have_a_place() -> None:
+    hints = {"material", "preserveFixedJoint", "disableFixedJointLumping"}
+    for name, setting in extension().children.items():
+        assert bool(setting.counterparts) is (setting.about in {"link", "joint"} and name not in hints), name
+
+
+def converted(setting: str) -> str:
+    return urdf_to_sdf(read(_ROBOT.format(setting).encode(), Path("r.urdf"), Kind.URDF), Options()).text
+
+
+@pytest.mark.parametrize("setting", ["<mu>0.01</mu>", "<max_contacts>3</max_contacts>"])
+def test_words_that_libsdformat_does_not_translate_change_no_collision(setting: str) -> None:
+    name = setting[1 : setting.index(">")]
+    text = converted(setting)
+    assert f"<{name}>" not in text
+    assert f"<urdf:{name}>" in text
+
+
+@pytest.mark.parametrize(
+    ("setting", "written"),
+    [
+        ("<mu1>0.01</mu1>", "<mu>0.01</mu>"),
+        ("<maxContacts>3</maxContacts>", "<max_contacts>3</max_contacts>"),
+        ('<turnGravityOff value="Yes"/>', "<gravity>false</gravity>"),
+        ("<turnGravityOff>sure</turnGravityOff>", "<gravity>true</gravity>"),
+        ("<dampingFactor>0.5</dampingFactor>", "<angular>0.5</angular>"),
+    ],
+)
+def test_settings_are_written_where_libsdformat_writes_them(setting: str, written: str) -> None:
+    assert written in converted(setting)
