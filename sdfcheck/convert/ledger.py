@@ -200,6 +200,11 @@ class Ledger:
             self._close_texts(element, known)
             waiting.extend(reversed(list(element.children())))
 
+    @property
+    def copies(self) -> frozenset[tuple[Element, str]]:
+        """The custom elements and attributes, by element and name, that are in the result under their own name."""
+        return frozenset(self._copies)
+
     def prove(self, result: Element) -> None:
         """Report what is said to be carried and is not in the result, whose root this is."""
         if not self._copies:

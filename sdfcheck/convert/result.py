@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from sdfcheck.convert.broken_text import guess_in
-from sdfcheck.convert.contents.entry import Contents
+from sdfcheck.convert.contents.entry import Contents, Divergence
 from sdfcheck.convert.contents.verification import Settings
-from sdfcheck.convert.loss import Loss
+from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.convert.verification import Verification
 from sdfcheck.convert.verify import Correspondence, verify
 from sdfcheck.robot.motion.mechanism import Mechanism
@@ -30,10 +30,16 @@ class Comparison(Record):
     """The other contents of the texts: sensors, plugins, materials."""
     translated: frozenset[Element] = frozenset()
     """The parts that the result has in another place or in other words."""
+    copies: frozenset[tuple[Element, str]] = frozenset()
+    """Custom elements and attributes, by element and name, that are in the result under their own name."""
 
     def verify(self, losses: Sequence[Loss] = ()) -> Verification:
         """Compare them; what is reported as a loss need not be equal."""
-        settings = Settings(*self.contents, losses, self.translated) if self.contents is not None else None
+        settings = (
+            Settings(*self.contents, losses, self.translated, self.copies)
+            if self.contents is not None
+            else None
+        )
         return verify(self.source, self.result, self.correspondence, settings=settings)
 
 
@@ -83,6 +89,13 @@ def read_result(text: str, source: Document, kind: Kind) -> Document:
     return document
 
 
+def lost_custom(one: Divergence) -> Loss:
+    """The loss of custom data that the result does not have as it was."""
+    assert one.element is not None
+    message = f"`{one.name}` of {one.element.title} was {one.before} and is {one.after} in the result"
+    return loss_at(one.element, LossKind.DROPPED_ELEMENT, message)
+
+
 def conversion(
     source: Document,
     text: str,
@@ -96,12 +109,13 @@ def conversion(
 
     A source whose text could only be guessed at proves nothing.
     """
-    ordered = sorted(
-        losses, key=lambda loss: (loss.span.source.path.as_posix(), loss.span.start, loss.message)
-    )
     done = (
         tuple(comparison.verify(losses) for comparison in comparisons)
         if verified and guess_in(source) is None
         else ()
+    )
+    custom = (lost_custom(one) for verification in done for one in verification.custom)
+    ordered = sorted(
+        (*losses, *custom), key=lambda loss: (loss.span.source.path.as_posix(), loss.span.start, loss.message)
     )
     return Conversion(text, document, tuple(ordered), tuple(comparisons), done)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from sdfcheck.convert.contents.entry import Divergence
 from sdfcheck.source.record import Record
 
 
@@ -27,6 +28,8 @@ class Verification(Record):
     differences: tuple[Difference, ...]
     counts: Mapping[str, int] = MappingProxyType({})
     """Other compared quantities: joints, shapes, sensors, plugins and so on."""
+    custom: tuple[Divergence, ...] = ()
+    """Custom data that is not in the result as it was: a loss, whoever reads it, but the same robot."""
 
     @property
     def is_equal(self) -> bool:

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from sdfcheck.convert.contents.entry import Divergence
 from sdfcheck.convert.contents.verification import Counterparts, Settings
 from sdfcheck.convert.verification import Difference, Verification
 from sdfcheck.robot.motion.kinematics import (
@@ -100,6 +101,7 @@ class _Comparison:
         self.position = self.angle = self.inertia = 0.0
         self.compared = [name for name in source.links if name not in correspondence.dropped_links]
         self.shapes: list[Counterparts] = []
+        self.custom: list[Divergence] = []
 
     def run(self, configurations: int, settings: Settings | None) -> Verification:
         missing = [name for name in self.compared if self.to.link(name).link not in self.result.links]
@@ -123,6 +125,7 @@ class _Comparison:
             self.inertia,
             tuple(self.found.values()),
             self.counts(settings),
+            tuple(self.custom),
         )
 
     def counts(self, settings: Settings | None) -> dict[str, int]:
@@ -137,7 +140,10 @@ class _Comparison:
             name: self.to.joint(name) for name in self.source.joints if name not in self.to.dropped_joints
         }
         for name, one in settings.unequal(links, joints, self.shapes):
-            self.differ(one.path, name, f"was {one.before} and is {one.after}")
+            if one.is_custom and one.element is not None:
+                self.custom.append(one)
+            else:
+                self.differ(one.path, name, f"was {one.before} and is {one.after}")
 
     def draw(self, configurations: int) -> Positions:
         """Random configurations; the first is the one in which the file places the links."""

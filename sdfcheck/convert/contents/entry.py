@@ -10,6 +10,7 @@ import numpy as np
 
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
@@ -19,6 +20,7 @@ Same = Callable[[str, str], bool]
 
 _NEAR = 1e-9
 """Poses nearer than this are one (m, and entries of rotations)."""
+_VENDORS = tuple(f"{prefix_of(table)}:" for table in BUILT_IN)
 _BOOLEANS = {"true": "1", "false": "0"}
 
 
@@ -122,6 +124,16 @@ class Divergence(NamedTuple):
     after: str
     element: Element | None
     """The place in the first text, or the nearest one."""
+
+    @property
+    def name(self) -> str:
+        """The element or attribute that differs, prefix included."""
+        return self.path.rpartition("@")[2].rpartition("/")[2]
+
+    @property
+    def is_custom(self) -> bool:
+        """Is it data under a prefix of which no table knows what reads it?"""
+        return ":" in self.name and not self.name.startswith(_VENDORS)
 
 
 def same_text(a: str, b: str, tolerance: float = 1e-9) -> bool:

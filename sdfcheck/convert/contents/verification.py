@@ -37,6 +37,8 @@ class Settings(NamedTuple):
     losses: Sequence[Loss]
     translated: frozenset[Element] = frozenset()
     """Elements of the source that the result says in another place or in other words."""
+    copies: frozenset[tuple[Element, str]] = frozenset()
+    """Custom elements and attributes, by element and name, of which the ledger knows that they are in the result."""
 
     def unequal(
         self, links: Mapping[str, str], joints: Mapping[str, str], shapes: Iterable[Counterparts]
@@ -46,7 +48,7 @@ class Settings(NamedTuple):
 
         def apart(a: Entry, b: Entry, path: str = "") -> list[Divergence]:
             found = divergences(a, b, same, path, deep=True)
-            return [one for one in found if one.before != "none" and not excused.excuse(one, a)]
+            return [one for one in found if one.before != "none" and not self.arrived(one, excused, a)]
 
         def same(a: str, b: str) -> bool:
             known = same_text(a, b) or b in {links.get(a), joints.get(a), a.replace("::", "__")}
@@ -67,6 +69,10 @@ class Settings(NamedTuple):
                 best = min((apart(mine, other, shape.role) for other in theirs), key=len)
                 yield from ((link, one) for one in best)
 
+    def arrived(self, one: Divergence, excused: _Excuses, part: Entry) -> bool:
+        """Is what differs somewhere in the result all the same, or reported?"""
+        return (one.element, one.name) in self.copies or excused.excuse(one, part)
+
 
 class _Excuses:
     """The places of what was reported."""
@@ -83,7 +89,10 @@ class _Excuses:
         """The names in what is reported at includes."""
 
     def excuse(self, one: Divergence, part: Entry) -> bool:
-        if any(path in one.path for path in _NOT_COMPARED) or _last(one.path) in seen_from_links():
+        if (
+            any(path in one.path for path in _NOT_COMPARED)
+            or one.name.rpartition(":")[2] in seen_from_links()
+        ):
             return True
         if one.element in self.translated and one.element is not part.element:
             return True
@@ -107,7 +116,3 @@ class _Excuses:
             value.name_span for name in element.attributes if (value := element.attribute(name)) is not None
         ]
         return any((span.source.path, span.start) in self.spans for span in spans)
-
-
-def _last(path: str) -> str:
-    return path.rpartition("/")[2].rpartition(":")[2]

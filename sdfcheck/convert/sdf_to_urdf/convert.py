@@ -75,9 +75,12 @@ def convert(
         result = mechanism_of(root_of(written).models[0], vendors=True)
     except DescriptionError as error:
         raise refusal(scope.element, f"in the result, at {error.element.title}: {error}") from None
+    for name in context.between:
+        result.links[name] = replace(result.links[name], body=None)
     context.ledger.prove(written.root)
     contents = (of_model(scope), of_urdf(root_of(written).models[0]))
-    comparison = Comparison(_expected(context), result, _correspondence(context), contents)
+    copies = context.ledger.copies
+    comparison = Comparison(_expected(context), result, _correspondence(context), contents, copies=copies)
     for include in document.expanded if isinstance(document, WrittenOut) else ():
         context.ledger.note(
             LossKind.EXPANDED_INCLUDE, include, f"{include_title(include)} is written out", Severity.INFO

@@ -18,12 +18,14 @@ from sdfcheck.convert.sdf_to_urdf.plan.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
 from sdfcheck.convert.writer import Node, number
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.motion.mass_properties import SMALL
 from sdfcheck.robot.motion.mechanism import Axis, Joint
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.element import Element
 
 _DAMPINGS = 3
 """Of a planar joint; Drake takes fewer for none."""
+_MOMENTS = ("xx", "xy", "xz", "yy", "yz", "zz")
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
 
 
@@ -144,11 +146,10 @@ def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
 
 
 def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
-    """Two revolute joints with a massless link between them; exact, also in reverse."""
+    """Two revolute joints with a small link between them; their motion is exact, also in reverse."""
     name = context.joints[joint.name]
     names = (name, context.naming.unique(f"{name}_axis2"))
-    between = context.naming.unique(f"{name}_between")
-    context.root.add("link", name=between)
+    between = _add_between(context, name)
     order = (1, 0) if edge.is_reversed else (0, 1)
     ends = ((parent, between), (between, child))
     made = []
@@ -171,9 +172,8 @@ def _turning(axis: Axis) -> str:
 def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
     """A turning joint, and a sliding one that follows it."""
     name = context.joints[joint.name]
-    travel, between = context.naming.unique(f"{name}_travel"), context.naming.unique(f"{name}_between")
+    travel, between = context.naming.unique(f"{name}_travel"), _add_between(context, name)
     axis = joint.axes[0]
-    context.root.add("link", name=between)
     node = context.root.add("joint", name=name, type=_turning(axis))
     _connect(node, parent, between, *_start(context, edge))
     _add_axis(context, node, joint, axis, edge)
@@ -192,6 +192,20 @@ def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: s
     return node
 
 
+def _add_between(context: Context, joint: str) -> str:
+    """The name of a new link that parts the joints that a joint becomes.
+
+    It has some mass: libsdformat drops a moving link without, and everything below it; MuJoCo refuses it.
+    """
+    name = context.naming.unique(f"{joint}_between")
+    inertial = context.root.add("link", name=name).add("inertial")
+    inertial.add("mass", value=number(SMALL.mass))
+    moments = {f"i{a}{b}": number(SMALL.moments["xyz".index(a), "xyz".index(b)]) for a, b in _MOMENTS}
+    inertial.add("inertia", **moments)
+    context.between.add(name)
+    return name
+
+
 def _finite(value: float, unlimited: float) -> float:
     return value if math.isfinite(value) else math.copysign(unlimited, value)
 
@@ -199,7 +213,7 @@ def _finite(value: float, unlimited: float) -> float:
 def _report_split(context: Context, joint: Joint, by: str, between: str) -> None:
     message = (
         f"URDF has no {joint.kind} joint: {joint.element.title} is written as {by}, "
-        f"with the massless link `{between}`"
+        f"with the new link `{between}` of {SMALL.mass:g} kg"
     )
     context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message)
 

@@ -81,7 +81,8 @@ def urdf_to_sdf(document: Document, options: Options, *, verified: bool = True) 
     context.ledger.close(root)
     context.ledger.prove(written.root)
     contents = (of_urdf(root_of(document).models[0]), of_model(root_of(written).models[0]))
-    comparison = Comparison(source, result, correspondence(made, context), contents)
+    copies = context.ledger.copies
+    comparison = Comparison(source, result, correspondence(made, context), contents, copies=copies)
     return conversion(document, text, written, context.losses, [comparison], verified=verified)
 
 

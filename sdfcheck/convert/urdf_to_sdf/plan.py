@@ -11,15 +11,13 @@ from sdfcheck.convert.urdf_to_sdf.naming import WORLD, Names
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.formats.urdf.table import TRUE, settings
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass_properties import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
-SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
-"""The inertia of a link without mass where it cannot be merged: too small to have an effect."""
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw"})
 FOR_DRAKE = frozenset({"planar", "curvilinear"})
 """Kinds of joint that only Drake has in SDFormat, between frames."""

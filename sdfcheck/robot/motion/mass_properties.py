@@ -34,3 +34,7 @@ class MassProperties(NamedTuple):
             shift = float(offset @ offset) * np.eye(3) - np.outer(offset, offset)
             moments += body.moments + body.mass * shift
         return MassProperties(mass, center, moments)
+
+
+SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
+"""A body too small to have an effect, for links that move and have no mass, which consumers refuse or drop."""

@@ -45,7 +45,8 @@ def differences(done: Conversion, text: str) -> list[tuple[str, str, str]]:
     assert before.contents is not None
     contents = (before.contents[0], of_model(model))
     found = Comparison(before.source, result, before.correspondence, contents).verify(done.losses)
-    return [(one.what, one.name, one.text) for one in found.differences]
+    custom = [(one.name, "", f"was {one.before} and is {one.after}") for one in found.custom]
+    return [(one.what, one.name, one.text) for one in found.differences] + custom
 
 
 def test_the_summary_says_what_was_compared() -> None:
@@ -66,7 +67,7 @@ def test_the_summary_says_what_was_compared() -> None:
         ("<drake:mu_static>0.8<", "<drake:mu_static>0.7<",
          ("collision/drake:proximity_properties/mu_static", "a", "was 0.8 and is 0.7")),
         ("<drake:acceleration>7<", "<drake:acceleration>8<", ("drake:acceleration", "j", "was 7 and is 8")),
-        ("<shop:price>17</shop:price>", "", ("shop:price", "a", "was 17 and is none")),
+        ("<shop:price>17</shop:price>", "", ("shop:price", "", "was 17 and is none")),
         ("<provide_feedback>true<", "<provide_feedback>false<",
          ("physics/provide_feedback", "j", "was true and is false")),
     ],
