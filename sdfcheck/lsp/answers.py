@@ -15,11 +15,11 @@ from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import everywhere, occurrences
 from sdfcheck.lsp.names.rename import Refused, rename
-from sdfcheck.lsp.names.symbol import Occurrence
 from sdfcheck.lsp.outline import Entry, folds, links, outline, target_of
 from sdfcheck.lsp.speech import NAME, Speech
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Buffer, Workspace
+from sdfcheck.robot.naming.occurrences import Occurrence
 from sdfcheck.source.document import Document
 
 FIX_ALL = f"source.fixAll.{NAME}"

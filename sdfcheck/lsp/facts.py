@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.lsp.names.symbol import Occurrence, Symbol
 from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
@@ -80,7 +80,7 @@ def _written(document: Document, symbol: Symbol) -> Node | None:
 
 
 def _matches(node: Node, symbol: Symbol) -> bool:
-    from sdfcheck.lsp.names.robot_names import symbol_of
+    from sdfcheck.robot.naming.occurrences import symbol_of
 
     own = symbol_of(node)
     return own is not None and own.key == symbol.key and node.kind == symbol.kind

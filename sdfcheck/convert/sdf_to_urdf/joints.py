@@ -25,7 +25,6 @@ from sdfcheck.source.element import Element
 
 _DAMPINGS = 3
 """Of a planar joint; Drake takes fewer for none."""
-_MOMENTS = ("xx", "xy", "xz", "yy", "yz", "zz")
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
 
 
@@ -200,7 +199,12 @@ def _add_between(context: Context, joint: str) -> str:
     name = context.naming.unique(f"{joint}_between")
     inertial = context.root.add("link", name=name).add("inertial")
     inertial.add("mass", value=number(SMALL.mass))
-    moments = {f"i{a}{b}": number(SMALL.moments["xyz".index(a), "xyz".index(b)]) for a, b in _MOMENTS}
+    moments = {
+        f"i{a}{b}": number(SMALL.moments[i, j])
+        for i, a in enumerate("xyz")
+        for j, b in enumerate("xyz")
+        if i <= j
+    }
     inertial.add("inertia", **moments)
     context.between.add(name)
     return name

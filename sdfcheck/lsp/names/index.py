@@ -10,11 +10,10 @@ from pathlib import Path
 from sdfcheck.files.discover import discover
 from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import MEGABYTE, read_regular
-from sdfcheck.lsp.names.robot_names import robot_names
 from sdfcheck.lsp.names.srdf_names import srdf_names
-from sdfcheck.lsp.names.symbol import Occurrence, Symbol
 from sdfcheck.lsp.names.xacro_names import xacro_names
 from sdfcheck.lsp.workspace import Workspace
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, robot_names
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 

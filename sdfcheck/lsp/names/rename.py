@@ -7,10 +7,9 @@ from collections.abc import Iterable, Iterator
 
 from sdfcheck.lint.fix import Edit
 from sdfcheck.lsp.names.index import everywhere, occurrences
-from sdfcheck.lsp.names.robot_names import symbol_of
-from sdfcheck.lsp.names.symbol import Occurrence, Symbol
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.model import Model
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, name_refusal, symbol_of, taken_by
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
@@ -63,10 +62,8 @@ def _check_form(symbol: Symbol, name: str) -> None:
         raise Refused(f"`{name}` cannot be the name of an element")
     if symbol.kind in _IN_EXPRESSIONS and name in BUILT_IN:
         raise Refused(f"`{name}` means something else in expressions")
-    if symbol.kind not in _IN_XACRO:
-        is_reserved = name == "world" or (name.startswith("__") and name.endswith("__"))
-        if not name.strip() or name != name.strip() or "::" in name or is_reserved:
-            raise Refused(f"`{name}` cannot be the name of a {symbol.kind}")
+    if symbol.kind not in _IN_XACRO and (reason := name_refusal(symbol.kind, name)) is not None:
+        raise Refused(reason)
     if symbol.kind == "argument" and (not name or re.search(r"[\s$(){}]", name)):
         raise Refused(f"`{name}` cannot be the name of an argument")
 
@@ -126,15 +123,10 @@ def _taken_in_robot(document: Document, symbol: Symbol, name: str) -> Iterator[s
                 yield "material"
             continue
         own = (symbol_of(node) for node in scope.nodes.values())
-        if any(each is not None and each.key == symbol.key for each in own) and name in scope.nodes:
-            yield scope.nodes[name].kind
-        if (
-            root.is_urdf
-            and isinstance(scope, Model)
-            and symbol.kind == "joint"
-            and name in scope.joints_by_name
-        ):
-            yield "joint"
+        is_there = any(each is not None and each.key == symbol.key for each in own)
+        is_there = is_there or (root.is_urdf and symbol.kind == "joint")
+        if is_there and (other := taken_by(scope, symbol.kind, name)) is not None:
+            yield other.kind
 
 
 def _scopes(scopes: Iterable[Scope]) -> Iterator[Scope]:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.lsp.names.robot_names import robot_names
-from sdfcheck.lsp.names.symbol import Occurrence, Symbol, steps
 from sdfcheck.lsp.names.xacro_names import robot_symbols
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, robot_names, steps
 from sdfcheck.robot.semantics.find import semantics_in
 from sdfcheck.robot.semantics.robots import descriptions_of
 from sdfcheck.robot.semantics.semantics import Semantics

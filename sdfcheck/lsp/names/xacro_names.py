@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
-from sdfcheck.lsp.names.symbol import Occurrence, Symbol
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span

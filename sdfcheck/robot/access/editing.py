@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
 from sdfcheck.robot.model import Model
-from sdfcheck.robot.naming.references import references
+from sdfcheck.robot.naming.occurrences import name_refusal, node_names, taken_by
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.scope import Scope
 from sdfcheck.source.references import IN_QUOTES, escape
@@ -101,16 +101,17 @@ class Edit:
     def rename(self, node: Node, name: str) -> None:
         """Give a link, joint, frame or model another name, wherever the file refers to it.
 
-        That is in joints, poses, frames, mimics, plugins, ``<gazebo>`` blocks, transmissions
-        and ``ros2_control``, scoped names included. Other files are not looked at.
+        That is in joints, poses, frames, mimics, plugins, states, ``<gazebo>`` blocks, transmissions,
+        ``ros2_control`` and vendors' own elements, scoped names included. Other files are not looked at.
 
         Raises EditError for a name that is taken or cannot be one.
         """
+        if (reason := name_refusal(node.kind, name)) is not None:
+            raise EditError(reason)
         scope = node.scope if isinstance(node.holder, Scope) else None
-        if not name.strip() or "::" in name or (name.startswith("__") and name.endswith("__")):
-            raise EditError(f"{name!r} cannot be a name")
-        if scope is not None and name in scope.nodes and scope.nodes[name] is not node:
-            raise EditError(f"{scope.title} has a {scope.nodes[name].kind} `{name}`")
+        there = taken_by(scope, node.kind, name) if scope is not None else None
+        if scope is not None and there is not None and there is not node:
+            raise EditError(f"{scope.title} has a {there.kind} `{name}`")
         if isinstance(node, Model) and node.include is not None:
             given = node.include.find("name")
             if given is None:
@@ -123,12 +124,10 @@ class Edit:
             )
         else:
             self._write(node.name_value, name)
-        for reference in references(self.root):
-            texts = reference.value.text.strip().split("::")
-            for position, step in enumerate(reference.nodes):
-                # `world` and `__model__` name things that are called otherwise.
-                if step is node and texts[position] == node.name:
-                    self._write_step(reference.value, position, name)
+        for span, other, before, after in node_names(self.root):
+            if other is node:
+                place = self._span(span)
+                self._replace(place.start, place.end, escape(f"{before}{name}{after}", IN_QUOTES))
 
     def set(self, part: Part | Element, name: str, value: Writable) -> None:
         """Write an attribute or a child element: ``set(link, "inertial/mass", 2.5)``.
@@ -213,19 +212,6 @@ class Edit:
         self._replace(
             span.start, span.end, escape(text, IN_QUOTES) if value.attribute is not None else escape(text)
         )
-
-    def _write_step(self, value: Value, position: int, name: str) -> None:
-        """Replace one part of a scoped name."""
-        span, text = self._span(value.span), value.text.strip()
-        steps = text.split("::")
-        raw = span.text
-        lead = len(raw) - len(raw.lstrip())
-        if raw.strip() != text:  # written with entities
-            steps[position] = name
-            self._replace(span.start, span.end, escape("::".join(steps), IN_QUOTES))
-            return
-        start = span.start + lead + sum(len(step) + 2 for step in steps[:position])
-        self._replace(start, start + len(steps[position]), escape(name, IN_QUOTES))
 
     def _span(self, span: Span) -> Span:
         if span.source is not self.root.document.source:

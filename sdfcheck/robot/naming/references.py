@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.include import Include
+from sdfcheck.robot.parts.physics import State
 from sdfcheck.robot.parts.plugin import Plugin
 from sdfcheck.robot.scope import Scope
 from sdfcheck.source.record import NamedTuple
@@ -34,6 +35,7 @@ _URDF = {"parent": ("link",), "child": ("link",), "mimic": ("joint",), "gazebo":
 _URDF_JOINTS = frozenset(("transmission", "ros2_control"))
 _OF_JOINTS = _URDF_JOINTS | {"mimic"}
 
+_IN_STATES = frozenset(("model", "link", "joint", "model_state", "link_state", "joint_state"))
 _NAMING = re.compile(r"link|joint|frame|body|model", re.IGNORECASE)
 """Parameters of plugins that are called so are taken for names, where there is a node of that name."""
 
@@ -52,6 +54,20 @@ def references(root: Root) -> Iterator[Reference]:
         nodes = _nodes(scope, element, value.text.strip()) if scope is not None else ()
         if nodes:
             yield Reference(value, nodes)
+    for state in root.each(State):
+        if state.world is not None:
+            yield from _in_state(state.element, state.world)
+
+
+def _in_state(holder: Element, scope: Scope) -> Iterator[Reference]:
+    """The models, links and joints that a state of a world or model names."""
+    for part in holder.children():
+        name = part.attribute("name") if part.tag in _IN_STATES else None
+        nodes = () if name is None else _path(scope, name.text.strip())
+        if name is not None and nodes:
+            yield Reference(name, nodes)
+            if isinstance(nodes[-1], Scope):
+                yield from _in_state(part, nodes[-1])
 
 
 def _values(root: Root) -> Iterator[tuple[Element, Value]]:
@@ -116,7 +132,17 @@ def _nodes(scope: Scope, element: Element, text: str) -> tuple[Node, ...]:
     joints = scope.joints_by_name if isinstance(scope, Model) and scope.is_urdf else {}
     if element.tag in _OF_JOINTS and text in joints:
         return (joints[text],)
-    return _path(scope, text)
+    return _of_plugin(scope, text) if element.tag == "plugin" else _path(scope, text)
+
+
+def _of_plugin(scope: Scope, text: str) -> tuple[Node, ...]:
+    """The parts that a plugin's name leads through; it may begin with the model that the plugin is in."""
+    own, delimiter, rest = text.partition("::")
+    found = _path(scope, text)
+    if found or not delimiter or own != scope.name or not isinstance(scope, Model):
+        return found
+    inner = _path(scope, rest)
+    return (scope, *inner) if inner else ()
 
 
 def _path(scope: Scope, text: str) -> tuple[Node, ...]:

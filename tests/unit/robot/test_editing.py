@@ -64,7 +64,28 @@ def test_joints_and_links_of_urdf_are_renamed() -> None:
     assert robot.text == wanted.replace('<link name="b"', '<link name="hand"')
 
 
-@pytest.mark.parametrize("name", ["base", "a::b", "", "__x__"])
+def test_vendors_elements_states_and_plugins_that_name_their_own_model_follow() -> None:
+    urdf = URDF.replace(
+        "</robot>",
+        '<drake:collision_filter_group name="g"><drake:member link="b"/></drake:collision_filter_group></robot>',
+    )
+    robot = sdfcheck.edit(urdf.replace('name="r"', 'name="r" xmlns:drake="http://drake.mit.edu"', 1))
+    robot.rename(robot.models[0].link("b"), "hand")
+    assert '<drake:member link="hand"/>' in robot.text
+    world = (
+        '<sdf version="1.9"><world name="w"><model name="bot"><link name="arm"/>'
+        '<plugin name="p" filename="x"><body>bot::arm</body></plugin></model>'
+        '<state world_name="w"><model name="bot"><link name="arm"/></model></state></world></sdf>'
+    )
+    robot = sdfcheck.edit(world)
+    robot.rename(robot.world("w").model("bot").link("arm"), "hand")
+    assert robot.text == world.replace("arm", "hand")
+    robot = sdfcheck.edit(world)
+    robot.rename(robot.world("w").model("bot"), "car")
+    assert robot.text == world.replace("bot", "car")
+
+
+@pytest.mark.parametrize("name", ["base", "a::b", "", "__x__", "world", "base ", "j"])
 def test_names_that_cannot_be_are_refused(name: str) -> None:
     robot = sdfcheck.edit(SDF)
     with pytest.raises(sdfcheck.EditError):
