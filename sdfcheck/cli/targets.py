@@ -16,9 +16,10 @@ from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
-from sdfcheck.source.sniff import sniff
+from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 
+_JUDGED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.BROKEN_XML))
 VERSION = 1
 """Of the JSON."""
 
@@ -75,7 +76,10 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    return matrix(done, sniff(file.read_bytes(), file), file, consumers)
+    kind = sniff(file.read_bytes(), file)
+    if kind not in _JUDGED:
+        raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
+    return matrix(done, kind, file, consumers)
 
 
 def lines(rows: Sequence[Row], file: Path) -> Iterator[str]:

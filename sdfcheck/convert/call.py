@@ -5,8 +5,10 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from sdfcheck.convert.loss import Loss, LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.lint.obstacles import refusals
 from sdfcheck.robot.access.load import as_text, load, parse
 from sdfcheck.robot.root import Root
 from sdfcheck.source.sniff import Kind
@@ -34,9 +36,12 @@ def convert(
     Raises:
         OSError, sdfcheck.Unreadable: as for ``load``.
         sdfcheck.WrongUsage: there is no such conversion.
-        sdfcheck.NotConvertible: the target cannot say it in any way.
+        sdfcheck.NotConvertible: its own consumer refuses the file, or the target cannot say it in any way.
     """
     document = _read(what).document
+    if stopping := refusals(document):
+        first = stopping[0]
+        raise NotConvertible(Loss(LossKind.NOT_CONVERTIBLE, first.span, first.message, first.severity))
     if to == "urdf" and document.kind is Kind.SDF and version is None:
         from sdfcheck.convert.sdf_to_urdf import Options
         from sdfcheck.convert.sdf_to_urdf import convert as to_urdf

@@ -11,8 +11,6 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
-ELSEWHERE = frozenset({"RES"})
-"""Families whose errors are about other files, which a conversion can do without."""
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""
 

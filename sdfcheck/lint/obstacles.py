@@ -15,6 +15,8 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
+ELSEWHERE = frozenset({"RES"})
+"""Families whose errors are about other files, which a conversion can do without."""
 OWN_CONSUMER: Mapping[Kind, Consumer] = {
     Kind.SDF: Consumer.GAZEBO,
     Kind.URDF: Consumer.URDFDOM,
@@ -28,6 +30,17 @@ def own_consumer(document: Document) -> Consumer | None:
     if document.kind is Kind.URDF and root is not None and root.has("drake:joint"):
         return Consumer.DRAKE
     return OWN_CONSUMER.get(document.kind)
+
+
+def refusals(document: Document) -> list[Diagnostic]:
+    """The errors that stop a conversion of a document, by the rules that run by default."""
+    from sdfcheck.lint.config.configuration import Settings
+    from sdfcheck.lint.engine import lint_document
+    from sdfcheck.lint.rulebook.rulebook import RuleBook
+    from sdfcheck.lint.select import SILENT
+
+    found = lint_document(document, RuleBook(SILENT, None).dispatch(Settings(), document.path))
+    return obstacles(found, own_consumer(document), ELSEWHERE)
 
 
 def obstacles(

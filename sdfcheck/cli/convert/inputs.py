@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.cli.convert.places import Source
 from sdfcheck.cli.parts.descriptions import Around, chosen_arguments, expander_for
-from sdfcheck.convert.soundness import ELSEWHERE, means_another_robot, new_errors
+from sdfcheck.convert.soundness import means_another_robot, new_errors
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
-from sdfcheck.lint.obstacles import obstacles, own_consumer
+from sdfcheck.lint.obstacles import ELSEWHERE, obstacles, own_consumer
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.select import SILENT
 from sdfcheck.source.record import NamedTuple

@@ -61,8 +61,9 @@ def as_text(what: object) -> bytes | None:
 
 def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: SearchPaths) -> Root:
     # Only the parser knows what broken XML was meant to be, and only the first bytes show whether
-    # it is xacro.
-    document = read(data, path, Kind.XACRO if sniff(data[:HEAD], path) is Kind.XACRO else None)
+    # it is xacro or SRDF, whose root has the name of URDF's.
+    kind = sniff(data[:HEAD], path)
+    document = read(data, path, kind if kind in {Kind.XACRO, Kind.SRDF} else None)
     if document.kind is Kind.XACRO:
         from sdfcheck.xacro.expansion import Surroundings, expand
 
