@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from sdfcheck.formats.suggest import suggest, suggest_in
     from sdfcheck.lint.call import lint
     from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
+    from sdfcheck.lint.editing import EditError, edit
     from sdfcheck.lint.example import (
         IN_COLLISION,
         IN_JOINT,
@@ -42,7 +43,6 @@ if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.release import __version__
-    from sdfcheck.robot.access.editing import EditError, edit
     from sdfcheck.robot.access.load import Unreadable, load, parse
     from sdfcheck.robot.access.lookup import NotFound
     from sdfcheck.robot.custom import Custom
@@ -113,7 +113,7 @@ _HOMES = {
     "sdfcheck.robot.access.load": "Unreadable load parse",
     "sdfcheck.release": "__version__",
     "sdfcheck.robot.custom": "Custom",
-    "sdfcheck.robot.access.editing": "EditError edit",
+    "sdfcheck.lint.editing": "EditError edit",
     "sdfcheck.robot.errors": "DescriptionError",
     "sdfcheck.robot.frame": "Frame",
     "sdfcheck.robot.includes.included": "Obstacle",

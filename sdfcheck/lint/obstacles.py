@@ -32,15 +32,20 @@ def own_consumer(document: Document) -> Consumer | None:
     return OWN_CONSUMER.get(document.kind)
 
 
-def refusals(document: Document) -> list[Diagnostic]:
-    """The errors that stop a conversion of a document, by the rules that run by default."""
+def errors(document: Document) -> list[Diagnostic]:
+    """The errors of a document, by the rules that run by default."""
     from sdfcheck.lint.config.configuration import Settings
     from sdfcheck.lint.engine import lint_document
     from sdfcheck.lint.rulebook.rulebook import RuleBook
     from sdfcheck.lint.select import SILENT
 
     found = lint_document(document, RuleBook(SILENT, None).dispatch(Settings(), document.path))
-    return obstacles(found, own_consumer(document), ELSEWHERE)
+    return [one for one in found if one.severity is Severity.ERROR]
+
+
+def refusals(document: Document) -> list[Diagnostic]:
+    """The errors that stop a conversion of a document, by the rules that run by default."""
+    return obstacles(errors(document), own_consumer(document), ELSEWHERE)
 
 
 def obstacles(

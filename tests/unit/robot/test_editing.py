@@ -106,6 +106,42 @@ def test_values_are_set_and_added() -> None:
     assert '<link farm:tag="a &quot;b&quot; &amp; c" name="base"/>' in text
 
 
+def test_missing_elements_around_a_value_are_added() -> None:
+    robot = sdfcheck.edit(SDF)
+    robot.set(robot.model("m").link("base"), "inertial/inertia/ixx", 2.0)
+    assert (
+        '<link name="base">\n      <inertial><inertia><ixx>2</ixx></inertia></inertial>\n    </link>'
+        in robot.text
+    )
+    with pytest.raises(sdfcheck.EditError, match="is new: save before"):
+        robot.set(robot.model("m").link("base"), "inertial/mass", 2.0)
+    robot = sdfcheck.edit(URDF)
+    robot.set(robot.models[0].joint("k"), "dynamics/damping", 0.5)
+    assert '<dynamics damping="0.5"/>' in robot.text
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "reason"),
+    [("inertial/mass", "heavy", "should be a number"), ("pose", [1, 2, 3], "has 3 numbers and needs 6")],
+)
+def test_a_text_with_a_new_error_is_not_saved(
+    tmp_path: Path, path: str, value: str | list[float], reason: str
+) -> None:
+    file = tmp_path / "m.sdf"
+    file.write_text(SDF)
+    with pytest.raises(sdfcheck.EditError, match=reason), sdfcheck.edit(file) as robot:
+        robot.set(robot.model("m").link("arm"), path, value)
+    assert file.read_text() == SDF
+
+
+def test_errors_that_were_there_before_do_not_keep_a_text_from_being_saved(tmp_path: Path) -> None:
+    file = tmp_path / "m.sdf"
+    file.write_text(SDF.replace("<mass>2<", "<mass>heavy<"))
+    with sdfcheck.edit(file) as robot:
+        robot.set(robot.model("m").link("base"), "gravity", False)
+    assert "<gravity>false</gravity>" in file.read_text()
+
+
 def test_urdf_has_its_values_in_attributes() -> None:
     robot = sdfcheck.edit(URDF)
     joint = robot.models[0].joint("j")

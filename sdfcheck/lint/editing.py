@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
+from sdfcheck.lint.obstacles import errors
 from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.naming.occurrences import name_refusal, node_names, taken_by
@@ -44,6 +46,8 @@ class Edit:
         self.root = root
         self._path = path
         self._edits: dict[tuple[int, int], str] = {}
+        self._added: set[tuple[Element, str]] = set()
+        """The children of elements of the file that values have added."""
 
     def __enter__(self) -> Edit:
         return self
@@ -81,20 +85,34 @@ class Edit:
         """Write the file, whole or not at all; by default where it was read.
 
         Raises:
-            EditError: the changed text is not a description any more.
+            EditError: the changed text is not a description any more, or has an error that it did not have.
             OSError: the file cannot be written.
         """
         target = self._path if path is None else Path(path)
         if target is None:
             raise EditError("a text has no file to be saved in: give a path")
-        try:
-            parse(self.text, self.root.document.path)
-        except Unreadable as error:
-            raise EditError(f"the changed text cannot be read: {error}") from None
+        self._check()
         data = self._path.read_bytes() if self._path is not None else None
         new = self.text.encode() if data is None else splice(data, self._sorted())
         if new != data or target != self._path:
             overwrite(target, new)
+
+    def _check(self) -> None:
+        """Raise EditError if the changed text has an error that the text as it was read does not have."""
+        before = self.root.document
+        try:
+            changed = parse(self.text, before.path).document
+        except Unreadable as error:
+            raise EditError(f"the changed text cannot be read: {error}") from None
+        changed.library = before.library
+        known = Counter((one.code, one.message) for one in errors(before))
+        for wrong in errors(changed):
+            if not known[wrong.code, wrong.message]:
+                line = wrong.span.begin.line
+                raise EditError(
+                    f"line {line} of the changed text would be wrong: {wrong.message} [{wrong.code}]"
+                )
+            known[wrong.code, wrong.message] -= 1
 
     # Changes
 
@@ -133,19 +151,22 @@ class Edit:
         """Write an attribute or a child element: ``set(link, "inertial/mass", 2.5)``.
 
         A value that is there is replaced. A value that is not there is added: in URDF, and where
-        the name begins with ``@``, as an attribute, else as a child element.
+        the name begins with ``@``, as an attribute, else as a child element; with the elements around
+        it that are not there.
 
-        Raises EditError where the element around it is not there.
+        Raises EditError for a second value in an element that the first one has added.
         """
         *path, last = name.split("/")
         element = part if not isinstance(part, Part) else part.element
-        for step in path:
-            child = element.find(step)
-            if child is None:
-                raise EditError(f"{element.title} has no `{step}`")
-            element = child
         text, is_attribute = _text(value), last.startswith("@")
         last = last.removeprefix("@")
+        for number, step in enumerate(path):
+            child = element.find(step)
+            if child is None:
+                as_attribute = is_attribute or (isinstance(part, Part) and part.is_urdf)
+                self._add_around(element, path[number:], last, text, as_attribute=as_attribute)
+                return
+            element = child
         found = element.attribute(last) if is_attribute else element.value(last)
         if found is not None:
             self._write(found, text)
@@ -154,6 +175,23 @@ class Edit:
             self._replace(end, end, f' {last}="{escape(text, IN_QUOTES)}"')
         else:
             self.add(element, f"<{last}>{escape(text)}</{last}>")
+
+    def _add_around(
+        self, element: Element, path: Sequence[str], name: str, text: str, *, as_attribute: bool
+    ) -> None:
+        """Add elements, one in the other, the last of which has a value."""
+        if (element, path[0]) in self._added:
+            raise EditError(f"`{path[0]}` of {element.title} is new: save before you set more in it")
+        self._added.add((element, path[0]))
+        *outer, inner = path
+        whole = (
+            f'<{inner} {name}="{escape(text, IN_QUOTES)}"/>'
+            if as_attribute
+            else f"<{inner}><{name}>{escape(text)}</{name}></{inner}>"
+        )
+        for step in reversed(outer):
+            whole = f"<{step}>{whole}</{step}>"
+        self.add(element, whole)
 
     def add(self, part: Part | Element, text: str) -> None:
         """Add an element, given as text, as the last child."""
