@@ -317,8 +317,8 @@ def inr_moments__is_remarkable(inertial):
 def inr_moments__has_moments_only(inertial):
     if not inertial.is_legible or not any(inertial.tensor):
         return False
-    lumping = inertial.link.model.lumping
-    return lumping.base(inertial.link) in lumping.with_mass
+    built = inertial.link.model.as_built_by(sdfcheck_.Consumer.GAZEBO)
+    return built.base(inertial.link) in built.with_mass
 
 def INR001_applies(inertial):
     if not inr_moments__is_remarkable(inertial):
@@ -1378,20 +1378,20 @@ def urd_vanishing_root__is_world_alone(robot):
     return len(robot.links) == 1 and robot.links[0].name == 'world'
 
 def URD013_applies(robot):
-    lumping = robot.lumping
-    return not lumping.with_mass.issuperset(lumping.tops) or urd_vanishing_root__is_world_alone(robot)
+    built = robot.as_built_by(sdfcheck_.Consumer.GAZEBO)
+    return not built.with_mass.issuperset(built.tops) or urd_vanishing_root__is_world_alone(robot)
 
 def urd_massless_moving_link__is_apart(link):
     joint = link.parent_joints[0]
     return joint.moves or joint.is_preserved
 
 def urd_massless_moving_link__dropped(robot):
-    lumping = robot.lumping
+    built = robot.as_built_by(sdfcheck_.Consumer.GAZEBO)
     found = []
-    for top in lumping.tops:
+    for top in built.tops:
         members = list(top.below())
         if any((link.has_mass for link in members)):
-            found += [link for link in members[1:] if link not in lumping.with_mass and urd_massless_moving_link__is_apart(link)]
+            found += [link for link in members[1:] if link not in built.with_mass and urd_massless_moving_link__is_apart(link)]
     return found
 
 def URD014_applies(robot):
