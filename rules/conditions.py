@@ -311,6 +311,29 @@ def gaz_unknown_palette_color__strange(part):
 def GAZ010_applies(part):
     return any(gaz_unknown_palette_color__strange(part))
 
+def GAZ011_applies(block):
+    return bool(block.sensors) and block in block.model.as_built_by(sdfcheck_.Consumer.GAZEBO).lost
+
+gaz_unknown_sensor_frame__OF_PLUGINS = ('frameName', 'frame_name')
+
+gaz_unknown_sensor_frame__FRAMES = ('gz_frame_id', 'ignition_frame_id', 'frame_id')
+
+gaz_unknown_sensor_frame__FIXED = frozenset(('map', 'odom', 'world'))
+
+def gaz_unknown_sensor_frame__foreign(sensor):
+    links = sensor.root.models[0].tree.links
+    plugins = (child for plugin in sensor.plugins for child in plugin.parameters if child.name in gaz_unknown_sensor_frame__OF_PLUGINS)
+    for element in (*(child for name in gaz_unknown_sensor_frame__FRAMES for child in sensor.children(name)), *plugins):
+        name = element.content.strip()
+        if not name or '$' in name or '{' in name:
+            continue
+        is_known = name in gaz_unknown_sensor_frame__FIXED or name.rpartition('/')[2] in links or any((name.endswith(link) for link in links))
+        if name.startswith('/') or not is_known:
+            yield element.own_value
+
+def GAZ012_applies(sensor):
+    return sensor.is_extension and any(gaz_unknown_sensor_frame__foreign(sensor))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
 
@@ -1064,8 +1087,21 @@ def RES009_applies(include):
         return True
     return into == 'world' and any((kind in res_invalid_merge_include__NOT_INTO_WORLDS for kind, _ in include.merged_parts))
 
+res_unknown_collision_reference__DEFAULT = '__default__'
+
+def res_unknown_collision_reference__misnamed(contact):
+    block = contact.holder.holder if contact.holder is not None else None
+    if not isinstance(block, sdfcheck_.GazeboBlock) or block.link is None or (not block.link.model.is_complete):
+        return []
+    built = block.model.as_built_by(sdfcheck_.Consumer.GAZEBO)
+    link = built.links.get(built.base(block.link).name)
+    if link is None:
+        return []
+    names = {'', res_unknown_collision_reference__DEFAULT, *(collision.name for collision in link.collisions)}
+    return [(value, link) for value in contact.collision_names if value.text.strip() not in names and '::' not in value.text and ('$' not in value.text)]
+
 def RES011_applies(part):
-    return bool(part.unresolved)
+    return bool(part.unresolved or (isinstance(part, sdfcheck_.Contact) and res_unknown_collision_reference__misnamed(part)))
 
 res_unusable_include__SETTINGS = ('name', 'static', 'placement_frame')
 
@@ -1090,8 +1126,18 @@ def res_unportable_mesh_uri__scheme(resource):
 def RES013_applies(root):
     return root.is_urdf and any((res_unportable_mesh_uri__scheme(resource) is not None for resource in root.resources))
 
+def res_unknown_plugin_reference__merged(plugin):
+    links = [found for found in plugin.references if found.kind == 'link'] if plugin.is_extension else ()
+    for value, _, _, node in links:
+        if not isinstance(node, sdfcheck_.Link) or not node.is_urdf:
+            continue
+        built = node.model.as_built_by(sdfcheck_.Consumer.GAZEBO)
+        left = built.base(node)
+        if left is not node and value.element not in built.rewritten(plugin):
+            yield (value, node, left)
+
 def RES014_applies(plugin):
-    return bool(plugin.unresolved)
+    return bool(plugin.unresolved or any(res_unknown_plugin_reference__merged(plugin)))
 
 def RES015_applies(plugin):
     return plugin.meant_file is not None
@@ -1503,6 +1549,8 @@ CONDITIONS = {
     'GAZ008': GAZ008_applies,
     'GAZ009': GAZ009_applies,
     'GAZ010': GAZ010_applies,
+    'GAZ011': GAZ011_applies,
+    'GAZ012': GAZ012_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
