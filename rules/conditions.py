@@ -905,6 +905,10 @@ def R2C008_applies(block):
     plugin = block.plugin_value
     return plugin is not None and '::' in plugin.text and ('/' not in plugin.text) and ('$' not in plugin.text)
 
+def r2c_unknown_control_plugin__has_blank(plugin):
+    text = plugin.element.text or ''
+    return len(text.split()) > 1 or text != text.strip()
+
 r2c_unknown_control_plugin__KNOWN = ('fake_components/GenericSystem', 'gazebo_ros2_control/GazeboSystem', 'gz_ros2_control/GazeboSimSystem', 'ign_ros2_control/IgnitionSystem', 'joint_state_topic_hardware_interface/JointStateTopicSystem', 'mock_components/GenericSystem', 'mujoco_ros2_control/MujocoSystem', 'topic_based_ros2_control/TopicBasedSystem')
 
 r2c_unknown_control_plugin__OWNERS = {'fake_components': 'fake_components/GenericSystem', 'gz_ros2_control': 'gz_ros2_control/GazeboSimSystem', 'ign_ros2_control': 'ign_ros2_control/IgnitionSystem', 'mock_components': 'mock_components/GenericSystem'}
@@ -914,9 +918,9 @@ def r2c_unknown_control_plugin__meant(plugin):
 
 def R2C009_applies(block):
     plugin = block.plugin_value
-    if plugin is None or plugin.text in r2c_unknown_control_plugin__KNOWN or '/' not in plugin.text:
+    if plugin is None or '/' not in plugin.text or '$' in plugin.text:
         return False
-    return r2c_unknown_control_plugin__meant(plugin.text) is not None
+    return r2c_unknown_control_plugin__has_blank(plugin) or (plugin.text not in r2c_unknown_control_plugin__KNOWN and r2c_unknown_control_plugin__meant(plugin.text) is not None)
 
 r2c_obsolete_control_plugin__NOW = {'fake_components/GenericSystem': ('mock_components/GenericSystem', 'gone from jazzy on', sdfcheck_.Severity.WARNING), 'ign_ros2_control/IgnitionSystem': ('gz_ros2_control/GazeboSimSystem', 'an old name from iron on', sdfcheck_.Severity.INFO)}
 
@@ -1011,7 +1015,7 @@ r2c_control_plugin_without_parameters__NEEDY = frozenset((f'{prefix}{name}{suffi
 def R2C027_applies(plugin):
     return plugin.filename in r2c_control_plugin_without_parameters__NEEDY and (not any((each.content for each in plugin.children('parameters'))))
 
-r2c_unknown_control_simulator__CLASSES = {'gz_ros2_control-system': ('gz_ros2_control::GazeboSimROS2ControlPlugin', 'ign_ros2_control::IgnitionROS2ControlPlugin'), 'ign_ros2_control-system': ('ign_ros2_control::IgnitionROS2ControlPlugin', 'gz_ros2_control::GazeboSimROS2ControlPlugin')}
+r2c_unknown_control_simulator__CLASSES = {'gz_ros2_control-system': ('gz_ros2_control::GazeboSimROS2ControlPlugin', 'ign_ros2_control::IgnitionROS2ControlPlugin'), 'ign_ros2_control-system': ('ign_ros2_control::IgnitionROS2ControlPlugin',)}
 
 def R2C028_applies(plugin):
     file = plugin.filename.removeprefix('lib').removesuffix('.so')
@@ -1038,6 +1042,24 @@ def R2C033_applies(interface):
         return False
     low, high = (interface.minimum, interface.maximum)
     return low.is_given and high.is_given and (low.number <= high.number) and (abs(low.number + high.number) > 1e-09)
+
+def r2c_mixed_control_generations__library_of(plugin):
+    return plugin.filename.removeprefix('lib').removesuffix('.so')
+
+r2c_mixed_control_generations__SYSTEMS = {'gazebo_ros2_control': ('gazebo_ros2_control/GazeboSystem',), 'gz_ros2_control-system': ('gz_ros2_control/GazeboSimSystem', 'ign_ros2_control/IgnitionSystem'), 'ign_ros2_control-system': ('ign_ros2_control/IgnitionSystem',)}
+
+def r2c_mixed_control_generations__loader(block):
+    value = block.plugin_value
+    known = [plugin for plugin in block.model.plugins if r2c_mixed_control_generations__library_of(plugin) in r2c_mixed_control_generations__SYSTEMS]
+    for plugin in known:
+        library = r2c_mixed_control_generations__library_of(plugin)
+        is_misnamed = library in r2c_unknown_control_simulator__CLASSES and plugin.name not in r2c_unknown_control_simulator__CLASSES[library]
+        if is_misnamed or (value is not None and value.text in r2c_mixed_control_generations__SYSTEMS[library]):
+            return None
+    return known[0] if known else None
+
+def R2C034_applies(block):
+    return block.is_simulated and r2c_mixed_control_generations__loader(block) is not None
 
 def RES001_applies(root):
     return any((resource.is_missing for resource in root.resources))
@@ -1349,6 +1371,21 @@ def sch_blank_in_topic__topic(sensor):
 def SCH030_applies(sensor):
     return sensor.has('topic') and sch_blank_in_topic__topic(sensor) is not None
 
+sch_dropped_by_update__OLD = '1.9'
+
+def sch_dropped_by_update__dropped(root):
+    for element in root.elements.get('initial_position', ()):
+        if element.parent is not None and element.parent.name in {'axis', 'axis2'}:
+            yield element
+    if 'relative_to' in root.document.source.text and (not root.is_older_than('1.7')) and root.is_older_than('1.8'):
+        for inertial in root.elements.get('inertial', ()):
+            pose = inertial.find('pose')
+            if pose is not None and pose.attribute('relative_to') is not None:
+                yield pose
+
+def SCH031_applies(root):
+    return root.is_older_than(sch_dropped_by_update__OLD) and next(sch_dropped_by_update__dropped(root), None) is not None
+
 def SRD001_applies(semantics):
     return bool(semantics.robots) and any((True for _ in semantics.unknown))
 
@@ -1496,8 +1533,6 @@ def URD023_applies(mimic):
 urd_missing_hardware_interface__PREFIX = 'transmission_interface/'
 
 def urd_missing_hardware_interface__bare_joints(transmission):
-    if any((actuator.has('hardwareInterface') for actuator in transmission.actuators)):
-        return []
     return [joint for joint in transmission.joint_elements if not joint.has('hardwareInterface')]
 
 def urd_missing_hardware_interface__is_for_ros_control(transmission):
@@ -1637,6 +1672,7 @@ CONDITIONS = {
     'R2C031': R2C031_applies,
     'R2C032': R2C032_applies,
     'R2C033': R2C033_applies,
+    'R2C034': R2C034_applies,
     'RES001': RES001_applies,
     'RES002': RES002_applies,
     'RES003': RES003_applies,
@@ -1670,6 +1706,7 @@ CONDITIONS = {
     'SCH028': SCH028_applies,
     'SCH029': SCH029_applies,
     'SCH030': SCH030_applies,
+    'SCH031': SCH031_applies,
     'SRD001': SRD001_applies,
     'SRD002': SRD002_applies,
     'SRD003': SRD003_applies,

@@ -116,11 +116,11 @@ class UnknownCollisionReference(Rule):
 
     def check(self, part: Contact | Gripper | State) -> Iterator[Diagnostic]:
         for value, link in misnamed(part) if isinstance(part, Contact) else ():
-            names = [collision.name for collision in link.collisions]
+            called = [collision.name for collision in link.collisions]
             message = f"no collision of {link.origin.title} will be called `{value.text.strip()}` in Gazebo"
             meant = built_name(value.text.strip(), link)
-            if meant is None and names:
-                message += f", but {named(names, most=3)}"
+            if meant is None and called:
+                message += f", but {named(called, most=3)}"
             yield self.diagnostic(value, message, meant=meant)
         for value, kind, scope, names in part.unresolved:
             message = f"{scope.title} has no {kind} `{value.text}`"
