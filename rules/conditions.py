@@ -311,14 +311,37 @@ def gaz_unknown_palette_color__strange(part):
 def GAZ010_applies(part):
     return any(gaz_unknown_palette_color__strange(part))
 
+def GAZ011_applies(block):
+    return bool(block.sensors) and block in block.model.as_built_by(sdfcheck_.Consumer.GAZEBO).lost
+
+gaz_unknown_sensor_frame__OF_PLUGINS = ('frameName', 'frame_name')
+
+gaz_unknown_sensor_frame__FRAMES = ('gz_frame_id', 'ignition_frame_id', 'frame_id')
+
+gaz_unknown_sensor_frame__FIXED = frozenset(('map', 'odom', 'world'))
+
+def gaz_unknown_sensor_frame__foreign(sensor):
+    links = sensor.root.models[0].tree.links
+    plugins = (child for plugin in sensor.plugins for child in plugin.parameters if child.name in gaz_unknown_sensor_frame__OF_PLUGINS)
+    for element in (*(child for name in gaz_unknown_sensor_frame__FRAMES for child in sensor.children(name)), *plugins):
+        name = element.content.strip()
+        if not name or '$' in name or '{' in name:
+            continue
+        is_known = name in gaz_unknown_sensor_frame__FIXED or name.rpartition('/')[2] in links or any((name.endswith(link) for link in links))
+        if name.startswith('/') or not is_known:
+            yield element.own_value
+
+def GAZ012_applies(sensor):
+    return sensor.is_extension and any(gaz_unknown_sensor_frame__foreign(sensor))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
 
 def inr_moments__has_moments_only(inertial):
     if not inertial.is_legible or not any(inertial.tensor):
         return False
-    lumping = inertial.link.model.lumping
-    return lumping.base(inertial.link) in lumping.with_mass
+    built = inertial.link.model.as_built_by(sdfcheck_.Consumer.GAZEBO)
+    return built.base(inertial.link) in built.with_mass
 
 def INR001_applies(inertial):
     if not inr_moments__is_remarkable(inertial):
@@ -882,6 +905,10 @@ def R2C008_applies(block):
     plugin = block.plugin_value
     return plugin is not None and '::' in plugin.text and ('/' not in plugin.text) and ('$' not in plugin.text)
 
+def r2c_unknown_control_plugin__has_blank(plugin):
+    text = plugin.element.text or ''
+    return len(text.split()) > 1 or text != text.strip()
+
 r2c_unknown_control_plugin__KNOWN = ('fake_components/GenericSystem', 'gazebo_ros2_control/GazeboSystem', 'gz_ros2_control/GazeboSimSystem', 'ign_ros2_control/IgnitionSystem', 'joint_state_topic_hardware_interface/JointStateTopicSystem', 'mock_components/GenericSystem', 'mujoco_ros2_control/MujocoSystem', 'topic_based_ros2_control/TopicBasedSystem')
 
 r2c_unknown_control_plugin__OWNERS = {'fake_components': 'fake_components/GenericSystem', 'gz_ros2_control': 'gz_ros2_control/GazeboSimSystem', 'ign_ros2_control': 'ign_ros2_control/IgnitionSystem', 'mock_components': 'mock_components/GenericSystem'}
@@ -891,9 +918,9 @@ def r2c_unknown_control_plugin__meant(plugin):
 
 def R2C009_applies(block):
     plugin = block.plugin_value
-    if plugin is None or plugin.text in r2c_unknown_control_plugin__KNOWN or '/' not in plugin.text:
+    if plugin is None or '/' not in plugin.text or '$' in plugin.text:
         return False
-    return r2c_unknown_control_plugin__meant(plugin.text) is not None
+    return r2c_unknown_control_plugin__has_blank(plugin) or (plugin.text not in r2c_unknown_control_plugin__KNOWN and r2c_unknown_control_plugin__meant(plugin.text) is not None)
 
 r2c_obsolete_control_plugin__NOW = {'fake_components/GenericSystem': ('mock_components/GenericSystem', 'gone from jazzy on', sdfcheck_.Severity.WARNING), 'ign_ros2_control/IgnitionSystem': ('gz_ros2_control/GazeboSimSystem', 'an old name from iron on', sdfcheck_.Severity.INFO)}
 
@@ -988,7 +1015,7 @@ r2c_control_plugin_without_parameters__NEEDY = frozenset((f'{prefix}{name}{suffi
 def R2C027_applies(plugin):
     return plugin.filename in r2c_control_plugin_without_parameters__NEEDY and (not any((each.content for each in plugin.children('parameters'))))
 
-r2c_unknown_control_simulator__CLASSES = {'gz_ros2_control-system': ('gz_ros2_control::GazeboSimROS2ControlPlugin', 'ign_ros2_control::IgnitionROS2ControlPlugin'), 'ign_ros2_control-system': ('ign_ros2_control::IgnitionROS2ControlPlugin', 'gz_ros2_control::GazeboSimROS2ControlPlugin')}
+r2c_unknown_control_simulator__CLASSES = {'gz_ros2_control-system': ('gz_ros2_control::GazeboSimROS2ControlPlugin', 'ign_ros2_control::IgnitionROS2ControlPlugin'), 'ign_ros2_control-system': ('ign_ros2_control::IgnitionROS2ControlPlugin',)}
 
 def R2C028_applies(plugin):
     file = plugin.filename.removeprefix('lib').removesuffix('.so')
@@ -1015,6 +1042,24 @@ def R2C033_applies(interface):
         return False
     low, high = (interface.minimum, interface.maximum)
     return low.is_given and high.is_given and (low.number <= high.number) and (abs(low.number + high.number) > 1e-09)
+
+def r2c_mixed_control_generations__library_of(plugin):
+    return plugin.filename.removeprefix('lib').removesuffix('.so')
+
+r2c_mixed_control_generations__SYSTEMS = {'gazebo_ros2_control': ('gazebo_ros2_control/GazeboSystem',), 'gz_ros2_control-system': ('gz_ros2_control/GazeboSimSystem', 'ign_ros2_control/IgnitionSystem'), 'ign_ros2_control-system': ('ign_ros2_control/IgnitionSystem',)}
+
+def r2c_mixed_control_generations__loader(block):
+    value = block.plugin_value
+    known = [plugin for plugin in block.model.plugins if r2c_mixed_control_generations__library_of(plugin) in r2c_mixed_control_generations__SYSTEMS]
+    for plugin in known:
+        library = r2c_mixed_control_generations__library_of(plugin)
+        is_misnamed = library in r2c_unknown_control_simulator__CLASSES and plugin.name not in r2c_unknown_control_simulator__CLASSES[library]
+        if is_misnamed or (value is not None and value.text in r2c_mixed_control_generations__SYSTEMS[library]):
+            return None
+    return known[0] if known else None
+
+def R2C034_applies(block):
+    return block.is_simulated and r2c_mixed_control_generations__loader(block) is not None
 
 def RES001_applies(root):
     return any((resource.is_missing for resource in root.resources))
@@ -1064,8 +1109,21 @@ def RES009_applies(include):
         return True
     return into == 'world' and any((kind in res_invalid_merge_include__NOT_INTO_WORLDS for kind, _ in include.merged_parts))
 
+res_unknown_collision_reference__DEFAULT = '__default__'
+
+def res_unknown_collision_reference__misnamed(contact):
+    block = contact.holder.holder if contact.holder is not None else None
+    if not isinstance(block, sdfcheck_.GazeboBlock) or block.link is None or (not block.link.model.is_complete):
+        return []
+    built = block.model.as_built_by(sdfcheck_.Consumer.GAZEBO)
+    link = built.links.get(built.base(block.link).name)
+    if link is None:
+        return []
+    names = {'', res_unknown_collision_reference__DEFAULT, *(collision.name for collision in link.collisions)}
+    return [(value, link) for value in contact.collision_names if value.text.strip() not in names and '::' not in value.text and ('$' not in value.text)]
+
 def RES011_applies(part):
-    return bool(part.unresolved)
+    return bool(part.unresolved or (isinstance(part, sdfcheck_.Contact) and res_unknown_collision_reference__misnamed(part)))
 
 res_unusable_include__SETTINGS = ('name', 'static', 'placement_frame')
 
@@ -1090,8 +1148,18 @@ def res_unportable_mesh_uri__scheme(resource):
 def RES013_applies(root):
     return root.is_urdf and any((res_unportable_mesh_uri__scheme(resource) is not None for resource in root.resources))
 
+def res_unknown_plugin_reference__merged(plugin):
+    links = [found for found in plugin.references if found.kind == 'link'] if plugin.is_extension else ()
+    for value, _, _, node in links:
+        if not isinstance(node, sdfcheck_.Link) or not node.is_urdf:
+            continue
+        built = node.model.as_built_by(sdfcheck_.Consumer.GAZEBO)
+        left = built.base(node)
+        if left is not node and value.element not in built.rewritten(plugin):
+            yield (value, node, left)
+
 def RES014_applies(plugin):
-    return bool(plugin.unresolved)
+    return bool(plugin.unresolved or any(res_unknown_plugin_reference__merged(plugin)))
 
 def RES015_applies(plugin):
     return plugin.meant_file is not None
@@ -1303,6 +1371,21 @@ def sch_blank_in_topic__topic(sensor):
 def SCH030_applies(sensor):
     return sensor.has('topic') and sch_blank_in_topic__topic(sensor) is not None
 
+sch_dropped_by_update__OLD = '1.9'
+
+def sch_dropped_by_update__dropped(root):
+    for element in root.elements.get('initial_position', ()):
+        if element.parent is not None and element.parent.name in {'axis', 'axis2'}:
+            yield element
+    if 'relative_to' in root.document.source.text and (not root.is_older_than('1.7')) and root.is_older_than('1.8'):
+        for inertial in root.elements.get('inertial', ()):
+            pose = inertial.find('pose')
+            if pose is not None and pose.attribute('relative_to') is not None:
+                yield pose
+
+def SCH031_applies(root):
+    return root.is_older_than(sch_dropped_by_update__OLD) and next(sch_dropped_by_update__dropped(root), None) is not None
+
 def SRD001_applies(semantics):
     return bool(semantics.robots) and any((True for _ in semantics.unknown))
 
@@ -1378,20 +1461,20 @@ def urd_vanishing_root__is_world_alone(robot):
     return len(robot.links) == 1 and robot.links[0].name == 'world'
 
 def URD013_applies(robot):
-    lumping = robot.lumping
-    return not lumping.with_mass.issuperset(lumping.tops) or urd_vanishing_root__is_world_alone(robot)
+    built = robot.as_built_by(sdfcheck_.Consumer.GAZEBO)
+    return not built.with_mass.issuperset(built.tops) or urd_vanishing_root__is_world_alone(robot)
 
 def urd_massless_moving_link__is_apart(link):
     joint = link.parent_joints[0]
     return joint.moves or joint.is_preserved
 
 def urd_massless_moving_link__dropped(robot):
-    lumping = robot.lumping
+    built = robot.as_built_by(sdfcheck_.Consumer.GAZEBO)
     found = []
-    for top in lumping.tops:
+    for top in built.tops:
         members = list(top.below())
         if any((link.has_mass for link in members)):
-            found += [link for link in members[1:] if link not in lumping.with_mass and urd_massless_moving_link__is_apart(link)]
+            found += [link for link in members[1:] if link not in built.with_mass and urd_massless_moving_link__is_apart(link)]
     return found
 
 def URD014_applies(robot):
@@ -1450,8 +1533,6 @@ def URD023_applies(mimic):
 urd_missing_hardware_interface__PREFIX = 'transmission_interface/'
 
 def urd_missing_hardware_interface__bare_joints(transmission):
-    if any((actuator.has('hardwareInterface') for actuator in transmission.actuators)):
-        return []
     return [joint for joint in transmission.joint_elements if not joint.has('hardwareInterface')]
 
 def urd_missing_hardware_interface__is_for_ros_control(transmission):
@@ -1503,6 +1584,8 @@ CONDITIONS = {
     'GAZ008': GAZ008_applies,
     'GAZ009': GAZ009_applies,
     'GAZ010': GAZ010_applies,
+    'GAZ011': GAZ011_applies,
+    'GAZ012': GAZ012_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -1589,6 +1672,7 @@ CONDITIONS = {
     'R2C031': R2C031_applies,
     'R2C032': R2C032_applies,
     'R2C033': R2C033_applies,
+    'R2C034': R2C034_applies,
     'RES001': RES001_applies,
     'RES002': RES002_applies,
     'RES003': RES003_applies,
@@ -1622,6 +1706,7 @@ CONDITIONS = {
     'SCH028': SCH028_applies,
     'SCH029': SCH029_applies,
     'SCH030': SCH030_applies,
+    'SCH031': SCH031_applies,
     'SRD001': SRD001_applies,
     'SRD002': SRD002_applies,
     'SRD003': SRD003_applies,

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from sdfcheck import problems
     from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
     from sdfcheck.consumers.drake_limits import Ignored, ignored_by_drake
+    from sdfcheck.consumers.gazebo import BuiltFrame, BuiltJoint, BuiltLink, BuiltShape, GazeboRobot
     from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, Verdict, accepts, refuses, warns
     from sdfcheck.consumers.urdf_readers import lacking, repeating, undersized, unexpanded, unreadable
     from sdfcheck.convert.call import convert
@@ -103,6 +104,7 @@ _HOMES = {
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
     ),
     "sdfcheck.lint.fix": "Applicability Edit Fix",
+    "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
     "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
@@ -177,6 +179,10 @@ __all__ = [
     "Applicability",
     "Axis",
     "Bad",
+    "BuiltFrame",
+    "BuiltJoint",
+    "BuiltLink",
+    "BuiltShape",
     "Collision",
     "ConfigFault",
     "Consumer",
@@ -199,6 +205,7 @@ __all__ = [
     "Frame",
     "FrameReference",
     "GazeboBlock",
+    "GazeboRobot",
     "Geometry",
     "Good",
     "Gripper",

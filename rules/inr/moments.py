@@ -37,8 +37,8 @@ def has_moments_only(inertial: Inertial) -> bool:
     """
     if not inertial.is_legible or not any(inertial.tensor):
         return False
-    lumping = inertial.link.model.lumping
-    return lumping.base(inertial.link) in lumping.with_mass
+    built = inertial.link.model.as_built_by(Consumer.GAZEBO)
+    return built.base(inertial.link) in built.with_mass
 
 
 def is_indefinite(inertial: Inertial) -> bool:
@@ -58,13 +58,13 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
     """
     if not inertial.is_urdf:
         return {}
-    lumping, link = inertial.link.model.lumping, inertial.link
-    if link.name == "world" or lumping.is_dropped(link):
+    built, link = inertial.link.model.as_built_by(Consumer.GAZEBO), inertial.link
+    if link.name == "world" or built.is_dropped(link):
         return {Consumer.GAZEBO: accepts("makes no link of it")}
-    base = lumping.base(link)
-    moments = lumping.moments(base)
+    base = built.base(link)
+    moments = built.moments(base)
     if (
-        lumping.masses[base] < 0
+        built.masses[base] < 0
         or not math.isfinite(moments.trace)
         or moments.is_indefinite
         or moments.is_impossible

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, suggest
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, Value, suggest
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 BLOCK = '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
@@ -28,11 +28,17 @@ def meant(plugin: str) -> str | None:
     return suggest(plugin, KNOWN) or OWNERS.get(plugin.partition("/")[0])
 
 
+def has_blank(plugin: Value) -> bool:
+    """Is there a blank in the text of an element, or around it?"""
+    text = plugin.element.text or ""
+    return len(text.split()) > 1 or text != text.strip()
+
+
 class UnknownControlPlugin(Rule):
     """The plugin of `ros2_control` is not known, and nearly that of a known package.
 
     A class that is not there cannot be loaded: Gazebo ignores the block, elsewhere all hardware is given
-    up. Plugins of other packages are not judged.
+    up. Plugins of other packages are not judged, but for a blank around the name: it counts as a part of it.
     """
 
     code = "R2C009"
@@ -54,6 +60,10 @@ class UnknownControlPlugin(Rule):
             unsafe=True,
             says="`gz_ros2_control` has no plugin",
         ),
+        Bad(
+            BLOCK.replace("{}", " «my_robot/MySystem»"),
+            says="the name of plugin `my_robot/MySystem` has a blank, which counts as part of it",
+        ),
     )
     good = (
         Good(BLOCK.replace("{}", "gz_ros2_control/GazeboSimSystem")),
@@ -63,13 +73,17 @@ class UnknownControlPlugin(Rule):
     @staticmethod
     def applies(block: Ros2Control) -> bool:
         plugin = block.plugin_value
-        if plugin is None or plugin.text in KNOWN or "/" not in plugin.text:
+        if plugin is None or "/" not in plugin.text or "$" in plugin.text:
             return False
-        return meant(plugin.text) is not None
+        return has_blank(plugin) or (plugin.text not in KNOWN and meant(plugin.text) is not None)
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         plugin = block.plugin_value
         assert plugin is not None
+        if has_blank(plugin):
+            message = f"the name of plugin `{plugin.text}` has a blank, which counts as part of it"
+            yield self.diagnostic(plugin, message)
+            return
         package, _, name = plugin.text.partition("/")
         near = meant(plugin.text)
         assert near is not None

@@ -8,10 +8,7 @@ CLASSES: dict[str, tuple[str, ...]] = {
         "gz_ros2_control::GazeboSimROS2ControlPlugin",
         "ign_ros2_control::IgnitionROS2ControlPlugin",
     ),
-    "ign_ros2_control-system": (
-        "ign_ros2_control::IgnitionROS2ControlPlugin",
-        "gz_ros2_control::GazeboSimROS2ControlPlugin",
-    ),
+    "ign_ros2_control-system": ("ign_ros2_control::IgnitionROS2ControlPlugin",),
 }
 """Library → the classes in it."""
 
@@ -48,6 +45,15 @@ class UnknownControlSimulator(Rule):
             fixed=SIMULATED,
             unsafe=True,
             says="`gz_ros2_control-system` has no class `gz_ros2_control::GazeboSimRos2Control`",
+        ),
+        Bad(
+            '<gazebo><plugin filename="ign_ros2_control-system" name="«gz_ros2_control::GazeboSimROS2ControlPlugin»">'
+            "<parameters>c.yaml</parameters></plugin></gazebo>",
+            says="`ign_ros2_control-system` has no class `gz_ros2_control::GazeboSimROS2ControlPlugin`",
+            fixed='<gazebo><plugin filename="ign_ros2_control-system"'
+            ' name="ign_ros2_control::IgnitionROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters></plugin></gazebo>",
+            unsafe=True,
         ),
     )
     good = (

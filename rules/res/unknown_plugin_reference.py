@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import (
+    IN_MODEL,
+    IN_ROBOT,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Link,
+    Plugin,
+    Rule,
+    Severity,
+    Value,
+    warns,
+)
 
 DRIVE = (
     '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">'
@@ -14,6 +27,10 @@ ROS_DRIVE = (
     '<gazebo><plugin name="drive" filename="libgazebo_ros_diff_drive.so">'
     "<leftJoint>{}</leftJoint></plugin></gazebo>"
 )
+MERGED = (
+    '<link name="fin"/><joint name="j" type="fixed"><parent link="base"/><child link="fin"/></joint><gazebo>'
+    '<plugin name="gz::sim::systems::LiftDrag" filename="gz-sim-lift-drag-system">{}</plugin></gazebo>'
+)
 
 
 class UnknownPluginReference(Rule):
@@ -21,7 +38,8 @@ class UnknownPluginReference(Rule):
 
     The plugin finds nothing: it reports an error and switches itself off, or waits for ever
     in silence. Systems look among the joints and links of the model that they are in. Of a URDF
-    robot libsdformat merges fixed joints away, so that a plugin does not find those either.
+    robot libsdformat merges fixed joints away with the links that hang on them, so that a plugin does not find those
+    either; only in `bodyName` and `frameName` it writes the link that is left.
     """
 
     code = "RES014"
@@ -45,6 +63,11 @@ class UnknownPluginReference(Rule):
             scaffold=IN_ROBOT,
             says="joint `wheel` is fixed, and libsdformat merges it away",
         ),
+        Bad(
+            MERGED.format("<link_name>«fin»</link_name>"),
+            scaffold=IN_ROBOT,
+            says="link `fin` is merged into link `base`, and a plugin does not find it",
+        ),
     )
     good = (
         Good(WHEEL + DRIVE.format("wheel")),
@@ -53,13 +76,19 @@ class UnknownPluginReference(Rule):
             why="an include that could not be read may have it",
         ),
         Good(ROS_DRIVE.format("continuous", "wheel"), scaffold=IN_ROBOT),
+        Good(MERGED.format("<link_name>base</link_name>"), scaffold=IN_ROBOT),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return bool(plugin.unresolved)
+        return bool(plugin.unresolved or any(merged(plugin)))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for value, link, left in merged(plugin):
+            message = f"{link.title} is merged into {left.title}, and a plugin does not find it"
+            joint = link.parent_joints[0]
+            advice = f"write `{left.name}`, or keep joint `{joint.name}` with `<preserveFixedJoint>`"
+            yield self.diagnostic(value, message, labels={joint: "merged away"}, help=advice)
         for value, kind, model, node in plugin.unresolved:
             name = value.text.strip()
             parameter = value.attribute or value.element.name
@@ -72,3 +101,15 @@ class UnknownPluginReference(Rule):
             else:
                 meant = model.guess(name, kind=kind).meant
             yield self.diagnostic(value, message, meant=meant)
+
+
+def merged(plugin: Plugin) -> Iterator[tuple[Value, Link, Link]]:
+    """In URDF: the names of links that libsdformat merges into others, that link, and the link that is left."""
+    links = [found for found in plugin.references if found.kind == "link"] if plugin.is_extension else ()
+    for value, _, _, node in links:
+        if not isinstance(node, Link) or not node.is_urdf:
+            continue
+        built = node.model.as_built_by(Consumer.GAZEBO)
+        left = built.base(node)
+        if left is not node and value.element not in built.rewritten(plugin):
+            yield value, node, left

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_LINK,
+    IN_ROBOT,
     REFUSES,
     SDF,
     Bad,
@@ -43,6 +44,11 @@ class MisplacedElement(Rule):
             scaffold=SDF,
             says="it goes into `model` or `world`",
         ),
+        Bad(
+            '<gazebo reference="base"><«plugin» name="p" filename="f"/></gazebo>',
+            scaffold=IN_ROBOT,
+            says="becomes a plugin of `base`, which Gazebo does not load",
+        ),
     )
     good = (
         Good("<inertial><mass>2</mass></inertial>"),
@@ -58,6 +64,14 @@ class MisplacedElement(Rule):
 
     def check(self, problem: problems.MisplacedElement) -> Iterator[Diagnostic]:
         element, parent = problem.element, problem.parent
+        if element.name == "plugin" and parent.name == "gazebo":
+            about = parent.attributes.get("reference", "")
+            yield self.diagnostic(
+                element,
+                f"a plugin in a block about `{about}` becomes a plugin of `{about}`, which Gazebo does not load",
+                help="drop `reference` for a plugin of the robot; a plugin of a sensor goes into its `sensor`",
+            )
+            return
         message = f"`{element.name}` does not belong in {parent.title}"
         if problem.suggestion is not None:
             message += f"; did you mean `{problem.suggestion}`?"

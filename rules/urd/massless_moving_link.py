@@ -99,12 +99,12 @@ def _affects(link: Link) -> dict[Consumer, Reaction]:
 
 def dropped(robot: Model) -> list[Link]:
     """Links that stay links of their own, without mass; a robot without any is reported for its root."""
-    lumping = robot.lumping
+    built = robot.as_built_by(Consumer.GAZEBO)
     found: list[Link] = []
-    for top in lumping.tops:
+    for top in built.tops:
         members = list(top.below())
         if any(link.has_mass for link in members):
-            found += [link for link in members[1:] if link not in lumping.with_mass and is_apart(link)]
+            found += [link for link in members[1:] if link not in built.with_mass and is_apart(link)]
     return found
 
 

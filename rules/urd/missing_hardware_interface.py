@@ -14,14 +14,13 @@ RATIO = "<mechanicalReduction>1</mechanicalReduction>"
 class MissingHardwareInterface(Rule):
     """A transmission says by no `hardwareInterface` how its joint is driven.
 
-    The parser of ros_control skips the transmission and reports an error, and no controller
-    finds the joint. Older files write the element in the actuator, which is read as well.
+    The parser of ros_control drops such a joint and reports an error, and no controller finds it. In the joint it has
+    to be: one in the actuator, as files of ROS before Hydro have it, is read for the actuator only.
     """
 
     code = "URD024"
     name = "missing-hardware-interface"
     severity = Severity.WARNING
-    preview = True
     looks_at = (Transmission,)
     scaffold = IN_ROBOT
 
@@ -30,11 +29,12 @@ class MissingHardwareInterface(Rule):
             JOINT.format(f'<«joint» name="j"/><actuator name="m">{RATIO}</actuator>'),
             says="joint `j` of transmission `t` has no `hardwareInterface`",
         ),
+        Bad(
+            JOINT.format(f'<«joint» name="j"/><actuator name="m">{POSITION}{RATIO}</actuator>'),
+            says="has no `hardwareInterface` of its own; that of the actuator does not count for it",
+        ),
     )
-    good = (
-        Good(JOINT.format(f'<joint name="j">{POSITION}</joint><actuator name="m">{RATIO}</actuator>')),
-        Good(JOINT.format(f'<joint name="j"/><actuator name="m">{POSITION}{RATIO}</actuator>'), why="older"),
-    )
+    good = (Good(JOINT.format(f'<joint name="j">{POSITION}</joint><actuator name="m">{RATIO}</actuator>')),)
 
     @staticmethod
     def applies(transmission: Transmission) -> bool:
@@ -43,8 +43,12 @@ class MissingHardwareInterface(Rule):
         return is_ours and bool(bare_joints(transmission)) and is_for_ros_control(transmission)
 
     def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
+        in_actuator = any(actuator.has("hardwareInterface") for actuator in transmission.actuators)
         for joint in bare_joints(transmission):
-            yield self.diagnostic(joint, f"{joint.title} of {transmission.title} has no `hardwareInterface`")
+            message = f"{joint.title} of {transmission.title} has no `hardwareInterface`"
+            if in_actuator:
+                message += " of its own; that of the actuator does not count for it"
+            yield self.diagnostic(joint, message)
 
 
 PREFIX = "transmission_interface/"
@@ -57,7 +61,5 @@ def is_for_ros_control(transmission: Transmission) -> bool:
 
 
 def bare_joints(transmission: Transmission) -> list[Element]:
-    """The joints without interface, where no actuator has one either."""
-    if any(actuator.has("hardwareInterface") for actuator in transmission.actuators):
-        return []
+    """The joints without an interface."""
     return [joint for joint in transmission.joint_elements if not joint.has("hardwareInterface")]

@@ -33,8 +33,8 @@ class UnconvertedJoint(Rule):
         return joint.is_unconverted
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
-        model, child = joint.model, joint.child_link
-        is_dropped = model is not None and child is not None and model.lumping.is_dropped(child)
+        child = joint.child_link
+        is_dropped = child is not None and child.model.as_built_by(Consumer.GAZEBO).is_dropped(child)
         yield self.diagnostic(
             joint.type_value or joint,
             f"{joint.title} is {joint.type}, which SDFormat has no joint for",

@@ -17,6 +17,8 @@ from sdfcheck import (
 )
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
+FOR_GAZEBO = frozenset(("light", "plugin", "sensor"))
+"""Parts that only `gazebo` blocks hold."""
 
 
 class UnknownUrdfElement(Rule):
@@ -49,6 +51,10 @@ class UnknownUrdfElement(Rule):
             says="did you mean `geometry`?",
         ),
         Bad('<«mass» value="1"/>', says="`mass` is not read in link `base`; it goes into `inertial`"),
+        Bad(
+            '<«sensor» name="s" type="imu"/>',
+            says='`sensor` is not read in link `base`; it goes into `<gazebo reference="base">`',
+        ),
         Bad(f"<visual>{SHAPE}<«color»/><color/></visual>", says="(used 2 times)"),
     )
     good = (
@@ -66,6 +72,9 @@ class UnknownUrdfElement(Rule):
         message = f"unknown element `{element.name}` in {problem.parent.title}"
         if near is not None:
             message += f"; did you mean `{near}`?"
+        elif element.name in FOR_GAZEBO and problem.parent.name in {"link", "joint"}:
+            block = f'<gazebo reference="{problem.parent.attributes.get("name", "")}">'
+            message = f"`{element.name}` is not read in {problem.parent.title}; it goes into `{block}`"
         elif problem.places:
             places = named(problem.places, "or")
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"

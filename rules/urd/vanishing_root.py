@@ -46,15 +46,16 @@ class VanishingRoot(Rule):
 
     @staticmethod
     def applies(robot: Model) -> bool:
-        lumping = robot.lumping
-        return not lumping.with_mass.issuperset(lumping.tops) or is_world_alone(robot)
+        built = robot.as_built_by(Consumer.GAZEBO)
+        return not built.with_mass.issuperset(built.tops) or is_world_alone(robot)
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
         if is_world_alone(robot):
             message = f"{robot.title} has no link but `world`, so libsdformat makes an empty model of it"
             yield self.diagnostic(robot.links[0], message, severity=Severity.INFO)
-        for top in robot.lumping.tops:
-            if top in robot.lumping.with_mass:
+        built = robot.as_built_by(Consumer.GAZEBO)
+        for top in built.tops:
+            if top in built.with_mass:
                 continue
             links = list(top.below())
             if not any(link.has_mass for link in links):

@@ -16,7 +16,9 @@ from typing import TYPE_CHECKING
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
+    from sdfcheck.consumers.gazebo import GazeboRobot
     from sdfcheck.formats.vendor.definitions import Effect
+    from sdfcheck.robot.model import Model
 
 
 class Consumer(Enum):
@@ -31,6 +33,14 @@ class Consumer(Enum):
     def title(self) -> str:
         """Its name as its makers write it."""
         return _TITLES[self]
+
+    def build(self, robot: Model) -> GazeboRobot:
+        """The robot that it makes of a URDF robot; ValueError where that is not known."""
+        if self is not Consumer.GAZEBO:
+            raise ValueError(f"what {self.title} builds is not known")
+        from sdfcheck.consumers.gazebo import GazeboRobot
+
+        return GazeboRobot(robot)
 
 
 _TITLES = {

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Protocol, TypeVar, cast
 
 from sdfcheck.robot.scope import Scope
 from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.motion.lumping import Lumping
     from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.naming.link_names import LinkNames
@@ -26,7 +25,15 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.source.element import Element, Value
 
+Built_co = TypeVar("Built_co", covariant=True)
 _BOOLEANS = frozenset({"", "true", "1", "false", "0"})
+
+
+class Builder(Protocol[Built_co]):
+    """A consumer of which it is known what it makes of a robot."""
+
+    def build(self, robot: Model) -> Built_co:
+        """The robot that it makes of one."""
 
 
 class Model(Scope):
@@ -235,12 +242,15 @@ class Model(Scope):
 
         return MaterialNames(self)
 
-    @lazy
-    def lumping(self) -> Lumping:
-        """In URDF: what libsdformat makes of links that fixed joints tie together."""
-        from sdfcheck.robot.motion.lumping import Lumping
+    def as_built_by(self, consumer: Builder[Built_co]) -> Built_co:
+        """In URDF: the robot that a consumer makes of it."""
+        if consumer not in self._built:
+            self._built[consumer] = consumer.build(self)
+        return cast("Built_co", self._built[consumer])
 
-        return Lumping(self)
+    @lazy
+    def _built(self) -> dict[object, object]:
+        return {}
 
     @property
     def mass_properties(self) -> MassProperties | None:

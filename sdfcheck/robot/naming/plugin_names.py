@@ -24,16 +24,21 @@ _ALWAYS = frozenset({"", "world", "canonical", "__default__"})
 
 
 class PluginReference(NamedTuple):
-    """A name that is not that of a joint or link, as ``kind`` says; ``node`` is what has it instead."""
+    """A name that a parameter writes, of a joint or link as ``kind`` says; ``node`` is what has the name."""
 
     value: Value
     kind: str
     model: Model
     node: Node | None
 
+    @property
+    def is_unresolved(self) -> bool:
+        """Does it reach no joint or link of its kind, or a joint that libsdformat merges away?"""
+        return self.node is None or self.node.kind != self.kind or _is_lumped(self.node)
 
-def unresolved(plugin: Plugin, facts: PluginFacts) -> Iterator[PluginReference]:
-    """The names that reach nothing; what may be in a file that could not be read is left out."""
+
+def references(plugin: Plugin, facts: PluginFacts) -> Iterator[PluginReference]:
+    """The names of joints and links that are written; what may be in a file that could not be read is left out."""
     model = _model(plugin)
     if model is None or not model.is_complete or not any(n.kind == "link" for n in model.nodes.values()):
         return
@@ -43,11 +48,9 @@ def unresolved(plugin: Plugin, facts: PluginFacts) -> Iterator[PluginReference]:
             if name in _ALWAYS or _TEMPLATE.search(name) or (naming.is_list and "," in name):
                 continue
             name = name.removeprefix(f"{model.name}::")
-            node = model.resolve(name)
             if "::" in name and (not naming.is_scoped or model.may_hold(name)):
                 continue
-            if node is None or node.kind != naming.kind or _is_lumped(node):
-                yield PluginReference(value, naming.kind, model, node)
+            yield PluginReference(value, naming.kind, model, model.resolve(name))
 
 
 def _model(plugin: Plugin) -> Model | None:

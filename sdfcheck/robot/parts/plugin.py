@@ -48,13 +48,18 @@ class Plugin(Part):
         return max(found, key=lambda facts: len(given & facts.parameters), default=None)
 
     @lazy
-    def unresolved(self) -> tuple[PluginReference, ...]:
-        """The parameters that name a joint or link which its model does not have."""
+    def references(self) -> tuple[PluginReference, ...]:
+        """The parameters that name a joint or link of its model."""
         if self.known is None or not self.known.namings:
             return ()
-        from sdfcheck.robot.naming.plugin_names import unresolved
+        from sdfcheck.robot.naming.plugin_names import references
 
-        return tuple(unresolved(self, self.known))
+        return tuple(references(self, self.known))
+
+    @property
+    def unresolved(self) -> tuple[PluginReference, ...]:
+        """The parameters that name a joint or link which its model does not have."""
+        return tuple(reference for reference in self.references if reference.is_unresolved)
 
     @property
     def siblings(self) -> tuple[Plugin, ...]:

@@ -1,0 +1,84 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Sensor, Severity, Value, replace, warns
+
+FRAMES = ("gz_frame_id", "ignition_frame_id", "frame_id")
+"""Elements of a sensor that say in which frame its messages are."""
+OF_PLUGINS = ("frameName", "frame_name")
+FIXED = frozenset(("map", "odom", "world"))
+SENSOR = (
+    '<robot name="r"><link name="base"/><link name="scan"/>'
+    '<joint name="j" type="fixed"><parent link="base"/><child link="scan"/></joint>'
+    '<gazebo reference="scan"><sensor name="s" type="imu">{}</sensor></gazebo></robot>'
+)
+PLUGIN = '<plugin name="laser" filename="libgazebo_ros_ray_sensor.so"><frame_name>{}</frame_name></plugin>'
+
+
+class UnknownSensorFrame(Rule):
+    """The messages of a sensor are in a frame that the robot does not have.
+
+    The frame is a label that Gazebo copies into each message. The names that robot_state_publisher gives to frames
+    are those of the links, without a slash before them; in any other frame RViz, navigation and point clouds drop the
+    message. Names of links with a prefix, and `map`, `odom` and `world`, count as known.
+    """
+
+    code = "GAZ012"
+    name = "unknown-sensor-frame"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("writes the name into each message")}
+    looks_at = (Sensor,)
+    scaffold = SENSOR
+
+    bad = (
+        Bad(
+            "<gz_frame_id>«/scan»</gz_frame_id>",
+            fixed="<gz_frame_id>scan</gz_frame_id>",
+            unsafe=True,
+            says="frame `/scan` of sensor `s` begins with `/`, which no frame of tf2 does",
+        ),
+        Bad(
+            "<gz_frame_id>«scn»</gz_frame_id>",
+            fixed="<gz_frame_id>scan</gz_frame_id>",
+            unsafe=True,
+            says="frame `scn` of sensor `s` is no link of robot `r`; did you mean `scan`?",
+        ),
+        Bad(PLUGIN.format("«laser_link»"), says="frame `laser_link` of sensor `s` is no link of robot `r`"),
+    )
+    good = (
+        Good("<gz_frame_id>scan</gz_frame_id>", why="a link, also where libsdformat merges it"),
+        Good("<gz_frame_id>robot1/scan</gz_frame_id>", why="with the prefix that the publisher adds"),
+        Good("<gz_frame_id>odom</gz_frame_id>"),
+        Good(PLUGIN.format("scan")),
+    )
+
+    @staticmethod
+    def applies(sensor: Sensor) -> bool:
+        return sensor.is_extension and any(foreign(sensor))
+
+    def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
+        for value in foreign(sensor):
+            name = value.text.strip()
+            message = f"frame `{name}` of {sensor.title}"
+            if name.startswith("/"):
+                fix = replace(value, name.lstrip("/"), f"write `{name.lstrip('/')}`", unsafe=True)
+                message += " begins with `/`, which no frame of tf2 does"
+                yield self.diagnostic(value, message, fix=fix)
+                continue
+            robot = sensor.root.models[0]
+            message += f" is no link of {robot.title}"
+            yield self.diagnostic(value, message, meant=sensor.nearest(name, robot.tree.links))
+
+
+def foreign(sensor: Sensor) -> Iterator[Value]:
+    """The frames of a sensor that no link has, with a prefix or without."""
+    links = sensor.root.models[0].tree.links
+    plugins = (child for plugin in sensor.plugins for child in plugin.parameters if child.name in OF_PLUGINS)
+    for element in (*(child for name in FRAMES for child in sensor.children(name)), *plugins):
+        name = element.content.strip()
+        if not name or "$" in name or "{" in name:
+            continue
+        is_known = (
+            name in FIXED or name.rpartition("/")[2] in links or any(name.endswith(link) for link in links)
+        )
+        if name.startswith("/") or not is_known:
+            yield element.own_value

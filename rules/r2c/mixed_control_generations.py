@@ -1,0 +1,78 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Ros2Control, Rule, Severity, warns
+from sdfcheck_rules.r2c.scaffold import IN_ROBOT
+from sdfcheck_rules.r2c.unknown_control_simulator import CLASSES
+
+SYSTEMS = {
+    "gazebo_ros2_control": ("gazebo_ros2_control/GazeboSystem",),
+    "gz_ros2_control-system": ("gz_ros2_control/GazeboSimSystem", "ign_ros2_control/IgnitionSystem"),
+    "ign_ros2_control-system": ("ign_ros2_control/IgnitionSystem",),
+}
+"""Library of Gazebo's plugin → the hardware of the simulator that it can load."""
+ROBOT = (
+    '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
+    '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    "<parameters>c.yaml</parameters></plugin></gazebo>"
+)
+
+
+class MixedControlGenerations(Rule):
+    """The hardware of a `ros2_control` block is of another generation of Gazebo than the plugin that is to load it.
+
+    `gazebo_ros2_control` is for Gazebo Classic, `ign_ros2_control` for Fortress with ROS 2 Humble, `gz_ros2_control`
+    for what came after. Each loads its own hardware only, but that `gz_ros2_control` knows the old name of its own. The
+    block is ignored with an error, and no joint of it moves.
+    """
+
+    code = "R2C034"
+    name = "mixed-control-generations"
+    severity = Severity.ERROR
+    affects = {Consumer.GAZEBO: warns("ignores the block")}
+    looks_at = (Ros2Control,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            ROBOT.replace("{}", "«gazebo_ros2_control/GazeboSystem»"),
+            says="`gz_ros2_control-system` does not load `gazebo_ros2_control/GazeboSystem`; did you mean "
+            "`gz_ros2_control/GazeboSimSystem`?",
+            fixed=ROBOT.replace("{}", "gz_ros2_control/GazeboSimSystem"),
+            unsafe=True,
+        ),
+    )
+    good = (
+        Good(ROBOT.replace("{}", "gz_ros2_control/GazeboSimSystem")),
+        Good(ROBOT.replace("{}", "ign_ros2_control/IgnitionSystem"), why="an old name that still works"),
+        Good(ROBOT.replace("{}", "mock_components/GenericSystem")),
+    )
+
+    @staticmethod
+    def applies(block: Ros2Control) -> bool:
+        return block.is_simulated and loader(block) is not None
+
+    def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
+        plugin, value = loader(block), block.plugin_value
+        assert plugin is not None
+        assert value is not None
+        library = library_of(plugin)
+        message = f"`{library}` does not load `{value.text}`"
+        labels = {plugin.filename_value or plugin: "starts ros2_control"}
+        yield self.diagnostic(value, message, meant=SYSTEMS[library][0], labels=labels)
+
+
+def library_of(plugin: Plugin) -> str:
+    """The name of its library without `lib` and `.so`."""
+    return plugin.filename.removeprefix("lib").removesuffix(".so")
+
+
+def loader(block: Ros2Control) -> Plugin | None:
+    """The plugin that is to load a block's hardware, and does not know it; None where one does."""
+    value = block.plugin_value
+    known = [plugin for plugin in block.model.plugins if library_of(plugin) in SYSTEMS]
+    for plugin in known:
+        library = library_of(plugin)
+        is_misnamed = library in CLASSES and plugin.name not in CLASSES[library]
+        if is_misnamed or (value is not None and value.text in SYSTEMS[library]):
+            return None
+    return known[0] if known else None

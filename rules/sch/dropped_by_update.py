@@ -1,0 +1,87 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_JOINT,
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Root,
+    Rule,
+    Severity,
+    used,
+    warns,
+)
+
+OLD = "1.9"
+"""The first version that has none of them."""
+JOINT = IN_JOINT.replace("1.12", "1.6")
+INERTIAL = IN_LINK.replace("1.12", "1.7")
+
+
+class DroppedByUpdate(Rule):
+    """An element of an old version is lost when consumers bring the file up to the newest one.
+
+    libsdformat and Drake convert a file to the newest version of SDFormat before they read it. Most of what went out of
+    the format on the way is translated; `initial_position` of an axis and `relative_to` in the pose of an inertial are
+    not: Gazebo warns and ignores them, and Drake refuses the file.
+    """
+
+    code = "SCH031"
+    name = "dropped-by-update"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.DRAKE: REFUSES}
+    looks_at = (Root,)
+    scaffold = JOINT
+
+    bad = (
+        Bad(
+            "<axis><xyz>0 0 1</xyz><«initial_position»>1</initial_position></axis>",
+            says="`initial_position` is not in SDFormat 1.9, and nothing takes its place",
+        ),
+        Bad(
+            '<inertial><pose «relative_to»="base">0 0 0 0 0 0</pose></inertial>',
+            scaffold=INERTIAL,
+            says="`relative_to` in the pose of an inertial is not in SDFormat 1.8",
+        ),
+    )
+    good = (
+        Good("<axis><xyz>0 0 1</xyz></axis>"),
+        Good("<inertial><pose>0 0 0 0 0 0</pose></inertial>", scaffold=INERTIAL),
+    )
+
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return root.is_older_than(OLD) and next(dropped(root), None) is not None
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        found: dict[str, list[Element]] = {}
+        for element in dropped(root):
+            found.setdefault(element.name, []).append(element)
+        for name, (first, *others) in found.items():
+            times = used(1 + len(others))
+            if name == "pose":
+                message = f"`relative_to` in the pose of an inertial{times} is not in SDFormat 1.8"
+                yield self.diagnostic(first.document.spans.attribute_name(first, "relative_to"), message)
+            else:
+                message = f"`{name}`{times} is not in SDFormat {OLD}, and nothing takes its place"
+                yield self.diagnostic(first, message)
+
+
+def dropped(root: Root) -> Iterator[Element]:
+    """The elements of the file's version that are lost on the way to the newest one."""
+    for element in root.elements.get("initial_position", ()):
+        if element.parent is not None and element.parent.name in {"axis", "axis2"}:
+            yield element
+    if (
+        "relative_to" in root.document.source.text
+        and not root.is_older_than("1.7")
+        and root.is_older_than("1.8")
+    ):
+        for inertial in root.elements.get("inertial", ()):
+            pose = inertial.find("pose")
+            if pose is not None and pose.attribute("relative_to") is not None:
+                yield pose
