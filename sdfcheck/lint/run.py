@@ -97,7 +97,8 @@ class Gate(NamedTuple):
     def judge(self, diagnostics: Iterable[Diagnostic]) -> Callable[[Diagnostic], bool]:
         """Whether a finding fails the run that has these diagnostics."""
         too_many = self.warnings is not None and self.warnings < sum(
-            each.severity is Severity.WARNING and (each.missing is None or self.missing) for each in diagnostics
+            each.severity is Severity.WARNING and (each.missing is None or self.missing)
+            for each in diagnostics
         )
 
         def fails(diagnostic: Diagnostic) -> bool:

@@ -15,10 +15,7 @@ _SHOWN = 10  # annotations that GitHub shows of one step
 def render(run: Run) -> str:
     """The gravest first, because GitHub shows only the first few."""
     paths = Paths("GITHUB_WORKSPACE")
-    lines = [
-        _command(diagnostic, severity, paths)
-        for diagnostic, severity in run.gravest_first
-    ]
+    lines = [_command(diagnostic, severity, paths) for diagnostic, severity in run.gravest_first]
     if len(lines) > _SHOWN:
         lines.append(f"::notice::{len(lines) - _SHOWN} more in the log of this step")
     return "".join(f"{line}\n" for line in lines)

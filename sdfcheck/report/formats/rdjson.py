@@ -24,9 +24,7 @@ def render(run: Run) -> str:
     return json.dumps(result, indent=2) + "\n"
 
 
-def _diagnostic(
-    diagnostic: Diagnostic, severity: Severity, paths: Paths, page: str | None
-) -> dict[str, Any]:
+def _diagnostic(diagnostic: Diagnostic, severity: Severity, paths: Paths, page: str | None) -> dict[str, Any]:
     source = diagnostic.span.source
     shown: dict[str, Any] = {
         "message": diagnostic.message,

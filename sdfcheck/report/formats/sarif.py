@@ -43,7 +43,9 @@ def render(run: Run) -> str:
                 "columnKind": "unicodeCodePoints",
                 "automationDetails": {"id": "sdfcheck/"},
                 "results": [
-                    _result(diagnostic, run.gate.severity(diagnostic), indices.get(diagnostic.code), hashes, paths)
+                    _result(
+                        diagnostic, run.gate.severity(diagnostic), indices.get(diagnostic.code), hashes, paths
+                    )
                     for diagnostic in run.diagnostics
                 ],
             }

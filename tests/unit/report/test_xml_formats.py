@@ -56,7 +56,7 @@ def test_warnings_fail_a_run_when_there_are_more_than_are_tolerated() -> None:
 
 def test_services_are_not_warned_of_what_other_computers_may_have() -> None:
     lacking = diagnostic("«c»", severity=Severity.WARNING, missing=Missing(MissingKind.MODEL, "sun"))
-    for format, expected in (
+    for form, expected in (
         (OutputFormat.GITHUB, "::notice "),
         (OutputFormat.CHECKSTYLE, 'severity="info"'),
         (OutputFormat.RDJSON, '"severity": "INFO"'),
@@ -64,7 +64,7 @@ def test_services_are_not_warned_of_what_other_computers_may_have() -> None:
         (OutputFormat.SARIF, '"level": "note"'),
         (OutputFormat.AZURE, "warning: name"),
     ):
-        assert expected in render(format, run(lacking)), format
+        assert expected in render(form, run(lacking)), form
     assert "::warning " in render(OutputFormat.GITHUB, run(lacking, gate=Gate(missing=True)))
 
 
