@@ -56,7 +56,7 @@ class UnknownPaletteColor(Rule):
             '<gazebo reference="base"><material>«Gazebo/grey»</material></gazebo>',
             fixed='<gazebo reference="base"><material>Gazebo/Grey</material></gazebo>',
             unsafe=True,
-            says="no material of Gazebo is called `Gazebo/grey`; did you mean `Gazebo/Grey`?",
+            says="no material of Gazebo is called `Gazebo/grey`; `Gazebo/Grey` differs in case only",
         ),
         Bad(
             '<gazebo reference="base"><material>«gazebo/Grey»</material></gazebo>',

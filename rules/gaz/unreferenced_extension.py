@@ -46,7 +46,7 @@ class UnreferencedExtension(Rule):
         name, model = block.reference, block.model
         message = f"there is no link or joint `{name}`"
         kind = next((kind for kind in OTHERS if _has(block.root, kind, name)), None)
-        known = {*model.tree.links, *model.joints_by_name, *model.link_names.unknown}
+        known = {*model.tree.links, *model.joints_by_name}
         meant, place = None, block.reference_value or block
         if kind is not None:
             message = f"`{name}` is a {kind}, not a link or joint"

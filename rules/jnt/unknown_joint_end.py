@@ -50,7 +50,7 @@ class UnknownJointEnd(Rule):
             f'{_ARM}<joint name="j" type="fixed"><parent>base</parent><child>«Arm»</child></joint>',
             fixed=f'{_ARM}<joint name="j" type="fixed"><parent>base</parent><child>arm</child></joint>',
             unsafe=True,
-            says="did you mean `arm`?",
+            says="`arm` differs in case only",
         ),
         Bad(
             '<joint name="j" type="fixed"><parent>base</parent><child>«j»</child></joint>',
@@ -123,10 +123,11 @@ class UnknownJointEnd(Rule):
                 affects[Consumer.DRAKE] = accepts("takes it for granted")
             return self.diagnostic(value, message, help=advice if name == "world" else None, affects=affects)
         is_deeper = meant.endswith(f"::{name}")
-        message += f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
+        message += f"; in a nested model there is `{meant}`" if is_deeper else ""
         edits = tuple(Edit(end.span, meant) for end in (value, *others))
         fix = make_fix(f"write `{meant}`", edits, unsafe=True)
-        return self.diagnostic(value, message, fix=fix, affects=_affects(joint, value))
+        question = None if is_deeper else meant
+        return self.diagnostic(value, message, meant=question, fix=fix, affects=_affects(joint, value))
 
 
 def _affects(joint: Joint, end: Value) -> dict[Consumer, Reaction]:

@@ -59,7 +59,7 @@ class UnknownMimicLeader(Rule):
             f'<parent link="arm"/><child link="hand"/>{_LIMIT}<mimic joint="j"/>',
             unsafe=True,
             scaffold=IN_URDF_JOINT,
-            says="did you mean `j`?",
+            says="`j` differs in case only",
         ),
     )
     good = (

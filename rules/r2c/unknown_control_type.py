@@ -24,7 +24,7 @@ class UnknownControlType(Rule):
             f'<ros2_control name="arm" type="«System»">{HARDWARE}</ros2_control>',
             fixed=f'<ros2_control name="arm" type="system">{HARDWARE}</ros2_control>',
             unsafe=True,
-            says="unknown type `System` of ros2_control `arm`; did you mean `system`?",
+            says="unknown type `System` of ros2_control `arm`; `system` differs in case only",
         ),
     )
     good = (

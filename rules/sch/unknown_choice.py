@@ -55,7 +55,7 @@ class UnknownChoice(Rule):
             '<light name="l" type="«Point»"/>',
             fixed='<light name="l" type="point"/>',
             unsafe=True,
-            says="did you mean `point`?",
+            says="`point` differs in case only",
         ),
         Bad(
             '<joint name="j" type="«hinge»"><parent>world</parent><child>base</child></joint>',

@@ -21,7 +21,7 @@ from sdfcheck.cli.parts.descriptions import (
 from sdfcheck.cli.parts.options import PATH, colored, configured, listing, path, reported, targeted, written
 from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.parts.progress import Notifier, Progress
-from sdfcheck.cli.parts.shown import exit_code, shown, view_of
+from sdfcheck.cli.parts.shown import exit_code, gate_of, shown, view_of
 from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, say, wants_color, wants_links, width_of
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.parallel import run_in_parallel
@@ -177,8 +177,9 @@ def lint(**given: Any) -> int:
     notifier.flush()
     if request.fix_only:
         return 2 if notifier.failed else 0
+    done = done._replace(gate=gate_of(request, settings.fail_on))
     _report(request, options, wanted, done, view_of(request, settings.fail_on))
-    return 2 if notifier.failed else exit_code(request, done, settings.fail_on)
+    return 2 if notifier.failed else exit_code(request, done)
 
 
 def _run(request: Request, paths: Sequence[Path], options: Options, notifier: Notifier) -> Run:

@@ -98,7 +98,11 @@ class Rule:
         in a text: where another error is reported on its line, this is not.
         """
         if meant:
-            message, fix = f"{message}; did you mean `{meant}`?", fix or write_instead(meant, target)
+            from sdfcheck.formats.near_names import is_same_but_case
+
+            is_same = is_same_but_case(span_of(target).text, meant)
+            guess = f"`{meant}` differs in case only" if is_same else f"did you mean `{meant}`?"
+            message, fix = f"{message}; {guess}", fix or write_instead(meant, target)
         return Diagnostic(
             self.code,
             self.name,

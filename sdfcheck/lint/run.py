@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -79,6 +79,38 @@ def reactions(
     return tuple(sorted(found.items(), key=lambda item: item[0]))
 
 
+class Gate(NamedTuple):
+    """What counts: the findings that fail a run. The exit code and all reports ask it.
+
+    ``least``: those at least so severe. ``missing``: also all those about this computer.
+    ``warnings``: so many warnings are tolerated, and more of them fail the run; None: ``least`` decides.
+    """
+
+    least: Severity = Severity.WARNING
+    missing: bool = False
+    warnings: int | None = None
+
+    def severity(self, diagnostic: Diagnostic) -> Severity:
+        """The severity that services show: what other computers may have is only worth knowing."""
+        return Severity.INFO if diagnostic.missing is not None and not self.missing else diagnostic.severity
+
+    def judge(self, diagnostics: Iterable[Diagnostic]) -> Callable[[Diagnostic], bool]:
+        """Whether a finding fails the run that has these diagnostics."""
+        too_many = self.warnings is not None and self.warnings < sum(
+            each.severity is Severity.WARNING and (each.missing is None or self.missing)
+            for each in diagnostics
+        )
+
+        def fails(diagnostic: Diagnostic) -> bool:
+            if diagnostic.missing is not None:
+                return self.missing
+            if self.warnings is not None and diagnostic.severity is Severity.WARNING:
+                return too_many
+            return diagnostic.severity >= self.least
+
+        return fails
+
+
 class Run(NamedTuple):
     """One finished run. Diagnostics are sorted; nothing here changes afterwards.
 
@@ -94,6 +126,23 @@ class Run(NamedTuple):
     fixed: int = 0
     rules: tuple[RuleFacts, ...] = ()
     """Facts of every rule that was selected, sorted by code."""
+    gate: Gate = Gate()
+
+    @property
+    def failing(self) -> tuple[Diagnostic, ...]:
+        """The findings that fail the run."""
+        return tuple(filter(self.gate.judge(self.diagnostics), self.diagnostics))
+
+    @property
+    def missing(self) -> tuple[Diagnostic, ...]:
+        """The findings about this computer."""
+        return tuple(each for each in self.diagnostics if each.missing is not None)
+
+    @property
+    def gravest_first(self) -> list[tuple[Diagnostic, Severity]]:
+        """The findings with the severities that services show, the gravest first."""
+        found = [(each, self.gate.severity(each)) for each in self.diagnostics]
+        return sorted(found, key=lambda pair: -pair[1].rank)
 
     @property
     def pages(self) -> Mapping[str, str]:

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage, nearest_choice, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage
 
 ALL = "ALL"
 
@@ -26,11 +26,19 @@ class UnknownSelector(WrongUsage):
 
     def __init__(self, selector: str, rules: Sequence[RuleFacts]) -> None:
         self.selector = selector
+        from sdfcheck.formats.near_names import nearest
+
         families = sorted({facts.family for facts in rules})
         choices = (ALL, *families, *(facts.name for facts in rules), *(facts.code for facts in rules))
-        self.near = nearest_choice(selector, choices)
-        guess = f", did you mean `{self.near}`?" if self.near else ""
+        self.near = nearest(selector, choices)
+        guess = f"; did you mean `{self.near}`?" if self.near else _others(selector, rules)
         super().__init__(f"unknown rule `{selector}`{guess}")
+
+
+def _others(code: str, rules: Sequence[RuleFacts]) -> str:
+    """For a code that nothing has: those that its family has."""
+    own = sorted(facts.code for facts in rules if code.upper().rstrip("0123456789") == facts.family)
+    return f"; {own[0].rstrip('0123456789')} has {own[0]} to {own[-1]}" if own else ""
 
 
 class Choice(NamedTuple):
@@ -130,7 +138,9 @@ def check_targets(targets: Iterable[str]) -> None:
     known = tuple(consumer.value for consumer in Consumer)
     for target in targets:
         if target not in known:
-            near = suggestion(target, known) or f" (choose from {', '.join(sorted(known))})"
+            from sdfcheck.formats.near_names import did_you_mean
+
+            near = did_you_mean(target, known) or f" (choose from {', '.join(sorted(known))})"
             raise WrongUsage(f"unknown target `{target}`{near}")
 
 

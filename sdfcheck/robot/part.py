@@ -173,9 +173,9 @@ class Part:
 
         A document full of unknown names is not guessed at without end.
         """
-        from sdfcheck.formats.suggest import suggest_in
+        from sdfcheck.formats.near_names import nearest
 
-        return suggest_in(self.document, name, candidates)
+        return nearest(name, candidates, self.document)
 
     @overload
     def get(self, name: str) -> str | None: ...

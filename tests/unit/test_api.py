@@ -95,18 +95,18 @@ def test_xacro_is_expanded() -> None:
     ("look", "message"),
     [
         (lambda root: root.world(1), "the file has no world number 1; it has 1 world"),
-        (lambda root: root.world("gardn"), "the file has no world `gardn`, did you mean `garden`?"),
+        (lambda root: root.world("gardn"), "the file has no world `gardn`; did you mean `garden`?"),
         (
             lambda root: root.world(0).model("gate").link(7),
             "model `gate` has no link number 7; it has 2 links",
         ),
         (
             lambda root: root.world(0).model("gate").link("pst"),
-            "model `gate` has no link `pst`, did you mean `post`?",
+            "model `gate` has no link `pst`; did you mean `post`?",
         ),
         (
             lambda root: root.world(0).model("store::dor"),
-            "model `store` has no model `dor`, did you mean `door`?",
+            "model `store` has no model `dor`; did you mean `door`?",
         ),
         (lambda root: root.model(0), "the file has no model number 0; it has 0 models"),
     ],

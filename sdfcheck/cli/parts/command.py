@@ -105,7 +105,14 @@ _EXAMPLES = {
 
 
 class Command(click.Command):
-    """A command whose help is in sections."""
+    """A command whose help is in sections, and which knows the options that people try."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            known = [name for parameter in self.get_params(ctx) for name in parameter.opts]
+            raise click.UsageError(_no_option(error.option_name, known), ctx) from None
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         sections: dict[str, list[tuple[str, str]]] = {heading: [] for heading in (_OWN, *_SECTIONS)}
@@ -125,6 +132,35 @@ class Command(click.Command):
         if examples:
             with formatter.section("Examples"):
                 formatter.write_dl([*examples])
+
+
+_MEANT = {
+    **dict.fromkeys(("--output", "--reporter", "--report"), "--output-format"),
+    **{f"--{form}": f"--output-format {form}" for form in ("json", "sarif", "junit", "html", "markdown")},
+    **dict.fromkeys(("--xunit", "--xunit-file"), "--output-format junit=FILE"),
+    **dict.fromkeys(("--out", "--outfile"), "--output-file"),
+    **dict.fromkeys(("--rule", "--rules", "--enable", "--only"), "--select"),
+    **dict.fromkeys(("--disable", "--skip", "--exclude-rule"), "--ignore"),
+    **dict.fromkeys(("--severity", "--level"), "--min-severity"),
+    **dict.fromkeys(("--strict", "--fail-level", "--error-on"), "--fail-on"),
+    **dict.fromkeys(("--no-fail", "--soft-fail"), "--exit-zero"),
+    **dict.fromkeys(("--autofix", "--write", "--fix-unsafe"), "--fix"),
+    **dict.fromkeys(("--unsafe",), "--unsafe-fixes"),
+    **dict.fromkeys(("--simulator", "--consumer", "--consumers", "--targets", "--for"), "--target"),
+    **dict.fromkeys(("--arg", "--args", "--xacro-args", "--xacro-arg"), "NAME:=VALUE"),
+    **dict.fromkeys(("--workers", "--parallel", "--processes", "--threads"), "--jobs"),
+}
+"""Options of other programs → what to write here."""
+
+
+def _no_option(name: str, known: list[str]) -> str:
+    from sdfcheck.formats.near_names import nearest
+
+    meant = _MEANT.get(name, "")
+    if meant.startswith("--") and meant.partition(" ")[0] not in known:
+        meant = ""
+    meant = meant or nearest(name, known) or ""
+    return f"no such option: {name}" + (f"; try `{meant}`" if meant else "")
 
 
 def _heading(option: click.Parameter) -> str:

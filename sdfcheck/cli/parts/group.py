@@ -9,7 +9,6 @@ from typing import Any
 import click
 
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import suggestion
 
 
 class LazyCommand(NamedTuple):
@@ -55,9 +54,16 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in self._lazy and not args[0].startswith("-"):
             meant = self._meant.get(args[0].lower()) or self._for_file(args[0])
-            hint = f"; try `{meant}`" if meant else suggestion(args[0], tuple(self._lazy))
+            hint = f"; try `{meant}`" if meant else self._guess(args[0])
             ctx.fail(f"no such command: {args[0]}{hint}")
         return super().resolve_command(ctx, args)
+
+    def _guess(self, word: str) -> str:
+        """What was meant where a command, or a usual name of one, is misspelled."""
+        from sdfcheck.formats.near_names import nearest
+
+        near = nearest(word.lower(), (*self._lazy, *self._meant))
+        return "" if near is None else f"; did you mean `{self._meant.get(near, near)}`?"
 
     def _for_file(self, name: str) -> str | None:
         """The command to write where a file is named in its place."""

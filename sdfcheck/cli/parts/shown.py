@@ -8,7 +8,7 @@ import click
 
 from sdfcheck.cli.parts.options import together
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.run import Run
+from sdfcheck.lint.run import Gate, Run
 from sdfcheck.report.summary import View
 
 _SEVERITIES = click.Choice([severity.value for severity in Severity])
@@ -67,16 +67,12 @@ def view_of(request: Request, usual: Severity) -> View:
     return View(least, not request.no_fold, request.max_diagnostics)
 
 
-def exit_code(request: Request, done: Run, usual: Severity) -> int:
+def gate_of(request: Request, usual: Severity) -> Gate:
+    """What fails a run. ``usual`` is the configured severity that does."""
+    least = Severity(request.fail_on) if request.fail_on else usual
+    return Gate(least, request.fail_on_missing, request.max_warnings)
+
+
+def exit_code(request: Request, done: Run) -> int:
     """The exit code that the findings earn."""
-    if request.exit_zero:
-        return 0
-    fail_on = Severity(request.fail_on) if request.fail_on else usual
-    found = [each.severity for each in done.diagnostics if each.missing is None or request.fail_on_missing]
-    if request.max_warnings is not None:
-        if found.count(Severity.WARNING) > request.max_warnings:
-            return 1
-        found = [severity for severity in found if severity is not Severity.WARNING]
-    if request.fail_on_missing and any(each.missing is not None for each in done.diagnostics):
-        return 1
-    return int(any(severity >= fail_on for severity in found))
+    return int(not request.exit_zero and bool(done.failing))

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.rule import write_instead
 from sdfcheck.lint.run import RuleFacts
@@ -20,10 +21,19 @@ from sdfcheck.lint.suppress.comments import Comment
 from sdfcheck.lint.suppress.rules import MalformedSuppression, report
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.source.wrong_usage import nearest_choice
 
 IGNORE, DISABLE, ENABLE, IGNORE_FILE = "ignore", "disable", "enable", "ignore-file"
 VERBS = (IGNORE, DISABLE, ENABLE, IGNORE_FILE)
+
+_MEANT = {
+    **dict.fromkeys(
+        ("ignore-next-line", "disable-next-line", "ignore-line", "ignore-next", "noqa", "nolint"), IGNORE
+    ),
+    **dict.fromkeys(("off", "disable-rule", "disable-rules"), DISABLE),
+    **dict.fromkeys(("on", "enable-rule", "enable-rules"), ENABLE),
+    **dict.fromkeys(("skip-file", "disable-file", "ignore-all", "disable-all"), IGNORE_FILE),
+}
+"""Words that other linters have → the directive that does the same here."""
 
 _DIRECTIVE = r"<!--\s*(sdfcheck(?:\s*(:))?\s*([A-Za-z][\w-]*)\s*(?:(\[)([^\]]*)(\]?))?)"
 ANY_RULE = ""
@@ -96,8 +106,8 @@ def _complaint(comment: Comment, match: re.Match[str]) -> Diagnostic | None:
     """The fault that keeps a directive from being understood at all."""
     verb = match[3]
     if verb not in VERBS:
-        near, place = nearest_choice(verb, VERBS), _part(comment, match, 3)
-        guess = f", did you mean `{near}`?" if near else ""
+        near, place = _MEANT.get(verb.lower()) or nearest(verb, VERBS), _part(comment, match, 3)
+        guess = f"; did you mean `{near}`?" if near else ""
         message = f"unknown directive `{verb}`{guess}"
         return report(MalformedSuppression, place, message, fix=write_instead(near, place))
     if not match[2]:

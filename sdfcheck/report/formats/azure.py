@@ -14,16 +14,15 @@ from sdfcheck.source.visible import harmless, visible
 def render(run: Run) -> str:
     """The gravest first, because Azure shows only the first few; it knows no infos, which are lines of the log."""
     paths = Paths("BUILD_SOURCESDIRECTORY")
-    gravest_first = sorted(run.diagnostics, key=lambda diagnostic: -diagnostic.severity.rank)
-    return "".join(f"{_line(diagnostic, paths)}\n" for diagnostic in gravest_first)
+    return "".join(f"{_line(diagnostic, severity, paths)}\n" for diagnostic, severity in run.gravest_first)
 
 
-def _line(diagnostic: Diagnostic, paths: Paths) -> str:
-    if diagnostic.severity is Severity.INFO:
+def _line(diagnostic: Diagnostic, severity: Severity, paths: Paths) -> str:
+    if severity is Severity.INFO:
         return harmless(concise_line(diagnostic, paths, painter(False)))
     line, column = diagnostic.span.begin
     properties = {
-        "type": diagnostic.severity.value,
+        "type": severity.value,
         "sourcepath": visible(paths(diagnostic.span.source.path)),
         "linenumber": str(line),
         "columnnumber": str(column),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report.formats.xml_text import attributes
 from sdfcheck.report.paths import Paths
@@ -16,18 +16,18 @@ def render(run: Run) -> str:
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', '<checkstyle version="4.3">']
     for file, found in sorted(by_file.items()):
         lines.append(f"  <file{attributes(name=file)}>")
-        lines += [f"    <error{_error(diagnostic)}/>" for diagnostic in found]
+        lines += [f"    <error{_error(diagnostic, run.gate.severity(diagnostic))}/>" for diagnostic in found]
         lines.append("  </file>")
     lines.append("</checkstyle>")
     return "\n".join(lines) + "\n"
 
 
-def _error(diagnostic: Diagnostic) -> str:
+def _error(diagnostic: Diagnostic, severity: Severity) -> str:
     line, column = diagnostic.span.begin
     return attributes(
         line=line,
         column=column,
-        severity=diagnostic.severity.value,
+        severity=severity.value,
         message=diagnostic.message,
         source=f"sdfcheck.{diagnostic.code}",
     )

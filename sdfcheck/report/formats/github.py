@@ -15,16 +15,13 @@ _SHOWN = 10  # annotations that GitHub shows of one step
 def render(run: Run) -> str:
     """The gravest first, because GitHub shows only the first few."""
     paths = Paths("GITHUB_WORKSPACE")
-    lines = [
-        _command(diagnostic, paths)
-        for diagnostic in sorted(run.diagnostics, key=lambda diagnostic: -diagnostic.severity.rank)
-    ]
+    lines = [_command(diagnostic, severity, paths) for diagnostic, severity in run.gravest_first]
     if len(lines) > _SHOWN:
         lines.append(f"::notice::{len(lines) - _SHOWN} more in the log of this step")
     return "".join(f"{line}\n" for line in lines)
 
 
-def _command(diagnostic: Diagnostic, paths: Paths) -> str:
+def _command(diagnostic: Diagnostic, severity: Severity, paths: Paths) -> str:
     begin, finish = diagnostic.span.begin, diagnostic.span.finish
     properties = {
         "file": visible(paths(diagnostic.span.source.path)),
@@ -37,7 +34,7 @@ def _command(diagnostic: Diagnostic, paths: Paths) -> str:
     properties["title"] = f"{diagnostic.code} {diagnostic.name}"
     written = ",".join(f"{key}={_property(value)}" for key, value in properties.items())
     message = _message(annotation(diagnostic))
-    return f"::{_COMMANDS[diagnostic.severity]} {written}::{message}"
+    return f"::{_COMMANDS[severity]} {written}::{message}"
 
 
 def _message(text: str) -> str:

@@ -33,7 +33,7 @@ def render(run: Run) -> str:
                 "description": f"{diagnostic.code}: {diagnostic.message}",
                 "check_name": diagnostic.code,
                 "fingerprint": sha256(fingerprint).hexdigest(),
-                "severity": _SEVERITIES[diagnostic.severity],
+                "severity": _SEVERITIES[run.gate.severity(diagnostic)],
                 "location": {"path": path, "positions": {"begin": _position(begin), "end": _position(end)}},
             }
         )

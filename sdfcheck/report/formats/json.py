@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.fix import Fix
 from sdfcheck.lint.run import Run
 from sdfcheck.release import __version__
@@ -63,7 +63,12 @@ def _diagnostic(diagnostic: Diagnostic, paths: Paths, page: str | None) -> dict[
             consumer: {"verdict": reaction.verdict.value, "effect": reaction.words}
             for consumer, reaction in diagnostic.affects
         },
+        "missing": _missing(diagnostic.missing) if diagnostic.missing is not None else None,
     }
+
+
+def _missing(missing: Missing) -> dict[str, Any]:
+    return {"kind": missing.kind.name.lower(), "name": missing.name, "uses": missing.uses}
 
 
 def _place(place: Label | Origin, paths: Paths) -> dict[str, Any]:
@@ -101,4 +106,6 @@ def _summary(run: Run) -> dict[str, int]:
         "unsafe_fixes": len(fixes) - run.fixable,
         "fixed": run.fixed,
         "suppressed": run.suppressed,
+        "missing": len(run.missing),
+        "failing": len(run.failing),
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.release import HOME
 from sdfcheck.report.paths import Paths
@@ -17,18 +17,19 @@ def render(run: Run) -> str:
     result = {
         "source": {"name": "sdfcheck", "url": HOME},
         "diagnostics": [
-            _diagnostic(diagnostic, paths, pages.get(diagnostic.code)) for diagnostic in run.diagnostics
+            _diagnostic(diagnostic, run.gate.severity(diagnostic), paths, pages.get(diagnostic.code))
+            for diagnostic in run.diagnostics
         ],
     }
     return json.dumps(result, indent=2) + "\n"
 
 
-def _diagnostic(diagnostic: Diagnostic, paths: Paths, page: str | None) -> dict[str, Any]:
+def _diagnostic(diagnostic: Diagnostic, severity: Severity, paths: Paths, page: str | None) -> dict[str, Any]:
     source = diagnostic.span.source
     shown: dict[str, Any] = {
         "message": diagnostic.message,
         "location": {"path": paths(source.path), "range": _range(diagnostic.span)},
-        "severity": diagnostic.severity.name,
+        "severity": severity.name,
         "code": {"value": diagnostic.code, **({"url": page} if page else {})},
     }
     # A suggestion has no path: it can only be for the file of the diagnostic.

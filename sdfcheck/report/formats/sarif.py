@@ -43,7 +43,9 @@ def render(run: Run) -> str:
                 "columnKind": "unicodeCodePoints",
                 "automationDetails": {"id": "sdfcheck/"},
                 "results": [
-                    _result(diagnostic, indices.get(diagnostic.code), hashes, paths)
+                    _result(
+                        diagnostic, run.gate.severity(diagnostic), indices.get(diagnostic.code), hashes, paths
+                    )
                     for diagnostic in run.diagnostics
                 ],
             }
@@ -78,14 +80,18 @@ def _rule(facts: RuleFacts) -> dict[str, Any]:
 
 
 def _result(
-    diagnostic: Diagnostic, index: int | None, hashes: dict[tuple[Source, int], str], paths: Paths
+    diagnostic: Diagnostic,
+    severity: Severity,
+    index: int | None,
+    hashes: dict[tuple[Source, int], str],
+    paths: Paths,
 ) -> dict[str, Any]:
     span = diagnostic.span
     result: dict[str, Any] = {"ruleId": diagnostic.code}
     if index is not None:
         result["ruleIndex"] = index
     result |= {
-        "level": _LEVELS[diagnostic.severity],
+        "level": _LEVELS[severity],
         "message": {"text": diagnostic.message},
         "locations": [{"physicalLocation": _location(span, paths)}],
         "partialFingerprints": {"primaryLocationLineHash": hashes[span.source, span.begin.line]},

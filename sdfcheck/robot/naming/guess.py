@@ -57,10 +57,10 @@ def guess(scope: Scope, name: str, but: tuple[str, ...] = (), kind: str = "") ->
         return Guess(deeper[0])
     if (outside := _outside(scope, name)) is not None:
         return Guess(None, outside.place)
-    from sdfcheck.formats.suggest import suggest_in
+    from sdfcheck.formats.near_names import nearest
 
     candidates = (n for names in reachable.values() for n in names if fits(n))
-    return Guess(suggest_in(document, name, candidates))
+    return Guess(nearest(name, candidates, document))
 
 
 def _last(name: str) -> str:

@@ -179,10 +179,10 @@ class Mimic(_AxisPart):
         joint, model = self.joint, self.joint.model
         if not self.is_urdf or model is None:
             return joint.scope.guess(self.leader_name, but=(joint.name,), kind="joint").meant
-        from sdfcheck.formats.suggest import suggest_in
+        from sdfcheck.formats.near_names import nearest
 
         candidates = (name for name in model.joints_by_name if name != joint.name)
-        return suggest_in(self.document, self.leader_name, candidates)
+        return nearest(self.leader_name, candidates, self.document)
 
     @property
     def leads_into_ring(self) -> bool:

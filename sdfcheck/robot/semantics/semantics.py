@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.suggest import suggest_in
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.urdf.table import is_expression
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.record import NamedTuple
@@ -162,7 +162,7 @@ class Semantics:
     def guess(self, part: NamedPart) -> str | None:
         """The name that was probably meant."""
         known = {name for robot in self.robots for name in names(robot, part.kind)}
-        return suggest_in(self.document, part.value.text.strip(), known)
+        return nearest(part.value.text.strip(), known, self.document)
 
     @property
     def unknown_groups(self) -> Iterator[Value]:

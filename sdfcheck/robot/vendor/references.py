@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import chain
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.suggest import suggest_in
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.vendor.definitions import Slot, Vendor
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
@@ -67,7 +67,7 @@ class References:
         found = self.look_up(owner, slot, name)
         if found.kind in slot.references or found.kind == _UNKNOWABLE:
             return None
-        return Unresolved(slot.references, found.kind, suggest_in(self.document, name, found.candidates))
+        return Unresolved(slot.references, found.kind, nearest(name, found.candidates, self.document))
 
     def look_up(self, owner: Element, slot: Slot, name: str) -> _Found:
         own = [kind for kind in slot.references if ":" in kind]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
@@ -31,7 +32,6 @@ from sdfcheck.xacro.static.definitions import Definitions, knows_all
 from sdfcheck.xacro.static.elements import is_conditional, is_outside
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.reading import Macro, Property, Reading, own_words, place, reading
-from sdfcheck.xacro.static.suggestions import nearest
 
 _SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 _SCOPES = ("global", "local", "parent")
@@ -210,7 +210,7 @@ def _namespace(document: Document) -> Iterator[Oversight]:
     for attribute in tag.attributes:
         if attribute.name == "xmlns:xacro":
             span = document.source.span(attribute.value_start, attribute.value_end)
-            if not _CUSTOMARY.match(span.text) and nearest(span.text, (_NAMESPACE,), 0.9):
+            if not _CUSTOMARY.match(span.text) and nearest(span.text, (_NAMESPACE,)):
                 yield UnusualXacroNamespace(span, span.text, near=_NAMESPACE)
 
 

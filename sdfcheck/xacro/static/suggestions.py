@@ -5,22 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable
 
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.suggest import Effort
 from sdfcheck.source.document import Document
 from sdfcheck.source.scanner.evidence import alike
 
 _DIGIT = re.compile(r"\d")
-
-
-def nearest(name: str, candidates: Iterable[str], likeness: float = 0.75) -> str | None:
-    """The candidate that a misspelled name was meant to be, None if none is so much like it."""
-    import difflib
-
-    if len(name) < 3:
-        return None
-    pool = {candidate.casefold(): candidate for candidate in sorted(candidates)}
-    near = difflib.get_close_matches(name.casefold(), pool, n=1, cutoff=likeness)
-    return pool[near[0]] if near else None
 
 
 def guess(document: Document, name: str, known: Collection[str], *, surely: bool) -> str | None:

@@ -67,7 +67,7 @@ def test_commands_are_found_by_meaning(word: str, meant: str, capsys: pytest.Cap
 
 def test_a_misspelt_command_is_found_by_its_letters(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["lnit"]) == 2
-    assert "did you mean" in capsys.readouterr().err
+    assert "; did you mean `lint`?" in capsys.readouterr().err
 
 
 def test_config_lists_every_key(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -152,3 +152,24 @@ def test_shells_complete(words: str, number: int, offered: str) -> None:
 def test_the_script_of_a_shell(shell: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["completion", shell]) == 0
     assert "_SDFCHECK_COMPLETE" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("option", "meant"),
+    [
+        ("--json", "--output-format json"),
+        ("--reporter", "--output-format"),
+        ("--xacro-args", "NAME:=VALUE"),
+        ("--selcet", "--select"),
+    ],
+)
+def test_options_of_other_programs_lead_to_those_of_this_one(
+    option: str, meant: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["lint", option, "x"]) == 2
+    assert f"no such option: {option}; try `{meant}`" in capsys.readouterr().err
+
+
+def test_an_option_that_a_command_lacks_is_not_proposed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["diff", "--autofix", "x", "y"]) == 2
+    assert capsys.readouterr().err.endswith("no such option: --autofix\n")

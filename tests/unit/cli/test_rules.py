@@ -104,5 +104,5 @@ def test_the_engines_own_rules_are_explained(capsys: pytest.CaptureFixture[str])
 
 def test_an_unknown_rule_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["rule", "od-flaw", "--trust-config"]) == 2
-    assert capsys.readouterr().err == "error: unknown rule `od-flaw`, did you mean `odd-flaw`?\n"
+    assert capsys.readouterr().err == "error: unknown rule `od-flaw`; did you mean `odd-flaw`?\n"
     assert main(["rule"]) == 2

@@ -161,7 +161,7 @@ def test_an_input_is_never_written_over(
         (["convert", "upgrade"], "sdfcheck convert sdf-to-sdf FILE"),
         (["convert", "arm.urdf"], "sdfcheck convert urdf-to-sdf arm.urdf"),
         (["arm.urdf.xacro"], "sdfcheck lint arm.urdf.xacro"),
-        (["convert", "urdf-to-sd"], "did you mean `urdf-to-sdf`"),
+        (["convert", "urdf-to-sd"], "; did you mean `urdf-to-sdf`"),
     ],
 )
 def test_conversions_and_files_are_understood_too(
@@ -177,7 +177,7 @@ def test_targets_are_lists_with_the_same_names_everywhere(capsys: pytest.Capture
     assert {row["consumer"] for row in rows} == {"gazebo", "drake"}
     for command in ("lint", "targets"):
         assert main([command, SDF, "--target", "drak"]) == 2
-        assert "unknown target `drak`, did you mean `drake`?" in capsys.readouterr().err
+        assert "unknown target `drak`; did you mean `drake`?" in capsys.readouterr().err
 
 
 def test_a_version_is_refused_in_the_same_words_everywhere(capsys: pytest.CaptureFixture[str]) -> None:

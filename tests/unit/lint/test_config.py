@@ -150,7 +150,7 @@ def test_extending_in_a_circle_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
-        ('\nignroe = ["A"]', ":2: unknown key `ignroe`, did you mean `ignore`?"),
+        ('\nignroe = ["A"]', ":2: unknown key `ignroe`; did you mean `ignore`?"),
         ("# select\nselect = 3", ":2: `select` should be a list of rule codes, names or families"),
         ("ignore = [3]", ":1: `ignore` should be a list"),
         ('respect-gitignore = "yes"', ":1: `respect-gitignore` should be true or false"),
@@ -163,7 +163,7 @@ def test_extending_in_a_circle_is_refused(tmp_path: Path) -> None:
         ('[per-file-ignores]\n"*.sdf" = "A"', ":2: `*.sdf` of `per-file-ignores` should be a list of rule"),
         ("[packages]\nx = 3", ":2: `x` of `packages` should be a path"),
         ('[xacro]\n"a.xacro" = 3', ":2: `a.xacro` of `xacro` should be a table of texts"),
-        ('target = ["gazbo"]', ":1: unknown target `gazbo`, did you mean `gazebo`?"),
+        ('target = ["gazbo"]', ":1: unknown target `gazbo`; did you mean `gazebo`?"),
         ('exclude = [\n  "a",\n  "!",\n]', ":3: `!` is not a pattern"),
         ("extend = 3", ":1: `extend` should be a path"),
         ("max-file-size = 0", ":1: `max-file-size` should be a number of megabytes"),

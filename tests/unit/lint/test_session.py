@@ -100,7 +100,7 @@ def test_excluded_files_are_left_out(seen: list[Seen]) -> None:
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [
-        ('\nignore = ["loud-flow"]', "sdfcheck.toml:2: unknown rule `loud-flow`, did you mean `loud-flaw`?"),
+        ('\nignore = ["loud-flow"]', "sdfcheck.toml:2: unknown rule `loud-flow`; did you mean `loud-flaw`?"),
         ('[per-file-ignores]\n"never" = ["XYZ"]', "sdfcheck.toml:2: unknown rule `XYZ`"),
         ('[severity]\nXYZ001 = "off"', "sdfcheck.toml:2: unknown rule `XYZ001`"),
         ('plugins = ["gone"]', "sdfcheck.toml:1: plugin gone: not there"),

@@ -162,7 +162,7 @@ def test_words_for_rules_that_did_not_run_are_not_judged() -> None:
         (
             "<!-- sdfcheck: ignored[AAA001] -->",
             "ignored",
-            "unknown directive `ignored`, did you mean `ignore`?",
+            "unknown directive `ignored`; did you mean `ignore`?",
         ),
         ("<!-- sdfcheck: ignore AAA001 -->", "ignore", "`ignore` names no rule"),
         ("<!-- sdfcheck: disable -->", "disable", "`disable` names no rule"),
@@ -172,7 +172,7 @@ def test_words_for_rules_that_did_not_run_are_not_judged() -> None:
         (
             "<!-- sdfcheck: ignore[frist-flaw] -->",
             "frist-flaw",
-            "unknown rule `frist-flaw`, did you mean `first-flaw`?",
+            "unknown rule `frist-flaw`; did you mean `first-flaw`?",
         ),
         ("<!-- sdfcheck: ignore[AAA001; AAA002] -->", "AAA001; AAA002", "unknown rule"),
     ],

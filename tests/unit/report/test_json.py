@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck import __version__
+from sdfcheck.lint.diagnostic import Missing, MissingKind
 from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat, render
 from tests.unit.report.runs import diagnostic, facts, parsed, rich_diagnostic, run
@@ -38,6 +39,7 @@ def test_json_of_a_diagnostic() -> None:
             "drake": {"verdict": "reject", "effect": "aborts"},
             "gazebo": {"verdict": "warn", "effect": "ignores it"},
         },
+        "missing": None,
     }
 
 
@@ -64,8 +66,20 @@ def test_json_of_a_run() -> None:
             "unsafe_fixes": 0,
             "fixed": 0,
             "suppressed": 2,
+            "missing": 0,
+            "failing": 1,
         },
     }
+
+
+def test_json_says_what_is_only_not_on_this_computer() -> None:
+    lacking = diagnostic("«a»", missing=Missing(MissingKind.PACKAGE, "arm_description", 3))
+    log = parsed(OutputFormat.JSON, lacking, diagnostic("«b»"))
+    assert [each["missing"] for each in log["diagnostics"]] == [
+        {"kind": "package", "name": "arm_description", "uses": 3},
+        None,
+    ]
+    assert (log["summary"]["missing"], log["summary"]["failing"]) == (1, 1)
 
 
 def test_json_has_every_key_also_when_there_is_nothing_to_say() -> None:

@@ -19,8 +19,8 @@ NESTED = """<sdf version="1.12"><world name="w"><frame name="outer"/>
     ("reference", "but", "kind", "meant", "outside"),
     [
         ("base_lnk", (), "", "base_link", None),
-        ("base_lnt", (), "link", "base_link", None),
-        ("base_lnk", ("base_link",), "", "base_lint", None),
+        ("base_lint", (), "link", "base_link", None),
+        ("base_lnk", ("base_link",), "", None, None),
         ("hand", (), "", "arm::hand", None),
         ("grip", (), "", None, None),
         ("outer", (), "", None, "outer"),

@@ -174,7 +174,7 @@ def test_leaders() -> None:
     (odd,) = chain("", '<mimic joint="j0" axis="axis3"/>')
     (link,) = chain('<mimic joint="base"/>')
     assert {each.code for each in (unknown, axis, odd, link)} == {"JNT009"}
-    assert "did you mean `j1`?" in unknown.message
+    assert "`j1` differs in case only" in unknown.message
     assert (axis.span.text, odd.span.text) == ("axis2", "axis3")
     assert "`base`, which is not a joint of its model" in link.message
 

@@ -1,0 +1,71 @@
+"""The name that was probably meant by one that does not exist: of links, packages, commands, options, rules."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from sdfcheck.formats.suggest import distance, suggest, suggest_in
+
+if TYPE_CHECKING:
+    from sdfcheck.source.document import Document
+
+_WORD = re.compile(r"[^\W\d_]+|\d+")
+_LONG = 4
+"""Letters of a word of which others are taken for misspellings: `arm` and `arc` are two names."""
+_TRIES = 3
+
+
+def nearest(name: str, candidates: Iterable[str], document: Document | None = None) -> str | None:
+    """The candidate that a misspelled name was meant to be, or None.
+
+    The parts in which the two differ must be misspellings of each other: ``panda_description`` is not near
+    ``gen_description``, ``left_wheel`` not near ``right_wheel``, ``d415`` not near ``d435``. Given its
+    ``document``, the guesses at the names of one document come to an end.
+    """
+    pool = list(dict.fromkeys(candidates))
+    for _ in range(_TRIES):
+        near = suggest(name, pool) if document is None else suggest_in(document, name, pool)
+        if near is None or _is_misspelling(name, near):
+            return near
+        pool.remove(near)
+    return None
+
+
+def did_you_mean(name: str, candidates: Iterable[str]) -> str:
+    """``; did you mean `x`?`` for the nearest candidate, or nothing."""
+    near = nearest(name, candidates)
+    return f"; did you mean `{near}`?" if near else ""
+
+
+def is_same_but_case(name: str, other: str) -> bool:
+    """Do two different names have the same letters?"""
+    return name != other and name.casefold() == other.casefold()
+
+
+def _is_misspelling(name: str, other: str) -> bool:
+    own, others = _WORD.findall(name.casefold()), _WORD.findall(other.casefold())
+    if "".join(own) == "".join(others):
+        return True
+    count = len(others)
+    while own and others and own[0] == others[0]:
+        del own[0], others[0]
+    while own and others and own[-1] == others[-1]:
+        del own[-1], others[-1]
+    has_context = len(others) < count
+    if len(own) != len(others):
+        own, others = ["".join(own)], ["".join(others)]
+    return all(_is_near(*pair, has_context) for pair in zip(own, others, strict=True))
+
+
+def _is_near(word: str, other: str, has_context: bool) -> bool:
+    """Numbers are near when they are equal, short words when one has a letter more and the words around agree."""
+    if word.isdigit() or other.isdigit():
+        return word.isdecimal() and other.isdecimal() and int(word) == int(other)
+    if word == other:
+        return True
+    if len(other) < _LONG:
+        is_letter_more = abs(len(word) - len(other)) == 1 and distance(word, other) == 1
+        return has_context and len(other) > 2 and is_letter_more
+    return suggest(word, (other,)) is not None
