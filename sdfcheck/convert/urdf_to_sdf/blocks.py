@@ -23,6 +23,7 @@ def copied_entry(context: Context, entry: Element, holder: Node) -> Node:
     """The copy of an entry of a block, entered as such; ``holder`` is where it goes."""
     made = context.copied(entry)
     context.ledger.copy(entry)
+    context.copies.append((entry, made, holder))
     _settle_names(context, entry, made, holder)
     if renew(made, context.options.version):
         text = f"the noise of {entry.title} is written for each axis, as SDFormat has it since 1.6"

@@ -36,6 +36,10 @@ class Context:
     joints: dict[str, Node] = field(default_factory=dict)
     came_from: dict[int, str] = field(default_factory=dict)
     """The link (of the source) that a written shape came from, by the identity of its node."""
+    shapes: dict[Element, tuple[Node, Node]] = field(default_factory=dict)
+    """The visuals and collisions of the source → the link and the element that were written for each."""
+    copies: list[tuple[Element, Node, Node]] = field(default_factory=list)
+    """The elements of blocks that were copied, their copies, and what holds these."""
     own_links: set[str] = field(default_factory=set)
     """Links that only <gazebo> blocks have."""
     dropped_shapes: set[str] = field(default_factory=set)

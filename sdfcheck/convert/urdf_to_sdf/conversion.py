@@ -11,6 +11,7 @@ from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.extensions import Extensions
+from sdfcheck.convert.urdf_to_sdf.followed_names import FollowedNames
 from sdfcheck.convert.urdf_to_sdf.joints import Joints
 from sdfcheck.convert.urdf_to_sdf.links import Links
 from sdfcheck.convert.urdf_to_sdf.materials import Materials
@@ -18,7 +19,6 @@ from sdfcheck.convert.urdf_to_sdf.naming import WORLD, legal
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_back
 from sdfcheck.convert.urdf_to_sdf.plan import plan
-from sdfcheck.convert.urdf_to_sdf.plugin_names import PluginNames
 from sdfcheck.convert.urdf_to_sdf.vendor_frictions import keep_frictions_of_drake
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
 from sdfcheck.convert.writer import (
@@ -144,10 +144,12 @@ class _Writer:
             else:
                 self._entry(entry)
         self._drive()
-        extensions, plugin_names = Extensions(self.context), PluginNames(self.context)
+        extensions = Extensions(self.context)
         for block in later:
             extensions.apply(block, self.model)
-            plugin_names.report(block)
+        names = FollowedNames(self.context, root_of(self.root.document).models[0])
+        for copy in self.context.copies:
+            names.follow(*copy)
         keep_frictions_of_drake(self.context, self.root)
         self.materials.close()
         self._declare()

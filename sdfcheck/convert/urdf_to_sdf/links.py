@@ -129,6 +129,7 @@ class Links:
         shape, name = held
         node = link.add(part.name, None, name=self._name(part, survivor))
         context.came_from[id(node)] = link_of(part)
+        context.shapes[part] = link, node
         context.ledger.take(part)
         context.carry_attributes(part, node)
         context.carry_comments(part, node)

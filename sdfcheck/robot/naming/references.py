@@ -36,7 +36,7 @@ _URDF_JOINTS = frozenset(("transmission", "ros2_control"))
 _OF_JOINTS = _URDF_JOINTS | {"mimic"}
 
 _IN_STATES = frozenset(("model", "link", "joint", "model_state", "link_state", "joint_state"))
-_NAMING = re.compile(r"link|joint|frame|body|model", re.IGNORECASE)
+NAMING = re.compile(r"link|joint|frame|body|model", re.IGNORECASE)
 """Parameters of plugins that are called so are taken for names, where there is a node of that name."""
 
 
@@ -107,7 +107,7 @@ def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:
     for element in waiting:
         children = list(element.children())
         waiting += children
-        if not children and element.content and _NAMING.search(element.name):
+        if not children and element.content and NAMING.search(element.name):
             yield plugin.element, element.own_value
 
 

@@ -1,0 +1,71 @@
+"""Names in the content of ``<gazebo>`` blocks lead to what the result calls them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.convert.result import Conversion
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
+from sdfcheck.source.document import read
+from sdfcheck.source.sniff import Kind
+
+_MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+_BOX = '<geometry><box size="1 1 1"/></geometry>'
+
+
+def converted(content: str, options: Options | None = None) -> Conversion:
+    text = f'<robot name="r">{content}</robot>'
+    return urdf_to_sdf(read(text.encode(), Path("r.urdf"), Kind.URDF), options or Options())
+
+
+def contact(link: str, collision: str) -> str:
+    sensor = f'<sensor name="s" type="contact"><contact><collision>{collision}</collision></contact></sensor>'
+    return f'<gazebo reference="{link}">{sensor}</gazebo>'
+
+
+@pytest.mark.parametrize(
+    ("collisions", "named", "written"),
+    [
+        ('<collision name="sole">', "foot_fixed_joint_lump__sole_collision", "sole"),
+        ("<collision>", "foot_collision", "foot_collision"),
+        (f"<collision>{_BOX}</collision><collision>", "foot_collision_1", "foot_collision_1"),
+        (f'<collision name="a">{_BOX}</collision><collision name="b">',
+         "foot_fixed_joint_lump__b_collision_1", "b"),
+        ('<collision name="sole">', "sole", "sole"),
+    ],
+)  # fmt: skip
+def test_contact_sensors_find_their_collision(collisions: str, named: str, written: str) -> None:
+    link = f'<link name="foot">{_MASS}{collisions}{_BOX}</collision></link>'
+    text = converted(link + contact("foot", named)).text
+    assert f"<collision>{written}</collision>" in text
+    assert f'<collision name="{written}">' in text
+
+
+def test_a_collision_of_another_link_is_reported() -> None:
+    links = f'<link name="leg">{_MASS}</link><link name="foot">{_MASS}<collision>{_BOX}</collision></link>'
+    joint = '<joint name="j" type="fixed"><parent link="leg"/><child link="foot"/></joint>'
+    sensor = contact("leg", "leg_fixed_joint_lump__foot_collision")
+    done = converted(links + joint + sensor)
+    assert [loss.message for loss in done.losses] == [
+        "sensor `s` gets no contacts: collision `foot_collision` is in link `foot`"
+    ]
+    merged = converted(links + joint + sensor, Options(fixed_joints=FixedJoints.MERGE))
+    assert "<collision>foot_collision</collision>" in merged.text
+
+
+def test_plugins_of_a_merged_link_get_its_offset() -> None:
+    links = f'<link name="base">{_MASS}</link><link name="imu"/>'
+    joint = (
+        '<joint name="j" type="fixed"><parent link="base"/><child link="imu"/>'
+        '<origin xyz="1 0 0" rpy="0 0 1.5707963267948966"/></joint>'
+    )
+    plugin = '<plugin name="p" filename="p.so"><bodyName>imu</bodyName><xyzOffset>0 2 0</xyzOffset></plugin>'
+    done = converted(f"{links}{joint}<gazebo>{plugin}</gazebo>")
+    assert "<bodyName>base</bodyName>" in done.text
+    assert "<xyzOffset>-1 0 0</xyzOffset>" in done.text
+    assert "<rpyOffset>0 0 1.5707963267948966</rpyOffset>" in done.text
+    assert done.verification is not None
+    assert done.verification.is_equal, done.verification.differences
