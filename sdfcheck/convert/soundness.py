@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.consumers.reaction import READS, Consumer, Verdict
 from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.obstacles import OWN_CONSUMER
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
@@ -41,6 +42,38 @@ def new_errors(
         if (one.code, one.message) not in said
     }
     return [*known, *map(to_diagnostic, sorted(losses, key=lambda loss: (loss.span.start, loss.message)))]
+
+
+def refused(found: Iterable[Diagnostic], consumers: Iterable[Consumer]) -> list[tuple[Consumer, Diagnostic]]:
+    """The findings for which consumers refuse a file."""
+    wanted = {consumer.value: consumer for consumer in consumers}
+    return [
+        (wanted[name], one)
+        for one in found
+        for name, reaction in one.affects
+        if name in wanted and reaction.verdict is Verdict.REJECT
+    ]
+
+
+def new_refusals(
+    source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
+) -> tuple[list[Diagnostic], tuple[Consumer, Diagnostic] | None]:
+    """What the consumers of a result say of it.
+
+    The errors for which they refuse the result, though they read the source; or the finding for which they
+    refuse both.
+    """
+    consumers = [consumer for consumer, kinds in READS.items() if result.kind.value in kinds]
+    consumers = [one for one in consumers if one in OWN_CONSUMER.values()]
+    known = {consumer for consumer, _ in refused(before, consumers)}
+    found = refused(after, consumers)
+    losses = {
+        loss_at(_counterpart(source, result, one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
+        for consumer, one in found
+        if consumer not in known
+    }
+    ordered = sorted(losses, key=lambda loss: (loss.span.start, loss.message))
+    return [to_diagnostic(loss) for loss in ordered], found[0] if found and not losses else None
 
 
 def _is_for_the_result(source: Document, error: Diagnostic) -> bool:

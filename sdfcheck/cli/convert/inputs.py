@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.cli.convert.places import Source
 from sdfcheck.cli.parts.descriptions import Around, chosen_arguments, expander_for
-from sdfcheck.convert.soundness import means_another_robot, new_errors
+from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.convert.soundness import means_another_robot, new_errors, new_refusals
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import Settings
@@ -41,6 +42,13 @@ class Input(NamedTuple):
     """The encoding of its bytes, if that is not plain UTF-8."""
     found: Sequence[Diagnostic] | None = None
     """All that the configured rules find in it; None if nobody has looked."""
+
+
+class Judgement(NamedTuple):
+    """The verdict on a result: the errors for which it is not written, or why a consumer refuses it like the source."""
+
+    errors: Sequence[Diagnostic] = ()
+    refusal: tuple[Consumer, Diagnostic] | None = None
 
 
 class OtherKind(WrongUsage):
@@ -127,11 +135,11 @@ class Reader:
         stopping = obstacles(found, own_consumer(document), ELSEWHERE)
         return Input(file, document, shown, stopping, found=found)
 
-    def judge(self, given: Input, result: Document) -> list[Diagnostic]:
-        """The errors for which a result is not written; none if nobody has looked at the source."""
+    def judge(self, given: Input, result: Document) -> Judgement:
+        """The verdict on a result; a good one if nobody has looked at the source."""
         source = given.document
         if given.found is None or source is None:
-            return []
+            return Judgement()
         settings = self._around.settings_for(given.file)
         dispatch = self._book.dispatch(settings, given.file, tuple(ELSEWHERE))
         after = lint_document(result, dispatch)
@@ -140,7 +148,9 @@ class Reader:
             # An included file may have the same faults in the source.
             before = [*given.found, *(one for other in brought for one in lint_document(other, dispatch))]
             found = new_errors(source, before, result, after)
-        return found
+        if found:
+            return Judgement(found)
+        return Judgement(*new_refusals(source, given.found, result, after))
 
 
 def _unexpanded(judged: Input) -> Input:

@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.cli.convert.options import Request
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.cli.convert.inputs import Input
+    from sdfcheck.cli.convert.inputs import Input, Judgement
     from sdfcheck.convert.result import Conversion
     from sdfcheck.convert.verification import Verification
     from sdfcheck.lint.diagnostic import Diagnostic
@@ -19,6 +20,10 @@ if TYPE_CHECKING:
 
     Convert = Callable[[Document, bool], Conversion]
     """Converts a document; compares the result with it if the second argument is true."""
+
+
+PARSERS = {Consumer.GAZEBO: "libsdformat", Consumer.URDFDOM: "urdfdom"}
+"""The parsers of the consumers that a result is for."""
 
 
 class Outcome(NamedTuple):
@@ -42,18 +47,21 @@ class Outcome(NamedTuple):
     """The library that has read the URDF as well."""
     encoding: str = ""
     """That of the source, where the result has another."""
+    refusal: tuple[Consumer, Diagnostic] | None = None
+    """A consumer that refuses the result, like the source, and why."""
 
-    def judged(self, errors: Sequence[Diagnostic]) -> Outcome:
-        """With the errors for which the result is not written."""
+    def judged(self, judgement: Judgement) -> Outcome:
+        """With what the consumers of the result say of it."""
+        errors = judgement.errors
         if not errors:
-            return self
+            return self._replace(refusal=judgement.refusal)
         new = [one for one in errors if one not in self.errors]
         return self._replace(losses=[*self.losses, *new], failed=True, stopping=errors)
 
     @property
     def has_losses(self) -> bool:
         """Whether anything is worse than worth knowing."""
-        return any(one.severity.value != "info" for one in self.losses)
+        return self.refusal is not None or any(one.severity.value != "info" for one in self.losses)
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -65,13 +73,20 @@ class Outcome(NamedTuple):
         if self.failed:
             return "; ".join(filter(None, ("not converted, nothing written", self.way_out)))
         if self.verification is not None:
-            return f"verified: {self.verification}" + (
-                f", poses also by {self.also_by}" if self.also_by else ""
-            )
+            text = f"verified: {self.verification}"
+            text += f", poses also by {self.also_by}" if self.also_by else ""
+            return text + self._refused
         if self.broken is not None:
             line, column = self.broken.begin
             return f"not verified: the text is broken at {line}:{column}; `sdfcheck lint` says how"
         return "not verified"
+
+    @property
+    def _refused(self) -> str:
+        if self.refusal is None:
+            return ""
+        consumer, why = self.refusal
+        return f"; {PARSERS[consumer]} refuses it, as it does the source: {why.message} ({why.code})"
 
     @property
     def reason(self) -> str:

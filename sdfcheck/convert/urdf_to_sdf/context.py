@@ -40,6 +40,8 @@ class Context:
     """The visuals and collisions of the source → the link and the element that were written for each."""
     copies: list[tuple[Element, Node, Node]] = field(default_factory=list)
     """The elements of blocks that were copied, their copies, and what holds these."""
+    own_names: dict[str, str] = field(default_factory=dict)
+    """Names of links, joints, frames and models of blocks, and those that they get."""
     own_links: set[str] = field(default_factory=set)
     """Links that only <gazebo> blocks have."""
     dropped_shapes: set[str] = field(default_factory=set)

@@ -125,6 +125,7 @@ class Extensions:
         if entry.name == "link":
             self.context.own_links.add(name)
         if name != own:
+            self.context.own_names[own] = name
             text = f"{entry.title} of a <gazebo> block is named `{name}`"
             self.context.note(entry, LossKind.RENAMED, text)
 
@@ -228,6 +229,10 @@ class _LinkPart:
         return parts
 
     def _script(self, entry: Element, link: Node) -> None:
+        if not text_of_setting(entry):
+            text = "<material> of a block is the name of a script, and this one has none; it is left out"
+            self.context.lose(entry, LossKind.CHANGED_MATERIAL, text)
+            return
         self.context.ledger.take(entry, TEXT, "value")
         visuals = self._some_parts(entry, link, "visual")
         for visual in visuals:

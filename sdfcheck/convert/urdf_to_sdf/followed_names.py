@@ -24,6 +24,7 @@ from sdfcheck.source.element import Element
 
 _WITH_OFFSET = ("bodyName", "frameName")
 """Parameters of plugins in which the name of a link is rewritten."""
+_ENDS = ("parent", "child")
 _ORIGIN = ("xyzOffset", "rpyOffset")
 
 
@@ -64,6 +65,15 @@ class FollowedNames:
                 self._follow_collisions(element, node, holder)
             elif element.name == "plugin":
                 self._follow_parameters(element, node)
+            elif element.name in _ENDS:
+                self._follow_scope(element, node)
+
+    def _follow_scope(self, end: Element, made: Node) -> None:
+        """Rewrite the end of a joint in a model of a block that has got another name."""
+        own, delimiter, rest = end.content.partition("::")
+        if delimiter and own in self.context.own_names:
+            made.text = f"{self.context.own_names[own]}::{rest}"
+            self.context.note(end, LossKind.RENAMED, f"`{end.content}` is now `{made.text}`", Severity.INFO)
 
     def _follow_collisions(self, contact: Element, made: Node, holder: Node) -> None:
         for element, node in zip(contact.children("collision"), made.elements("collision"), strict=False):
@@ -122,7 +132,8 @@ class FollowedNames:
         place = offset @ transform(from_rpy(*values[1]), values[0])
         if np.array_equal(place, np.eye(4)):
             return
-        for name, one, value in zip(_ORIGIN, given, (place[:3, 3], to_rpy(place[:3, :3])), strict=True):
+        rows = (tuple(map(float, place[:3, 3])), to_rpy(place[:3, :3]))
+        for name, one, value in zip(_ORIGIN, given, rows, strict=True):
             made.reach(name).text = numbers(value)
             if one is not None:
                 text = f"<{name}> of {plugin.title} is from the link that is left"

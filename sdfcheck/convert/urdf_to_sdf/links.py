@@ -162,8 +162,12 @@ class Links:
     def _mesh(self, shape: Element, node: Node) -> None:
         node.add("uri", self.uri(shape, shape.attributes.get("filename", "").strip()))
         scale = spaced(shape.attributes.get("scale", ""))
-        if scale:
+        values = floats(scale) or ()
+        if len(values) == len("xyz"):
             node.add("scale", scale)
+        elif scale:
+            message = f"scale `{scale}` is left out: it is not three numbers, and urdfdom does not read it"
+            self.context.ledger.lose_attribute(shape, "scale", message)
 
     def _has_size(self, shape: Element, name: str) -> bool:
         """Is every size of a shape above 0? libsdformat takes 1 m for any other."""

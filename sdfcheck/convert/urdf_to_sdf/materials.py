@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.context import Context
-from sdfcheck.convert.writer import Node, spaced
+from sdfcheck.convert.writer import Node, numbers, spaced
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
 
@@ -41,7 +42,7 @@ class Materials:
             self._report_other(used, found)
         node = visual.add("material")
         color, texture = found.find("color"), found.find("texture")
-        rgba = spaced(color.attributes.get("rgba", "")) if color is not None else ""
+        rgba = self._bounded(color) if color is not None else ""
         if rgba:
             node.add("ambient", rgba)
             self.context.carry(color, node.add("diffuse", rgba))
@@ -53,6 +54,17 @@ class Materials:
             self.context.carry(part, node)
         if not node.children and not node.attributes:
             visual.children.remove(node)
+
+    def _bounded(self, color: Element) -> str:
+        """The numbers of a color; those out of range, which libsdformat refuses, are the nearest in it."""
+        text = spaced(color.attributes.get("rgba", ""))
+        values = floats(text)
+        if values is None or all(0 <= value <= 1 for value in values):
+            return text
+        inside = numbers(min(max(value, 0.0), 1.0) for value in values)
+        message = f"color {text} becomes {inside}: SDFormat has numbers from 0 to 1 only"
+        self.context.note(color, LossKind.CHANGED_MATERIAL, message)
+        return inside
 
     def _report_other(self, used: Element, found: Element) -> None:
         """A material that is defined once more."""

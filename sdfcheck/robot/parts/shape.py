@@ -100,11 +100,17 @@ class Geometry(Part):
 
     @property
     def measures(self) -> tuple[float, ...]:
-        """All numbers of the shape in one row: the radius and the length of a cylinder, the scale of a mesh."""
+        """All numbers of the shape in one row: the radius and the length of a cylinder, the scale of a mesh.
+
+        Of a row that has another length than it should, the default, if there is one.
+        """
         if self.shape == "drake:ellipsoid":
             return tuple(float(self._measure(name)) for name in "abc")
         defaults = _DEFAULT_SIZES.get(self.meant, {})
-        return tuple(n for name in defaults for n in self._measures(name) or defaults[name])
+        rows = ((tuple(self._measures(name)), default) for name, default in defaults.items())
+        return tuple(
+            n for row, default in rows for n in (row if len(row) == len(default) else default or row)
+        )
 
     @lazy
     def solid(self) -> Solid | None:

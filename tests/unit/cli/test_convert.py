@@ -6,6 +6,9 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
+from sdfcheck.convert.urdf_to_sdf.joints import Joints
+from sdfcheck.convert.writer import Node
+from sdfcheck.robot.motion.mechanism import Joint
 
 BOX = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 ROBOT = f'<robot name="r"><link name="a">{BOX}</link></robot>\n'
@@ -232,9 +235,32 @@ def test_errors_that_urdfdom_does_not_mind_are_shown_and_do_not_stop(
 ) -> None:
     urdf.write_text(ROBOT.replace('izz="1"', 'izz="5"'))
     target = tmp_path / "r.sdf"
-    assert run(urdf, "-o", target, "--strict", "--output-format", "concise") == 0
-    assert "no body has these principal moments" in capsys.readouterr().out
+    assert run(urdf, "-o", target, "--output-format", "concise") == 0
+    done = capsys.readouterr()
+    assert "no body has these principal moments" in done.out
+    assert "; libsdformat refuses it, as it does the source: no body has these principal" in done.err
     assert target.exists()
+    assert run(urdf, "-o", target, "--strict") == 1
+
+
+def test_a_result_that_its_consumer_refuses_although_it_reads_the_source_is_not_written(
+    urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write = Joints.write
+
+    def without_axis(self: Joints, joint: Joint, model: Node) -> None:
+        write(self, joint, model)
+        axis = self.context.joints[joint.name].find("axis")
+        if axis is not None:
+            axis.children.clear()
+
+    monkeypatch.setattr(Joints, "write", without_axis)
+    hinge = f'<link name="b">{BOX}</link><joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'
+    urdf.write_text(ROBOT.replace("</robot>", f"{hinge}</robot>"))
+    target = tmp_path / "r.sdf"
+    assert run(urdf, "-o", target, "--sdf-version", "1.4", "--no-verify") == 1
+    assert "CNV031" in capsys.readouterr().out
+    assert not target.exists()
 
 
 def test_the_configuration_says_which_errors_count(urdf: Path, tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck import Unreadable, load
+from sdfcheck import NotConvertible, Unreadable, load
 from sdfcheck.cli.main import main
 from sdfcheck.convert.call import convert
 
@@ -143,8 +143,9 @@ def test_broken_text_is_not_verified(
     assert "\nverified" not in f"\n{err}"
 
 
-def test_a_program_gets_no_verification_of_broken_text() -> None:
-    assert convert(ILL, "sdf").verification is None
+def test_a_program_gets_no_conversion_of_text_that_its_consumer_refuses() -> None:
+    with pytest.raises(NotConvertible, match="never closed"):
+        convert(ILL, "sdf")
     assert convert(SDF, "sdf").verification is not None
 
 

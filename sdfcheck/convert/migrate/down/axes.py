@@ -68,6 +68,8 @@ def _write(migration: Migration, axis: Node, turn: Array, flag: str) -> None:
         text = xyz.content if xyz is not None and xyz.content else "0 0 1"
         turned = turn @ np.array([float(part) for part in text.split()])
         (xyz or axis.add("xyz")).write(numbers.vector(turned))
+    elif xyz is None and migration.goes_below(5):
+        axis.add("xyz").write("0 0 1")  # the default since 1.5; before, there must be one
     if flag and old is None:
         added = Node(_FLAG)
         added.parts.append(flag)

@@ -12,15 +12,21 @@ _NAMED = ("link", "joint", "frame", "model")
 _ENDS = ("parent", "child", "gripper_link", "palm_link")
 
 
-def rename_clashing_joints(migration: Migration) -> None:
-    """The links, joints, frames and models of a model share one name space."""
+def rename_clashing(migration: Migration) -> None:
+    """The links, joints, frames and models of a model share one name space, as models and frames of a world do.
+
+    libsdformat renames the joint, then the frame; references go on to name the other part.
+    """
     for model in migration.root.of("model", "world"):
-        taken = {child.get("name") for child in _named(model) if child.name != "joint"}
-        for joint in model.children("joint"):
-            name = joint.get("name")
-            if name and name in taken:
-                new = _rename(migration, model, joint, "the name is taken")
-                migration.renamed_joints[_prefix(model) + name] = _prefix(model) + new
+        taken = {child.get("name") for child in _named(model) if child.name in {"link", "model"}}
+        for kind in ("joint", "frame"):
+            for child in model.children(kind):
+                name = child.get("name")
+                if name and name in taken:
+                    new = _rename(migration, model, child, "the name is taken")
+                    if kind == "joint":
+                        migration.renamed_joints[_prefix(model) + name] = _prefix(model) + new
+            taken |= {child.get("name") for child in model.children(kind)}
 
 
 def rename_reserved(migration: Migration) -> None:

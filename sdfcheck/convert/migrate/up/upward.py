@@ -12,7 +12,7 @@ from sdfcheck.convert.migrate.defaults import write_defaults
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.node import Node
 from sdfcheck.convert.migrate.up.conversions import convert_to
-from sdfcheck.convert.migrate.up.new_names import rename_clashing_joints, rename_reserved
+from sdfcheck.convert.migrate.up.new_names import rename_clashing, rename_reserved
 from sdfcheck.convert.migrate.up.unflatten import unflatten
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
@@ -157,7 +157,7 @@ _BEFORE = {
     7: (
         _fold_inner_frames,
         rename_reserved,
-        rename_clashing_joints,
+        rename_clashing,
         _move_moved_elements,
         _look_for_lost_ends,
     ),
