@@ -334,6 +334,38 @@ def gaz_unknown_sensor_frame__foreign(sensor):
 def GAZ012_applies(sensor):
     return sensor.is_extension and any(gaz_unknown_sensor_frame__foreign(sensor))
 
+gaz_repeated_setting__SETTINGS = frozenset('\n    cfmDamping dampingFactor fdir1 fudgeFactor gravity implicitSpringDamper kd kp laserRetro material maxContacts maxVel\n    minDepth mu1 mu2 provideFeedback selfCollide springReference springStiffness static stopCfm stopErp turnGravityOff\n    '.split())
+
+def gaz_repeated_setting__is_same(one, other):
+    try:
+        return float(one) == float(other)
+    except ValueError:
+        truths = {'1': 'true', '0': 'false', 'yes': 'true'}
+        return truths.get(one.lower(), one.lower()) == truths.get(other.lower(), other.lower())
+
+def gaz_repeated_setting__text(setting):
+    return str(setting.get('value') or setting.content).strip()
+
+def gaz_repeated_setting__repeated(block):
+    given = [child for child in block.children() if child.name in gaz_repeated_setting__SETTINGS]
+    if not given:
+        return []
+    before = {}
+    for other in block.model.blocks_by_reference.get(block.reference, ()):
+        if other is block:
+            break
+        before.update({child.name: child for child in other.children() if child.name in gaz_repeated_setting__SETTINGS})
+    found = []
+    for child in given:
+        first = before.get(child.name)
+        if first is not None and (not gaz_repeated_setting__is_same(gaz_repeated_setting__text(first), gaz_repeated_setting__text(child))):
+            found.append((first, child))
+        before[child.name] = child
+    return found
+
+def GAZ013_applies(block):
+    return bool(gaz_repeated_setting__repeated(block))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
 
@@ -1162,16 +1194,15 @@ def RES014_applies(plugin):
     return bool(plugin.unresolved or any(res_unknown_plugin_reference__merged(plugin)))
 
 def RES015_applies(plugin):
-    return plugin.meant_file is not None
+    is_gone = plugin.known is not None and bool(plugin.known.last) and ('ignition' not in plugin.filename)
+    return is_gone or plugin.meant_file is not None
 
 res_plugin_name_mismatch__GZ_SIM = 'gz-sim'
 
 def RES016_applies(plugin):
     if not plugin.name or plugin.known is None or plugin.known.generation != res_plugin_name_mismatch__GZ_SIM:
         return False
-    if plugin.name.startswith('ignition::') or '$' in plugin.name:
-        return False
-    return not plugin.known.is_class(plugin.name)
+    return '$' not in plugin.name and (not plugin.known.is_class(plugin.name))
 
 def res_repeated_system__distinction(plugin):
     texts = (plugin.get('robotNamespace'), plugin.get('namespace'), plugin.get('controller_manager_name'))
@@ -1210,6 +1241,12 @@ def res_unknown_performer__unknown(plugin):
 
 def RES020_applies(plugin):
     return any((True for _ in res_unknown_performer__unknown(plugin)))
+
+def RES021_applies(plugin):
+    return bool(plugin.missing_parameters)
+
+def RES022_applies(plugin):
+    return bool(plugin.repeated_parameters)
 
 def SCH001_applies(root):
     if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):
@@ -1364,9 +1401,13 @@ def sch_empty_trajectory__is_empty(trajectory):
 def SCH029_applies(actor):
     return any(map(sch_empty_trajectory__is_empty, actor.trajectories))
 
+sch_blank_in_topic__QUOTES = ("'", '"')
+
 def sch_blank_in_topic__topic(sensor):
     value = sensor.value('topic')
-    return value if value is not None and len(value.text.split()) > 1 else None
+    if value is None or '$' in value.text:
+        return None
+    return value if len(value.text.split()) > 1 or any((mark in value.text for mark in sch_blank_in_topic__QUOTES)) else None
 
 def SCH030_applies(sensor):
     return sensor.has('topic') and sch_blank_in_topic__topic(sensor) is not None
@@ -1403,6 +1444,12 @@ def SRD005_applies(semantics):
 
 def SRD006_applies(semantics):
     return any((semantics.outside(each) is not None for each in semantics.state_values))
+
+def SRD007_applies(semantics):
+    return bool(semantics.strangers) or semantics.namesake is not None
+
+def SRD008_applies(semantics):
+    return any((True for _ in semantics.misplaced_virtual_joints))
 
 def URD003_applies(robot):
     return any((len(group) > 1 for group in robot.tree.loose_groups))
@@ -1586,6 +1633,7 @@ CONDITIONS = {
     'GAZ010': GAZ010_applies,
     'GAZ011': GAZ011_applies,
     'GAZ012': GAZ012_applies,
+    'GAZ013': GAZ013_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -1692,6 +1740,8 @@ CONDITIONS = {
     'RES018': RES018_applies,
     'RES019': RES019_applies,
     'RES020': RES020_applies,
+    'RES021': RES021_applies,
+    'RES022': RES022_applies,
     'SCH001': SCH001_applies,
     'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,
@@ -1713,6 +1763,8 @@ CONDITIONS = {
     'SRD004': SRD004_applies,
     'SRD005': SRD005_applies,
     'SRD006': SRD006_applies,
+    'SRD007': SRD007_applies,
+    'SRD008': SRD008_applies,
     'URD003': URD003_applies,
     'URD004': URD004_applies,
     'URD005': URD005_applies,

@@ -61,14 +61,14 @@ class FrameIdSpelling(Rule):
             scaffold=TWELVE,
         ),
         Bad(
-            "<«ignition_frame_id»>imu</ignition_frame_id>",
-            fixed="<gz_frame_id>imu</gz_frame_id>",
+            "<«ignition_frame_id»>base</ignition_frame_id>",
+            fixed="<gz_frame_id>base</gz_frame_id>",
             scaffold=ROBOT,
         ),
     )
     good = (
         Good("<frame_id>imu</frame_id>", scaffold=TWELVE),
-        Good("<gz_frame_id>imu</gz_frame_id>", why="the element that URDF has", scaffold=ROBOT),
+        Good("<gz_frame_id>base</gz_frame_id>", why="the element that URDF has", scaffold=ROBOT),
     )
 
     @staticmethod

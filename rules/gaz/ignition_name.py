@@ -50,6 +50,7 @@ class IgnitionName(Rule):
             'name="ignition::gazebo::systems::DiffDrive"/>',
             fixed='<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"/>',
             says="`libignition-gazebo-diff-drive-system.so` is now called `gz-sim-diff-drive-system`",
+            also=("RES021",),
         ),
         Bad(
             '<plugin filename="gz-sim-imu-system" name="«ignition::gazebo::systems::Imu»"/>',

@@ -4,15 +4,15 @@ from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Se
 
 
 class MisspelledPluginFile(Rule):
-    """The file of a plugin is nearly, but not quite, that of a system of Gazebo.
+    """The file of a plugin is nearly, but not quite, that of a system or of a part of the window of Gazebo.
 
-    Gazebo reports that it does not find the library, and goes on without the system.
+    Gazebo reports that it does not find the library, and goes on without it. The same holds for systems that newer
+    releases do not have any more.
     """
 
     code = "RES015"
     name = "misspelled-plugin-file"
     severity = Severity.WARNING
-    preview = True
     affects = {Consumer.GAZEBO: warns("does not find the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD
@@ -22,20 +22,35 @@ class MisspelledPluginFile(Rule):
             '<plugin filename="«gz-sim-phyics-system»" name="gz::sim::systems::Physics"/>',
             fixed='<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>',
             unsafe=True,
-            says="no system of Gazebo is called `gz-sim-phyics-system`; did you mean `gz-sim-physics-system`?",
+            says="nothing in Gazebo is called `gz-sim-phyics-system`; did you mean `gz-sim-physics-system`?",
+        ),
+        Bad(
+            '<gui><plugin filename="«WorldControls»" name="World control"/></gui>',
+            fixed='<gui><plugin filename="WorldControl" name="World control"/></gui>',
+            unsafe=True,
+            says="did you mean `WorldControl`?",
+        ),
+        Bad(
+            '<plugin filename="«gz-sim-particle-emitter2-system»" name="gz::sim::systems::ParticleEmitter2"/>',
+            says="`gz-sim-particle-emitter2-system` is gone since Gazebo Sim 8",
         ),
     )
     good = (
         Good('<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'),
+        Good('<gui><plugin filename="EntityTree" name="Entities"/></gui>'),
         Good('<plugin filename="gz-sim-conveyor-plant-system" name="p::Conveyor"/>', why="somebody's own"),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return plugin.meant_file is not None
+        is_gone = plugin.known is not None and bool(plugin.known.last) and "ignition" not in plugin.filename
+        return is_gone or plugin.meant_file is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         value, meant = plugin.filename_value, plugin.meant_file
         assert value is not None
-        assert meant is not None
-        yield self.diagnostic(value, f"no system of Gazebo is called `{plugin.filename}`", meant=meant)
+        if plugin.known is not None:
+            message = f"`{plugin.known.file}` is gone since Gazebo Sim {int(plugin.known.last) + 1}"
+            yield self.diagnostic(value, message)
+            return
+        yield self.diagnostic(value, f"nothing in Gazebo is called `{plugin.filename}`", meant=meant)

@@ -25,6 +25,7 @@ class MisspelledPluginParameter(Rule):
             fixed=DRIVE.format("<wheel_separation>1.2</wheel_separation>"),
             unsafe=True,
             says="does not read `wheel_seperation`; did you mean `wheel_separation`?",
+            also=("RES021",),
         ),
     )
     good = (

@@ -16,7 +16,6 @@ class PluginNameMismatch(Rule):
     code = "RES016"
     name = "plugin-name-mismatch"
     severity = Severity.ERROR
-    preview = True
     affects = {Consumer.GAZEBO: warns("does not load the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD
@@ -32,6 +31,10 @@ class PluginNameMismatch(Rule):
     good = (
         Good('<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'),
         Good('<plugin filename="gz-sim-physics-system" name="gz::sim::v8::systems::Physics"/>'),
+        Good(
+            '<plugin filename="gz-sim-physics-system" name="ignition::gazebo::systems::Physics"/>',
+            why="an old name, of which another rule speaks",
+        ),
         Good('<plugin filename="libgazebo_ros_init.so" name="init"/>', why="free in Gazebo Classic"),
     )
 
@@ -39,9 +42,7 @@ class PluginNameMismatch(Rule):
     def applies(plugin: Plugin) -> bool:
         if not plugin.name or plugin.known is None or plugin.known.generation != GZ_SIM:
             return False
-        if plugin.name.startswith("ignition::") or "$" in plugin.name:
-            return False  # the business of ignition-name
-        return not plugin.known.is_class(plugin.name)
+        return "$" not in plugin.name and not plugin.known.is_class(plugin.name)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         known, value = plugin.known, plugin.name_value

@@ -16,7 +16,6 @@ class RepeatedSystem(Rule):
     code = "RES017"
     name = "repeated-system"
     severity = Severity.WARNING
-    preview = True
     affects = {Consumer.GAZEBO: warns("runs it twice")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD

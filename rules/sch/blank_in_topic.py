@@ -2,18 +2,19 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Sensor, Severity, Value, warns
 
+QUOTES = ("'", '"')
+
 
 class BlankInTopic(Rule):
-    """The topic of a sensor contains a space.
+    """The topic of a sensor contains a space or a quotation mark.
 
-    Names of topics have no spaces in Gazebo and in ROS. Gazebo reports an error and
-    publishes on a topic of its own choice, or not at all.
+    Names of topics have neither in Gazebo and in ROS. Gazebo reports an error and publishes on a topic of its own
+    choice, or not at all; marks around the name become a part of it.
     """
 
     code = "SCH030"
     name = "blank-in-topic"
     severity = Severity.WARNING
-    preview = True
     affects = {Consumer.GAZEBO: warns("does not publish on it")}
     looks_at = (Sensor,)
     scaffold = IN_LINK
@@ -22,6 +23,10 @@ class BlankInTopic(Rule):
         Bad(
             '<sensor name="s" type="imu"><topic>«imu data»</topic></sensor>',
             says="the topic `imu data` of sensor `s` contains a space",
+        ),
+        Bad(
+            '<sensor name="s" type="imu"><topic>«"imu"»</topic></sensor>',
+            says='the topic `"imu"` of sensor `s` contains a quotation mark',
         ),
     )
     good = (Good('<sensor name="s" type="imu"><topic> /imu/data </topic></sensor>', why="trimmed"),)
@@ -33,10 +38,14 @@ class BlankInTopic(Rule):
     def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
         value = topic(sensor)
         assert value is not None
-        yield self.diagnostic(value, f"the topic `{value.text.strip()}` of {sensor.title} contains a space")
+        text = value.text.strip()
+        what = "a space" if len(text.split()) > 1 else "a quotation mark"
+        yield self.diagnostic(value, f"the topic `{text}` of {sensor.title} contains {what}")
 
 
 def topic(sensor: Sensor) -> Value | None:
-    """Its topic, if there is a space in it."""
+    """Its topic, if there is a space or a quotation mark in it."""
     value = sensor.value("topic")
-    return value if value is not None and len(value.text.split()) > 1 else None
+    if value is None or "$" in value.text:
+        return None
+    return value if len(value.text.split()) > 1 or any(mark in value.text for mark in QUOTES) else None

@@ -7,16 +7,17 @@ ARGUMENT = '<xacro:arg name="sim" default="true"/>'
 
 
 class NeverEqualText(Rule):
-    """An argument is compared with a text that differs from its default in capitals only.
+    """A value is compared with a text that it can never equal.
 
-    Arguments are texts, and texts are compared letter by letter: `'true' == 'True'` is false. Write
-    `${xacro.arg('sim') == 'true'}`, or `value="$(arg sim)"` alone.
+    Arguments are texts, and texts are compared letter by letter: `'true' == 'True'` is false. Of a property whose text
+    is `true` or `false` xacro makes a truth value, which equals no text: `${sim == 'true'}` is always false. Write
+    `value="${sim}"`, or `value="$(arg sim)"`.
     """
 
     code = "XAC025"
     name = "never-equal-text"
     severity = Severity.WARNING
-    explains = (problems.NeverEqualText,)
+    explains = (problems.NeverEqualText, problems.TruthComparedWithText)
     scaffold = IN_XACRO
 
     bad = (
@@ -25,15 +26,33 @@ class NeverEqualText(Rule):
             file=FILE,
             says="`true` is not `True`",
         ),
+        Bad(
+            ARGUMENT + """<xacro:property name="sim" value="$(arg sim)"/>"""
+            """<xacro:if value="${«sim == 'true'»}"><link name="a"/></xacro:if>""",
+            file=FILE,
+            says="`sim` is true or false here, which never equals the text `true`",
+        ),
     )
     good = (
         Good(
             ARGUMENT + """<xacro:if value="${'$(arg sim)' == 'true'}"><link name="a"/></xacro:if>""",
             file=FILE,
         ),
+        Good(
+            """<xacro:property name="kind" value="fast"/>"""
+            """<xacro:if value="${kind == 'true'}"><link name="a"/></xacro:if>""",
+            why="a text",
+            file=FILE,
+        ),
     )
 
-    def check(self, problem: problems.NeverEqualText) -> Iterator[Diagnostic]:
+    def check(
+        self, problem: problems.NeverEqualText | problems.TruthComparedWithText
+    ) -> Iterator[Diagnostic]:
+        if isinstance(problem, problems.TruthComparedWithText):
+            message = f"`{problem.name}` is true or false here, which never equals the text `{problem.near}`"
+            yield self.diagnostic(problem.span, message, help=f"write `${{{problem.name}}}`")
+            return
         labels = {problem.other: "its default"} if problem.other else None
         message = f"`{problem.near}` is not `{problem.name}`: texts are compared letter by letter"
         yield self.diagnostic(problem.span, message, labels=labels)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
@@ -11,7 +12,10 @@ from sdfcheck.source.record import NamedTuple
 _FILE = Path(__file__).parent / "data" / "plugins.txt"
 _PREFIX = re.compile(r"^(?:ignition-gazebo\d*-|gz-sim\d*-)")
 _VERSIONED = re.compile(r"^(gz::sim|ignition::gazebo)::v\d+::")
+_LONGEST = 8
+"""Letters of a name that is tried in all spellings."""
 GZ_SIM = "gz-sim"
+GUI = ("gz-gui", "gz-sim gui")
 
 
 class Naming(NamedTuple):
@@ -38,11 +42,30 @@ class PluginFacts(NamedTuple):
     namings: tuple[Naming, ...]
     parameters: frozenset[str]
     """The names of its parameters; empty where not all are known."""
+    required: frozenset[str]
+    """Those without which it does not run."""
+    repeatable: frozenset[str]
+    """Those that it may read several times; of others it reads the first."""
+    patterns: tuple[str, ...]
+    """Regular expressions of the names of further parameters."""
+    last: str
+    """The last major release that has it; empty where it is still there."""
 
     def is_class(self, name: str) -> bool:
         """Is it the name of a class in it? Full names with the version are accepted as well."""
         plain = _VERSIONED.sub(r"\1::", name)
         return not self.classes or plain in self.classes
+
+    def reads(self, name: str) -> bool:
+        """Is it the name of a parameter?"""
+        return name in self.parameters or any(re.fullmatch(pattern, name) for pattern in self.patterns)
+
+    def in_other_case(self, name: str) -> str | None:
+        """The parameter of a pattern that differs from a name in the case of letters only."""
+        if not self.patterns or len(name) > _LONGEST:
+            return None
+        spellings = ("".join(letters) for letters in product(*((c.lower(), c.upper()) for c in name)))
+        return next((each for each in spellings if each != name and self.reads(each)), None)
 
 
 def stem(filename: str) -> str:
@@ -61,6 +84,14 @@ def known(filename: str) -> tuple[PluginFacts, ...]:
 def known_files() -> tuple[str, ...]:
     """The files of gz-sim's own systems, without ``lib`` and ``.so``."""
     return tuple(name for name, entries in _entries().items() if f"\t{GZ_SIM}\t" in entries[0])
+
+
+@cache
+def gui_files() -> tuple[str, ...]:
+    """The files of the plugins of Gazebo's window."""
+    return tuple(
+        name for name, entries in _entries().items() if any(f"\t{kind}" in entries[0] for kind in GUI)
+    )
 
 
 @cache
@@ -86,17 +117,21 @@ def _entries() -> dict[str, tuple[str, ...]]:
 
 def _facts(entry: str) -> PluginFacts:
     lines = entry.split("\r")
-    file, generation, classes, once, serves = lines[0].split("\t")
-    namings = tuple(_naming(line[1:]) for line in lines[1:] if line[1] != "=")
-    listed = next((line[2:] for line in lines[1:] if line[1] == "="), "")
+    file, generation, classes, once, serves, last = (*lines[0].split("\t"), "", "", "", "")[:6]
+    listed = next((line[2:].split(",") for line in lines[1:] if line[1] == "="), [])
+    patterns = next((line[2:].split("\t") for line in lines[1:] if line[1] == "~"), [])
     return PluginFacts(
         file,
         generation,
         tuple(filter(None, classes.split(","))),
         once,
         tuple(filter(None, serves.split(","))),
-        namings,
-        frozenset(filter(None, listed.split(","))),
+        tuple(_naming(line[1:]) for line in lines[1:] if line[1] not in "=~"),
+        frozenset(name.rstrip("!+") for name in listed),
+        frozenset(name.rstrip("!+") for name in listed if "!" in name),
+        frozenset(name.rstrip("!+") for name in listed if "+" in name),
+        tuple(patterns),
+        last,
     )
 
 

@@ -8,7 +8,7 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, Xacro, lint_document
 from sdfcheck.lint.fold import fold, settle
 from sdfcheck.robot.semantics.find import semantics_in
-from sdfcheck.robot.semantics.robots import robots_of
+from sdfcheck.robot.semantics.robots import find_robots
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.sniff import Kind
 
@@ -38,4 +38,4 @@ def _find_robots(document: Document, expander: Expander | None) -> None:
         return expander.expand(robot).document
 
     for semantics in semantics_in(document):
-        semantics.robots = robots_of(semantics, expand if expander is not None else None)
+        find_robots(semantics, expand if expander is not None else None)

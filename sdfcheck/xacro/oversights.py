@@ -60,6 +60,18 @@ class NeverEqualText(Oversight):
     """A text is compared with one that differs in its letters' case only; ``near`` is what it has."""
 
 
+class TruthComparedWithText(Oversight):
+    """A property that xacro makes true or false is compared with the text ``near``."""
+
+
+class ArgumentForParameter(Oversight):
+    """A macro asks for the argument that has the name of its own parameter, at ``other``."""
+
+
+class ForgottenPrefix(Oversight):
+    """A macro names a link or joint without the prefix with which it defines it, at ``other``; ``near`` is both."""
+
+
 class EmptiedBlock(Oversight):
     """A call gives an element without content, and the parameter takes its content only."""
 

@@ -78,22 +78,66 @@ class Plugin(Part):
 
     @lazy
     def meant_file(self) -> str | None:
-        """The file of a system of Gazebo that was probably meant by a file that is not one."""
+        """The file of a system of Gazebo, or of a part of its window, that was probably meant by one that is not."""
         name = self.filename
-        if self.known is not None or not ("gz-sim" in name or "ignition-gazebo" in name):
+        if self.known is not None or "$" in name:
             return None
-        from sdfcheck.formats.plugins import known_files, stem
+        from sdfcheck.formats.plugins import gui_files, known_files, stem
 
-        return self.nearest(stem(name), known_files())
+        if "gz-sim" in name or "ignition-gazebo" in name:
+            return self.nearest(stem(name), known_files())
+        parent = self.element.parent
+        if name and parent is not None and parent.name == "gui":
+            return self.nearest(stem(name), gui_files())
+        return None
 
     @lazy
     def misspelled_parameters(self) -> tuple[tuple[Element, str], ...]:
         """The parameters that it does not read, with those that they were probably meant to be."""
-        known = self.known.parameters if self.known is not None else ()
-        if not known:
+        facts = self.known
+        if facts is None or not facts.parameters:
             return ()
         given = [parameter for parameter in self.parameters if ":" not in parameter.name]
         names = {parameter.name for parameter in given}
-        unread = [parameter for parameter in given if parameter.name not in known]
-        found = ((each, self.nearest(each.name, [n for n in known if n not in names])) for each in unread)
+        unread = [parameter for parameter in given if not facts.reads(parameter.name)]
+        free = [name for name in facts.parameters if name not in names]
+        found = ((each, facts.in_other_case(each.name) or self.nearest(each.name, free)) for each in unread)
         return tuple((each, meant) for each, meant in found if meant is not None)
+
+    @lazy
+    def missing_parameters(self) -> tuple[str, ...]:
+        """The parameters without which it does not run, and that are not there, not even misspelled."""
+        facts = self.known
+        if facts is None or not facts.required or self.is_template or self._is_of_several_generations:
+            return ()
+        meant = {name for _, name in self.misspelled_parameters}
+        return tuple(name for name in sorted(facts.required - meant) if self.lacks(name))
+
+    @lazy
+    def repeated_parameters(self) -> tuple[tuple[Element, Element], ...]:
+        """The parameters of which it reads the first only, and that are given again with another value."""
+        facts = self.known
+        if facts is None:
+            return ()
+        first: dict[str, Element] = {}
+        found = []
+        for parameter in self.parameters:
+            earlier = first.setdefault(parameter.name, parameter)
+            is_one = parameter.name in facts.parameters - facts.repeatable and not len(parameter)
+            if earlier is not parameter and is_one and earlier.content != parameter.content:
+                found.append((earlier, parameter))
+        return tuple(found)
+
+    @property
+    def _is_of_several_generations(self) -> bool:
+        """Do its parameters fit several generations of its library equally well?"""
+        from sdfcheck.formats.plugins import known
+
+        given = {parameter.name for parameter in self.parameters}
+        shared = sorted(len(given & facts.parameters) for facts in known(self.filename))
+        return len(shared) > 1 and shared[-1] == shared[-2]
+
+    @property
+    def is_template(self) -> bool:
+        """Will something else write more of it, such as xacro?"""
+        return any("xacro:" in child.name or "$" in child.content for child in self.parameters)

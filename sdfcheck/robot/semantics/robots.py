@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages
 from sdfcheck.files.regular import read_regular
+from sdfcheck.formats.urdf.table import is_expression
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics.semantics import Semantics, names
 from sdfcheck.source.document import Document, read
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
@@ -29,21 +31,43 @@ _FEWEST = 0.5
 Expand = Callable[[Document], "Document | None"]
 
 
-def robots_of(semantics: Semantics, expand: Expand | None) -> tuple[Model, ...]:
-    """The robots with the name of an SRDF file that have most of what it names; ``expand`` expands xacro.
+def find_robots(semantics: Semantics, expand: Expand | None) -> None:
+    """Find the robots that an SRDF file may be about; ``expand`` expands xacro.
 
-    They are looked for in the package of the file, and if there is none in the project around it.
+    They have the name of the file and most of what it names, and are looked for in the package of the file, and if
+    there is none in the project around it. Where the robots of its name in the package have nothing of what it names
+    they are its ``strangers``; where the package has robots of other names only, one that has it all is its
+    ``namesake``.
     """
     library = library_of(semantics.document)
     if library is None or not semantics.name or not semantics.named:
-        return ()
+        return
     path = semantics.document.path
-    for packages in (Packages(_package(path)), library.packages(path)):
+    own = Packages(_package(path))
+    for packages in (own, library.packages(path)):
         scored = [(_score(semantics, robot), robot) for robot in _candidates(semantics, packages, expand)]
         best = max((score for score, _ in scored), default=0.0)
         if best >= _FEWEST:
-            return tuple(robot for score, robot in scored if score == best)
-    return ()
+            semantics.robots = tuple(robot for score, robot in scored if score == best)
+            return
+        if packages is own and scored and best == 0:
+            semantics.strangers = tuple(robot for _, robot in scored)
+    if not semantics.strangers:
+        semantics.namesake = _namesake(semantics, own)
+
+
+def _namesake(semantics: Semantics, packages: Packages) -> Model | None:
+    """The URDF robot of another name that has all that a file names, where no robot may have its name."""
+    heads: dict[Path, _Head] = {}
+    for path in _files(semantics.document, packages, (".urdf", ".xacro")):
+        head = _head(path)
+        if head is not None:
+            heads[path] = head
+            if head.name == semantics.name or is_expression(head.name) or len(heads) > MOST_ROBOTS:
+                return None
+    robots = [_robot(path, kind, semantics, None) for path, (_, kind) in heads.items() if kind is Kind.URDF]
+    fitting = [robot for robot in robots if robot is not None and _score(semantics, robot) == 1]
+    return fitting[0] if len(fitting) == 1 else None
 
 
 def descriptions_of(semantics: Semantics) -> Iterator[Document]:
@@ -80,7 +104,8 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
     for path in _files(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
             return
-        robot = _robot(path, semantics, expand)
+        kind = _kind(path, semantics)
+        robot = None if kind is None else _robot(path, kind, semantics, expand)
         if robot is not None:
             found += 1
             yield robot
@@ -101,23 +126,32 @@ def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) ->
     return sorted((path for path in found if ".srdf" not in path.name), key=distance)
 
 
-def _kind(path: Path, semantics: Semantics) -> Kind | None:
-    """Which kind of file describes a robot of the name; None: it does not."""
+class _Head(NamedTuple):
+    """The name of the robot that a file describes, and the kind of the file."""
+
+    name: str
+    kind: Kind
+
+
+def _head(path: Path) -> _Head | None:
+    """What the beginning of a file says; None where it describes no robot."""
     try:
         data = read_regular(path)
     except OSError:
         return None
     match = _ROBOT.search(data[:8192].decode("utf-8", "replace"))
-    if match is None or match[1] != semantics.name:
-        return None
-    return Kind.XACRO if path.suffix == ".xacro" or b"<xacro:" in data else Kind.URDF
+    is_xacro = path.suffix == ".xacro" or b"<xacro:" in data
+    return None if match is None else _Head(match[1], Kind.XACRO if is_xacro else Kind.URDF)
 
 
-def _robot(path: Path, semantics: Semantics, expand: Expand | None) -> Model | None:
-    """The robot of a file, if it has the name."""
-    kind = _kind(path, semantics)
-    if kind is None:
-        return None
+def _kind(path: Path, semantics: Semantics) -> Kind | None:
+    """Which kind of file describes a robot of the name; None: it does not."""
+    head = _head(path)
+    return head.kind if head is not None and head.name == semantics.name else None
+
+
+def _robot(path: Path, kind: Kind, semantics: Semantics, expand: Expand | None) -> Model | None:
+    """The robot of a file; None where it has no links, or cannot be expanded."""
     document: Document | None = read(read_regular(path), path, kind)
     assert document is not None
     document.library = semantics.document.library

@@ -16,6 +16,7 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.link import Link
     from sdfcheck.source.document import Document
     from sdfcheck.source.element import Element, Value
     from sdfcheck.source.text import Span
@@ -78,7 +79,11 @@ class StateValue(NamedTuple):
 
 
 class Semantics:
-    """The content of an SRDF file; ``robots`` are those that it may be about, empty where none is found."""
+    """The content of an SRDF file; ``robots`` are those that it may be about, empty where none is found.
+
+    ``strangers`` are robots of its name that have nothing of what it names, ``namesake`` one of another name that has
+    all of it.
+    """
 
     def __init__(self, document: Document) -> None:
         root = document.root
@@ -86,6 +91,8 @@ class Semantics:
         self.document = document
         self.element: Element = root
         self.robots: tuple[Model, ...] = ()
+        self.strangers: tuple[Model, ...] = ()
+        self.namesake: Model | None = None
 
     @property
     def span(self) -> Span:
@@ -148,6 +155,21 @@ class Semantics:
             each.attributes.get("name", "").strip(): each.attributes.get("type", "").strip().lower()
             for each in self.element.children("virtual_joint")
         }
+
+    @property
+    def misplaced_virtual_joints(self) -> Iterator[tuple[Value, Link]]:
+        """The children of virtual joints that are not the root of the robot, and the root."""
+        for joint in self.element.children("virtual_joint") if self.robots else ():
+            value = joint.attribute("child_link")
+            roots = [robot.tree.roots[0] for robot in self.robots if len(robot.tree.roots) == 1]
+            name = "" if value is None else value.text.strip()
+            is_root = len(roots) < len(self.robots) or any(root.name == name for root in roots)
+            if (
+                value is not None
+                and not is_root
+                and any(name in names(robot, "link") for robot in self.robots)
+            ):
+                yield value, roots[0]
 
     @property
     def unknown(self) -> Iterator[NamedPart]:

@@ -7,12 +7,22 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.near_names import nearest
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Element, Value
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import BUILT_IN, DEPRECATED, KEYWORDS, ONLY_IN_MODULE, PREFIX, is_literal
+from sdfcheck.xacro.language import (
+    BUILT_IN,
+    DEPRECATED,
+    KEYWORDS,
+    ONLY_IN_MODULE,
+    PREFIX,
+    is_literal,
+    substitutions,
+)
 from sdfcheck.xacro.oversights import (
+    ArgumentForParameter,
     DeprecatedFunction,
     EmptiedBlock,
+    ForgottenPrefix,
     NeverEqualText,
     OddParameter,
     Oversight,
@@ -22,6 +32,7 @@ from sdfcheck.xacro.oversights import (
     PrefixedMacroName,
     RedefinedMacro,
     RedefinedSymbol,
+    TruthComparedWithText,
     UnknownPropertyScope,
     UnusedArgument,
     UnusedMacro,
@@ -42,6 +53,16 @@ _COMPARED = re.compile(
     r"(['\"])\$\(arg\s+(?P<arg>\w+)\)\1\s*[!=]=\s*(['\"])(?P<text>[^'\"]*)\3"
     r"|(['\"])(?P<first>[^'\"]*)\5\s*[!=]=\s*(['\"])\$\(arg\s+(?P<last>\w+)\)\7"
 )
+_TRUTH = r"(?P<{}>true|false|True|False)"
+_COMPARED_TRUTH = re.compile(
+    rf"(?<![\w.'\"])(?P<name>[^\W\d]\w*)\s*[!=]=\s*(?P<q>['\"]){_TRUTH.format('text')}(?P=q)"
+    rf"|(?P<r>['\"]){_TRUTH.format('first')}(?P=r)\s*[!=]=\s*(?P<last>[^\W\d]\w*)(?![\w.(\[])"
+)
+_TRUTHS = frozenset(("true", "false", "True", "False"))
+_ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
+_PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<rest>\w+)")
+_ENDS = frozenset((("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")))
+"""Elements and attributes that name a link or joint."""
 
 
 def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
@@ -53,6 +74,9 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _overwritten(read)
     yield from _scopes(read)
     yield from _comparisons(read, visible)
+    yield from _compared_truths(read, visible)
+    yield from _arguments_for_parameters(read)
+    yield from _forgotten_prefixes(read, visible)
     yield from _blocks(read, visible)
     yield from _namespace(document)
     if knows_all(document):
@@ -189,6 +213,103 @@ def _comparisons(read: Reading, visible: Definitions) -> Iterator[Oversight]:
                 given = homes[0].argument_elements[name]
                 other = given.document.spans.attribute_value(given, "default")
                 yield NeverEqualText(span, text, other, default)
+
+
+def _compared_truths(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """Comparisons of a name that xacro makes a truth value with a text, which it never equals."""
+    for found in read.expressions:
+        for match in _COMPARED_TRUTH.finditer(found.code):
+            name, text = match["name"] or match["last"], match["text"] or match["first"]
+            if name not in visible.parameters and _is_truth(name, visible):
+                yield TruthComparedWithText(place(found.element, found.attribute, match[0]), name, near=text)
+
+
+def _is_truth(name: str, visible: Definitions) -> bool:
+    """Is a property always ``true`` or ``false``, itself or as the default of the argument that it takes?"""
+    values = [found.value for read in visible.readings for found in read.properties if found.name == name]
+    for number, value in enumerate(values):
+        asked = re.fullmatch(r"\$\(arg\s+([^\s${}]+)\s*\)", (value or "").strip())
+        if asked:
+            defaults = {read.arguments[asked[1]] for read in visible.readings if asked[1] in read.arguments}
+            values[number] = defaults.pop() if len(defaults) == 1 else None
+    return bool(values) and _TRUTHS.issuperset(str(value).strip() for value in values)
+
+
+def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:
+    """The uses of ``$(arg name)`` in a macro that has a parameter of that name."""
+    macros = {macro.element: macro for macro in read.macros}
+    around = dict(read.elements)
+    for command in read.commands if macros else ():
+        match, element = _ARGUMENT.match(command.text), command.element
+        holder = around.get(element)
+        macro = macros.get(holder) if holder is not None else None
+        if match is None or macro is None or element is macro.element:
+            continue
+        for parameter in macro.parameters:
+            if parameter.name == match[1]:
+                span = place(element, command.attribute, f"$({command.text})")
+                yield ArgumentForParameter(span, match[1], parameter_place(macro, parameter))
+
+
+def _forgotten_prefixes(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The names in a macro that only become those of its links and joints by the prefix of these.
+
+    Where a call gives a prefix, the expansion shows that the name reaches nothing.
+    """
+    macros = {macro.element: macro for macro in read.macros}
+    defined: dict[tuple[Element, str], tuple[str, Element]] = {}
+    for element, macro in read.elements:
+        match = _PREFIXED.fullmatch(element.attributes.get("name", ""))
+        if element.name not in {"link", "joint"} or macro not in macros or match is None:
+            continue
+        if any(match["parameter"] == parameter.name for parameter in macros[macro].parameters):
+            defined.setdefault((macro, match["rest"]), (match["parameter"], element))
+    if not defined:
+        return
+    plain = {
+        e.attributes.get("name")
+        for each in visible.readings
+        for e, _ in each.elements
+        if e.name in {"link", "joint"}
+    }
+    given = {
+        (call.name, parameter)
+        for each in visible.readings
+        for call in each.calls
+        for parameter, text in call.element.attributes.items()
+        if _is_surely_text(text, visible)
+    }
+    for element, macro in read.elements:
+        for value in _references(element):
+            found = defined.get((macro, value.text.strip())) if macro is not None else None
+            if macro is None or found is None or value.text.strip() in plain:
+                continue
+            parameter, home = found
+            if (macros[macro].name, parameter) not in given:
+                yield ForgottenPrefix(
+                    value.span, value.text.strip(), _named(home), f"${{{parameter}}}{value.text.strip()}"
+                )
+
+
+def _is_surely_text(text: str, visible: Definitions) -> bool:
+    """Is a value that a call gives not empty, by itself or by the defaults of the arguments in it?"""
+    asked = {match[1] for _, command in substitutions(text) if (match := _ARGUMENT.match(command))}
+    if asked:
+        return any(read.arguments.get(name) for read in visible.readings for name in asked)
+    return bool(text) and is_literal(text)
+
+
+def _references(element: Element) -> Iterator[Value]:
+    """The names of links and joints that an element writes."""
+    parent = element.parent
+    for name, attribute in _ENDS:
+        if element.name == name and (value := element.attribute(attribute)) is not None:
+            yield value
+    if element.name == "joint" and parent is not None and parent.name in {"ros2_control", "transmission"}:
+        if (value := element.attribute("name")) is not None:
+            yield value
+    elif parent is not None and parent.name == "plugin" and not len(element):
+        yield element.own_value
 
 
 def _blocks(read: Reading, visible: Definitions) -> Iterator[Oversight]:

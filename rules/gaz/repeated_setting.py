@@ -1,0 +1,84 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Element, GazeboBlock, Good, Rule, Severity, warns
+
+BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
+ROBOT = f'<robot name="r"><link name="base">{BOX}</link>{{}}</robot>'
+SETTINGS = frozenset(
+    """
+    cfmDamping dampingFactor fdir1 fudgeFactor gravity implicitSpringDamper kd kp laserRetro material maxContacts maxVel
+    minDepth mu1 mu2 provideFeedback selfCollide springReference springStiffness static stopCfm stopErp turnGravityOff
+    """.split()
+)
+"""Settings of which libsdformat keeps one."""
+
+
+class RepeatedSetting(Rule):
+    """A setting of a link or joint is given twice in `gazebo` blocks, with two values.
+
+    libsdformat overwrites the first with the last, which may be in a file that another one includes.
+    """
+
+    code = "GAZ013"
+    name = "repeated-setting"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("takes the last")}
+    looks_at = (GazeboBlock,)
+    scaffold = ROBOT
+
+    bad = (
+        Bad(
+            '<gazebo reference="base"><mu1>9</mu1><«mu1»>1.5</mu1></gazebo>',
+            says="`mu1` of `base` is `1.5` here and `9` before; libsdformat takes the last",
+        ),
+        Bad(
+            '<gazebo reference="base"><mu1>9</mu1></gazebo><gazebo reference="base"><«mu1» value="1.5"/></gazebo>'
+        ),
+    )
+    good = (
+        Good('<gazebo reference="base"><mu1>9</mu1><mu2>1.5</mu2></gazebo>'),
+        Good('<gazebo reference="base"><mu1>9</mu1><mu1> 9.0 </mu1></gazebo>', why="the same twice"),
+    )
+
+    @staticmethod
+    def applies(block: GazeboBlock) -> bool:
+        return bool(repeated(block))
+
+    def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        for first, again in repeated(block):
+            name, about = again.name, f"of `{block.reference}`" if block.reference else "of the robot"
+            message = f"`{name}` {about} is `{text(again)}` here and `{text(first)}` before; libsdformat takes the last"
+            yield self.diagnostic(again, message, labels={first: "lost"})
+
+
+def repeated(block: GazeboBlock) -> list[tuple[Element, Element]]:
+    """The settings in a block that the block, or one before it, gives with another value."""
+    given = [child for child in block.children() if child.name in SETTINGS]
+    if not given:
+        return []
+    before: dict[str, Element] = {}
+    for other in block.model.blocks_by_reference.get(block.reference, ()):
+        if other is block:
+            break
+        before.update({child.name: child for child in other.children() if child.name in SETTINGS})
+    found = []
+    for child in given:
+        first = before.get(child.name)
+        if first is not None and not is_same(text(first), text(child)):
+            found.append((first, child))
+        before[child.name] = child
+    return found
+
+
+def text(setting: Element) -> str:
+    """The value of a setting: its attribute `value`, else its text."""
+    return str(setting.get("value") or setting.content).strip()
+
+
+def is_same(one: str, other: str) -> bool:
+    """Are two values one, as numbers or truth values?"""
+    try:
+        return float(one) == float(other)
+    except ValueError:
+        truths = {"1": "true", "0": "false", "yes": "true"}
+        return truths.get(one.lower(), one.lower()) == truths.get(other.lower(), other.lower())
