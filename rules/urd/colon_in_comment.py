@@ -4,6 +4,8 @@ from collections.abc import Iterator
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Root, Rule, Severity, Span, make_fix
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
+DIRECTIVE = re.compile(r"<!--\s*sdfcheck\Z")
+SPACE = re.compile(r"\s+")
 COLON = re.compile(r":(?=\s)")
 
 
@@ -30,6 +32,10 @@ class ColonInComment(Rule):
             fixed="<!-- author - me --><!-- a:b -->\n<!-- to do -\n  a joint -->",
             says="2 colons in comments",
         ),
+        Bad(
+            "<!-- sdfcheck«:» ignore-file[zero-axis] agreed -->",
+            fixed="<!-- sdfcheck:ignore-file[zero-axis] agreed -->",
+        ),
     )
     good = (
         Good("<!-- see https://example.org/a:b -->", why="no space after"),
@@ -44,8 +50,19 @@ class ColonInComment(Rule):
         found = colons(root)
         what = "a colon in a comment breaks" if len(found) == 1 else f"{len(found)} colons in comments break"
         message = f"{what} launch files that read the description as YAML"
-        fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in found))
+        edits = tuple(_edit(colon) for colon in found)
+        title = "write a dash" if any(edit.text for edit in edits) else "leave out the space"
+        fix = make_fix(title, edits)
         yield self.diagnostic(found[0], message, fix=fix)
+
+
+def _edit(colon: Span) -> Edit:
+    """The directive of a suppression stays one without the space; prose gets a dash."""
+    source = colon.source
+    if DIRECTIVE.search(source.text, 0, colon.start):
+        end = SPACE.match(source.text, colon.end)
+        return Edit(source.span(colon.end, end.end() if end else colon.end), "")
+    return Edit(colon, " -")
 
 
 def colons(root: Root) -> list[Span]:

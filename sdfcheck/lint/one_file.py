@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from bisect import bisect_left
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,11 +17,14 @@ if TYPE_CHECKING:
     from sdfcheck.lint.config.reading import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import Xacro
+    from sdfcheck.lint.run import RuleFacts
     from sdfcheck.lint.source_file import FileResult
     from sdfcheck.lint.suppress.comments import Comment
+    from sdfcheck.lint.suppress.directives import Directive
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander, Surroundings
 
+_ROBOTS = frozenset({Kind.SDF, Kind.URDF})
 _INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
 
 
@@ -154,6 +158,7 @@ def _silence(
         active.codes,
         foreign=directives(foreign, rules).known,
         outward=result.outward,
+        is_idle=_idle(result.document, rules),
     )
     reported = [
         report._replace(severity=active.severities.get(report.code, report.severity))
@@ -161,6 +166,30 @@ def _silence(
         if report.code in active.codes
     ]
     return [*filtered.kept, *reported], filtered.suppressed
+
+
+def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Directive, str], bool]:
+    """Whether a rule has nothing to look at in the element that a comment is for.
+
+    Such a comment is for what is still to be written there, or for another version of the file.
+    """
+    from sdfcheck.lint.rule import span_of
+    from sdfcheck.lint.subjects import Subjects
+    from sdfcheck.lint.suppress.directives import IGNORE
+
+    def is_idle(directive: Directive, code: str) -> bool:
+        target = directive.comment.target
+        facts = next(facts for facts in rules if facts.code == code)
+        if document is None or document.kind not in _ROBOTS or target is None or directive.verb != IGNORE:
+            return False
+        if facts.explains or not (facts.looks_at or facts.selects) or "Root" in facts.looks_at:
+            return False
+        start = bisect_left(document.scan.starts, target.start)
+        end = document.scan.close_ends[start]
+        subjects = Subjects(facts.looks_at, facts.selects, ()).of(document)
+        return not any(target.start <= span_of(subject).start < end for subject in subjects)
+
+    return is_idle
 
 
 def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:

@@ -24,6 +24,8 @@ class FileResult(NamedTuple):
     """Those that speak to sdfcheck."""
     outward: Sequence[Span] = ()
     """Where comments may be for what other files bring out."""
+    document: Document | None = None
+    """The document that the comments are in."""
 
 
 def lint_source(
@@ -75,4 +77,4 @@ def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = Fa
 
     whole = [source.span(0, len(source.text))]
     outward = whole if open else includes(source, document.scan)
-    return FileResult(diagnostics, comments(source, document.scan), outward)
+    return FileResult(diagnostics, comments(source, document.scan), outward, document)

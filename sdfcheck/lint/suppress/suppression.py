@@ -1,7 +1,7 @@
 """The effect of directives, and those without effect.
 
 A diagnostic that was reached through a macro or an include can be silenced where it is, where the
-macro is called, or where the file is included.
+macro is called, or where the file is included; one that names another element in a label also before that.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import accumulate, chain
 from pathlib import Path
 
@@ -45,11 +45,13 @@ def suppress(
     *,
     foreign: Sequence[Directive] = (),
     outward: Sequence[Span] = (),
+    is_idle: Callable[[Directive, str], bool] = lambda directive, code: False,
 ) -> Filtered:
     """Silence diagnostics of one file by the directives in it and in the ``foreign`` files they come from.
 
     ``active`` are the codes of the rules that ran. Directives that reach into one of the
-    ``outward`` places may be for what only other runs bring out; they are not judged.
+    ``outward`` places may be for what only other runs bring out; they are not judged, nor are the codes
+    for which ``is_idle`` says that their rule had nothing to look at where the directive holds.
     """
     ranges = _Ranges([*own, *foreign])
     kept = [diagnostic for diagnostic in diagnostics if not ranges.silence(diagnostic)]
@@ -58,7 +60,7 @@ def suppress(
         reported
         for number, directive in enumerate(own)
         if number not in reaching
-        for reported in _unused(directive, ranges.used[number], active)
+        for reported in _unused(directive, ranges.used[number], active, is_idle)
     ]
     return Filtered(tuple(kept), ranges.silenced, tuple(unused))
 
@@ -107,10 +109,18 @@ class _Ranges:
                 or self._whole.get((span.source.path, ANY_RULE))
             )
             if hit:
-                self.used[hit.directive].add(hit.word)
-                self.silenced += 1
-                return True
+                return self._note(hit)
+        for label in diagnostic.labels:
+            span = label.span
+            hit = _covering(self._near.get((span.source.path, diagnostic.code), ()), span.start)
+            if hit:
+                return self._note(hit)
         return False
+
+    def _note(self, hit: _Range) -> bool:
+        self.used[hit.directive].add(hit.word)
+        self.silenced += 1
+        return True
 
     def reaching(self, places: Sequence[Span]) -> set[int]:
         """The directives that silence something in one of the places, which are in the order of the text."""
@@ -157,12 +167,16 @@ def _covering(ranges: Sequence[_Range], offset: int) -> _Range | None:
     return ranges[place]
 
 
-def _unused(directive: Directive, used: set[int], active: frozenset[str]) -> list[Diagnostic]:
+def _unused(
+    directive: Directive, used: set[int], active: frozenset[str], is_idle: Callable[[Directive, str], bool]
+) -> list[Diagnostic]:
     """The notes on the words of a directive that silenced nothing, as far as that can be judged."""
     words = [
         selector
         for index, selector in enumerate(directive.selectors)
-        if index not in used and selector.codes - {ANY_RULE} <= active
+        if index not in used
+        and selector.codes - {ANY_RULE} <= active
+        and not (selector.codes - {ANY_RULE} and all(is_idle(directive, code) for code in selector.codes))
     ]
     if not words:
         return []

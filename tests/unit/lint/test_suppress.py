@@ -3,7 +3,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
+from sdfcheck import lint
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.example import Bad, unmark
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress.comments import Comment
@@ -74,6 +75,39 @@ def test_the_silenced_findings(text: str, kept: str) -> None:
     assert left == kept
     assert result.suppressed == len(diagnostics(Source(Path("a"), text))) - len(kept)
     assert not result.unused
+
+
+def test_a_comment_before_an_element_that_a_label_names_counts() -> None:
+    source = Source(Path("a.sdf"), "<!-- sdfcheck: ignore[AAA001] --><a><leaf !></leaf></a><a !></a>")
+    around, other = source.span(33, 36), source.span(0, 0)
+    found = diagnostics(source)
+    named = [found[0]._replace(labels=(Label(other, "other"), Label(around, "in this")))]
+    result = suppress([*named, found[1]], directives(comments(source), RULES).known, CODES)
+    assert (result.kept, result.suppressed, result.unused) == ((found[1],), 1, ())
+
+
+def test_a_comment_is_not_judged_where_its_rule_looks_at_nothing() -> None:
+    source = Source(Path("a.sdf"), "<!-- sdfcheck: ignore[AAA001, AAA002] --><leaf></leaf>")
+    known = directives(comments(source), RULES).known
+    idle = suppress([], known, CODES, is_idle=lambda directive, code: code == "AAA001")
+    assert [each.span.text for each in idle.unused] == ["AAA002"]
+    assert suppress([], known, CODES, is_idle=lambda directive, code: True).unused == ()
+
+
+@pytest.mark.parametrize(
+    ("inertial", "unused"),
+    [
+        ("", 0),
+        (
+            '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>',
+            1,
+        ),
+    ],
+)
+def test_the_rule_of_a_comment_looks_at_what_is_in_the_element(inertial: str, unused: int) -> None:
+    comment = "<!-- sdfcheck:ignore[impossible-inertia] measured -->"
+    run = lint(f'<robot name="r">{comment}<link name="a">{inertial}</link></robot>', isolated=True)
+    assert sum(each.code == "SUP001" for each in run.diagnostics) == unused
 
 
 def test_a_macro_call_answers_for_what_it_brings() -> None:
