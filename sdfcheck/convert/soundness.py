@@ -58,7 +58,7 @@ def refused(found: Iterable[Diagnostic], consumers: Iterable[Consumer]) -> list[
 def new_refusals(
     source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
 ) -> tuple[list[Diagnostic], tuple[Consumer, Diagnostic] | None]:
-    """What the consumers of a result say of it.
+    """The verdict of the consumers of a result.
 
     The errors for which they refuse the result, though they read the source; or the finding for which they
     refuse both.

@@ -29,7 +29,7 @@ class Verification(Record):
     counts: Mapping[str, int] = MappingProxyType({})
     """Other compared quantities: joints, shapes, sensors, plugins and so on."""
     custom: tuple[Divergence, ...] = ()
-    """Custom data that is not in the result as it was: a loss, whoever reads it, but the same robot."""
+    """Custom data that is not in the result as it was: a loss, but the same robot."""
 
     @property
     def is_equal(self) -> bool:

@@ -70,7 +70,7 @@ class Settings(NamedTuple):
                 yield from ((link, one) for one in best)
 
     def arrived(self, one: Divergence, excused: _Excuses, part: Entry) -> bool:
-        """Is what differs somewhere in the result all the same, or reported?"""
+        """Is a part that differs proven to be in the result, or reported?"""
         return (one.element, one.name) in self.copies or excused.excuse(one, part)
 
 

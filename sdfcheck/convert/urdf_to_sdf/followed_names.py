@@ -37,11 +37,11 @@ class FollowedNames:
         self.collisions = {
             shape.name: shape.origin.element for link in built.links.values() for shape in link.collisions
         }
-        """What libsdformat calls a collision → the collision."""
+        """The names that libsdformat gives to collisions → the collision."""
         self.gone = dict(self._gone())
 
     def _gone(self) -> Iterator[tuple[str, tuple[LossKind, str]]]:
-        """The names of links and joints that were merged or renamed, and what to say of them."""
+        """The names of links and joints that were merged or renamed, with the reason."""
         plan = self.context.plan
         of_links = plan.names.links.keys() - {name for name in plan.names.links if plan.is_merged(name)}
         for name, new in plan.names.joints.items():
