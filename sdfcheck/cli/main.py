@@ -63,6 +63,22 @@ _MEANT = {
 """Usual names of a command → the name here."""
 
 
+def _show_version(context: click.Context, _: click.Parameter, is_wanted: bool) -> None:
+    if not is_wanted:
+        return
+    click.echo(f"sdfcheck {__version__}")
+    if context.params["verbose"]:
+        from sdfcheck.xacro.expansion import Expander
+
+        with Expander() as expander:
+            walls = expander.walls()
+        click.echo(f"Python {sys.version.split()[0]} on {sys.platform}")
+        click.echo("expansion of xacro files, in a process of its own:")
+        for wall, is_standing in {"interpreter of expressions": True, **walls}.items():
+            click.echo(f"  {wall}: {'active' if is_standing else 'not available'}")
+    context.exit()
+
+
 @click.group(
     cls=LazyGroup,
     lazy=COMMANDS,
@@ -71,13 +87,28 @@ _MEANT = {
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=f"Documentation: {HOME}",
 )
-@click.version_option(__version__, "-V", "--version", prog_name="sdfcheck", message="%(prog)s %(version)s")
-def sdfcheck() -> None:
+@click.option(
+    "-V",
+    "--version",
+    is_flag=True,
+    expose_value=False,
+    callback=_show_version,
+    help="Show the version and exit.",
+)
+@click.option(
+    "--verbose",
+    is_flag=True,
+    is_eager=True,
+    help="With --version: show what locks up the expansion of xacro files.",
+)
+def sdfcheck(verbose: bool) -> None:
     """Linter and converter for SDFormat, URDF and xacro robot descriptions.
 
     To begin: `sdfcheck lint` in the folder of a robot. Each finding names its rule, and
     `sdfcheck rule NAME` explains it.
     """
+    if verbose:
+        raise click.UsageError("`--verbose` goes with `--version`")
 
 
 def run() -> NoReturn:

@@ -121,30 +121,40 @@ class Expander:
         self, document: Document, arguments: Mapping[str, str] | None, *, is_partial: bool
     ) -> Expansion:
         packages = self.packages_for(document.path)
+        texts = self.surroundings.texts
+        answer = self._ask(
+            packages,
+            path=str(document.path),
+            text=document.source.text,
+            arguments=dict(arguments or {}),
+            partial=is_partial,
+            texts=dict(texts),
+        )
+        try:
+            return _expansion(answer, document, texts)
+        except (KeyError, IndexError, TypeError, ValueError):  # code in a file has got at the answer
+            refusal = {
+                "kind": "refused",
+                "message": "the answer of the process that expands is not as it must be",
+            }
+            return _expansion({"failure": refusal, "files": [], "steps": []}, document, {})
+
+    def walls(self) -> Mapping[str, bool]:
+        """The parts of the system that lock an expansion up, and whether they do so here."""
+        here = Path.cwd()
+        answer = self._ask(Packages(here), path="", text="", arguments={}, partial=False, texts={})
+        walls: Mapping[str, bool] = answer["walls"]
+        return walls
+
+    def _ask(self, packages: Packages, **wanted: Any) -> Mapping[str, Any]:
         request = {
-            "path": str(document.path),
-            "text": document.source.text,
-            "arguments": dict(arguments or {}),
             "root": str(packages.root),
             "packages": {name: os.path.abspath(folder) for name, folder in packages.given.items()},
             "paths": [os.path.abspath(folder) for folder in packages.paths],
             "environment": packages.environment,
             "cwd": os.getcwd(),
-            "partial": is_partial,
-            "texts": dict(self.surroundings.texts),
         }
-        answer = self._worker.ask(request, self.surroundings.limits)
-        try:
-            return _expansion(answer or _UNANSWERED, document, self.surroundings.texts)
-        except (KeyError, IndexError, TypeError, ValueError):
-            return _expansion(_UNANSWERED, document, {})
-
-
-_UNANSWERED: Mapping[str, Any] = {
-    "failure": {"kind": "limit", "message": "the expansion came to an unexpected end"},
-    "files": [],
-    "steps": [],
-}
+        return self._worker.ask({**request, **wanted}, self.surroundings.limits)
 
 
 def expand(

@@ -23,11 +23,12 @@ from xacro import substitution_args
 
 from sdfcheck.files.packages import Packages
 from sdfcheck.xacro.parameters import ArgumentParser
-from sdfcheck.xacro.process import failure, sandbox
+from sdfcheck.xacro.process import failure, sandbox, walls
+from sdfcheck.xacro.process.interpreter import Interpreter, TooMuch
 from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
 
-RECURSION_LIMIT = 1500
-"""Above Python's own, since following xacro takes frames too."""
+RECURSION_LIMIT = 3000
+"""Above Python's own, since following xacro and evaluating its expressions take frames too."""
 
 CRUMBS = 65536
 
@@ -41,9 +42,8 @@ def main() -> None:
     requests = os.fdopen(os.dup(0), "rb")
     answers = os.fdopen(os.dup(1), "wb")
     void = os.open(os.devnull, os.O_RDWR)
-    for stream in (0, 1, 2):
+    for stream in (0, 1):
         os.dup2(void, stream)
-    sandbox.isolate_network()
     gc.disable()
     known: dict[str, Packages] = {}
     while (request := receive(requests)) is not None:
@@ -79,21 +79,38 @@ def _packages(request: Request, known: dict[str, Packages]) -> Packages:
 
 def _serve(request: Request, known: dict[str, Packages]) -> bytes:
     packages = _packages(request, known)
-    memory = mmap.mmap(-1, CRUMBS)
+    readable = sandbox.Readable(
+        request["root"], [*map(str, packages.trusted())], [*map(str, packages.installed())]
+    )
     if sys.platform == "win32" or not hasattr(os, "fork"):
-        return json.dumps(expand(request, packages, memory)).encode()
+        return _answer(request, packages, readable, mmap.mmap(-1, CRUMBS))
+    deadline = time.monotonic() + request["limits"]["wall"]
+    while True:
+        answer = _forked(request, packages, readable, deadline)
+        path = json.loads(answer)["closed"] if answer.startswith(b'{"closed"') else ""
+        if not path or path in readable.linked or not readable(path):
+            return answer
+        readable.linked.append(path)
+
+
+def _forked(request: Request, packages: Packages, readable: sandbox.Readable, deadline: float) -> bytes:
+    """The answer of a fork that expands the file, or the limit that it reached."""
+    memory = mmap.mmap(-1, CRUMBS)
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
-        os.close(reading)
         try:
-            answer = json.dumps(expand(request, packages, memory)).encode()
+            # Of what the process has open, the fork keeps its own pipe only.
+            os.dup2(0, 2)
+            os.closerange(3, writing)
+            os.closerange(writing + 1, writing + 64)
+            answer = _answer(request, packages, readable, memory)
             while answer:
                 answer = answer[os.write(writing, answer) :]
         finally:
             os._exit(0)
     os.close(writing)
-    answer, reason = _collect(reading, request["limits"])
+    answer, reason = _collect(reading, request["limits"], deadline)
     os.close(reading)
     if reason:
         os.kill(child, signal.SIGKILL)
@@ -116,9 +133,20 @@ def _serve(request: Request, known: dict[str, Packages]) -> bytes:
     return json.dumps({"files": files, "steps": [], "failure": report}).encode()
 
 
-def _collect(stream: int, limits: dict[str, int]) -> tuple[bytes, str]:
+def _answer(request: Request, packages: Packages, readable: sandbox.Readable, memory: Any) -> bytes:
+    """The expansion; a bug or an xacro that is not as expected is ``broken``, which says nothing of the file."""
+    sys.stderr = open(os.devnull, "w")  # noqa: SIM115 - where xacro's warnings go
+    try:
+        answer = expand(request, packages, readable, memory)
+    except BaseException:
+        import traceback
+
+        answer = {"broken": traceback.format_exc()}
+    return json.dumps(answer).encode()
+
+
+def _collect(stream: int, limits: dict[str, int], deadline: float) -> tuple[bytes, str]:
     """All that the fork writes, or why it must be stopped."""
-    deadline = time.monotonic() + limits["wall"]
     pieces: list[bytes] = []
     size = 0
     while True:
@@ -134,20 +162,20 @@ def _collect(stream: int, limits: dict[str, int]) -> tuple[bytes, str]:
             return b"", f"the result is longer than {limits['output']} bytes"
 
 
-def expand(request: Request, packages: Packages, memory: Any) -> Answer:
-    """Expand one file, locked up."""
+def expand(request: Request, packages: Packages, readable: sandbox.Readable, memory: Any) -> Answer:
+    """Expand one file, locked up; without a file say which walls stand."""
     path = request["path"]
     tracer = Tracer(xacro, {**request["texts"], path: request["text"]}, Crumbs(memory))
     os.chdir(request["cwd"])
     os.environ.clear()
     os.environ.update(request["environment"])
     _prepare(tracer, packages, is_partial=request["partial"])
+    xacro.open = door = sandbox.Door(readable)
     sys.setrecursionlimit(RECURSION_LIMIT)
-    readable = sandbox.Readable(
-        request["root"], [*map(str, packages.trusted())], [*map(str, packages.installed())]
-    )
     sandbox.limit(request["limits"])
-    sandbox.guard(readable)
+    standing = walls.lock(readable, (*readable.roots, *readable.linked))
+    if not path:
+        return {"walls": standing}
     answer: Answer = {}
     steps = Steps()
     try:
@@ -156,12 +184,14 @@ def expand(request: Request, packages: Packages, memory: Any) -> Answer:
         places = steps.places(document.documentElement)
         text = document.toprettyxml(indent="  ")
         if len(text) > request["limits"]["output"]:
-            raise sandbox.TooMuch(f"the result is longer than {request['limits']['output']} bytes")
+            raise TooMuch(f"the result is longer than {request['limits']['output']} bytes")
         answer = {"text": text, "places": places, "arguments": sorted(arguments)}
     except BaseException as error:
         report = failure.describe(error, tracer)
         report["step"] = steps.number(report.get("step"))
         answer = {"failure": report}
+    if door.closed and door.closed not in readable.linked:
+        return {"closed": door.closed}
     others = [str(name) for name in xacro.all_includes if name not in tracer.files]
     return {**answer, "files": tracer.files, "steps": steps.rows, "others": sorted(set(others))}
 
@@ -196,10 +226,9 @@ def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
         path = str(absolute(spec))
         return path if os.path.exists(path) else str(packages.locate(Path(path)))
 
-    xacro.safe_eval = sandbox.evaluate
+    Interpreter(xacro, substitution_args)
     xacro.parse_macro_arg = ArgumentParser()
     xacro.abs_filename_spec = locate
-    substitution_args.eval = sandbox.evaluate_substitution
     substitution_args._eval_find = find
     substitution_args._eval_dict["find"] = find
     substitution_args._eval_env = variable

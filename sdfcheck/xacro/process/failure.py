@@ -10,7 +10,7 @@ from xml.parsers.expat import ExpatError, errors
 
 from xacro.substitution_args import ArgException
 
-from sdfcheck.xacro.process.sandbox import Refused, TooMuch
+from sdfcheck.xacro.process.interpreter import Refused, TooMuch
 from sdfcheck.xacro.process.trace import KEY, Step, Tracer, Written
 
 _TEXT_NODE = 3

@@ -103,7 +103,7 @@ class Tracer:
         if text is not None:
             return Builder(self, self.number(filename)).parseString(text)
         try:
-            file = open(os.path.join(self.xacro.root_dir, filename))  # noqa: SIM115 - closed below
+            file = self.xacro.open(os.path.join(self.xacro.root_dir, filename))
         except OSError as error:
             self.xacro.filestack.pop()
             raise self.xacro.XacroException(f"{error.strerror}: {error.filename}", exc=error) from error

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
+from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 from sdfcheck.xacro.process.watch import Limits, Watch, is_needed
 
 if TYPE_CHECKING:
     import subprocess
 
-_START = "import sys; sys.path[:0] = sys.argv[1:]; from sdfcheck.xacro.process.child import main; main()"
+_START = "import sys; sys.path += sys.argv[1:]; from sdfcheck.xacro.process.child import main; main()"
 _GRACE = 5.0
 """So many seconds after its own deadline the process is given up."""
+
+OLDEST, NEWEST = (2, 1), (3,)
+"""The versions of xacro that are understood: from the first on, before the second."""
+
+_METADATA = re.compile(r"xacro-(\d+(?:\.\d+)*)[^/]*\.(?:dist|egg)-info$", re.IGNORECASE)
 
 
 class Worker:
@@ -28,11 +35,11 @@ class Worker:
         self._process: subprocess.Popen[bytes] | None = None
         self._stop: Callable[[], object] | None = None
 
-    def ask(self, request: dict[str, Any], limits: Limits) -> dict[str, Any] | None:
-        """The answer to a request, None if the process failed.
+    def ask(self, request: dict[str, Any], limits: Limits) -> dict[str, Any]:
+        """The answer to a request.
 
         Raises:
-            WrongUsage: nothing can limit the process.
+            WrongUsage: the process failed, for a reason that is not the file's, or nothing can limit it.
         """
         from threading import Timer
 
@@ -40,7 +47,7 @@ class Worker:
         watch = Watch(process.pid, limits, lambda: _kill(process)) if is_needed() else None
         timer = Timer(limits.wall + _GRACE, _kill, [process])
         timer.start()
-        answer: dict[str, Any] | None = None
+        answer: Any = None
         try:
             with watch or nullcontext():
                 answer = self._answer(process, request, limits)
@@ -48,12 +55,15 @@ class Worker:
             answer = None
         finally:
             timer.cancel()
-            if not isinstance(answer, dict) or not hasattr(os, "fork"):
-                self.close()
         if watch is not None and watch.reason:
-            failure = {"kind": "limit", "message": watch.reason}
-            return {"failure": failure, "files": [], "steps": []}
-        return answer if isinstance(answer, dict) else None
+            answer = {"failure": {"kind": "limit", "message": watch.reason}, "files": [], "steps": []}
+        broken = answer.get("broken") if isinstance(answer, dict) else _last_words(process)
+        if broken or not hasattr(os, "fork"):
+            self.close()
+        if broken:
+            raise _broken(broken)
+        assert isinstance(answer, dict)
+        return answer
 
     def _answer(self, process: subprocess.Popen[bytes], request: dict[str, Any], limits: Limits) -> Any:
         import json
@@ -78,12 +88,14 @@ class Worker:
         import subprocess
         from weakref import finalize
 
-        command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", "utf8", "-c", _START, *_folders()]
+        # Names of files mean the same in both processes.
+        encoding = f"utf8={sys.flags.utf8_mode}"
+        command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", encoding, "-c", _START, *_folders()]
         self._process = subprocess.Popen(
             command,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
             env={"PATH": os.defpath, **_needed_by_the_system()},
             start_new_session=True,
         )
@@ -93,7 +105,7 @@ class Worker:
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
     _kill(process)
-    for stream in (process.stdin, process.stdout):
+    for stream in (process.stdin, process.stdout, process.stderr):
         assert stream
         with suppress(OSError):  # what was to be written to a process that is gone
             stream.close()
@@ -121,18 +133,76 @@ def _receive(stream: IO[bytes], limit: int) -> bytes | None:
     return data if len(data) == size else None
 
 
-def _folders() -> list[str]:
-    """The folders from which the process imports: this package's, xacro's and PyYAML's."""
-    from importlib.util import find_spec
+def _last_words(process: subprocess.Popen[bytes]) -> str:
+    """The words that a process left on stderr, which is ended if it still runs."""
+    _kill(process)
+    assert process.stderr
+    return process.stderr.read(1 << 20).decode(errors="replace").strip() or "it came to an unexpected end"
 
-    folders = [str(Path(__file__).parents[3])]
-    for name in ("xacro", "yaml"):
-        spec = find_spec(name)
-        if spec is not None and spec.origin is not None:
-            folders.append(str(Path(spec.origin).parents[1]))
-    return list(dict.fromkeys(folders))
+
+def _broken(words: str) -> WrongUsage:
+    """The error for a process that failed; its own words are a traceback, whose last line says what happened."""
+    last = " ".join(words.splitlines()[-1].split())
+    words = f"\n{words}\n" if os.environ.get("SDFCHECK_DEBUG") else last
+    return WrongUsage(
+        f"xacro files cannot be expanded, the process for it failed: {words} "
+        f"(`--no-expand` checks the files as they are written; {REPORT_IT})"
+    )
+
+
+def _folders() -> list[str]:
+    """The folders from which the process imports after the standard library: this package's, xacro's and PyYAML's."""
+    return list(dict.fromkeys([str(Path(__file__).parents[3]), *xacro_folder(), *_homes("yaml")[:1]]))
+
+
+def xacro_folder() -> list[str]:
+    """The folder that holds an xacro of a version that is understood; a shell for ROS may name others first.
+
+    Raises:
+        WrongUsage: there is an xacro, but none of such a version.
+    """
+    homes = _homes("xacro")
+    unknown, others = [], []
+    for folder in homes:
+        version = _xacro_version(folder)
+        if version and OLDEST <= version < NEWEST:
+            return [folder]
+        if version:
+            others.append(f"{'.'.join(map(str, version))} in {folder}")
+        else:
+            unknown.append(folder)
+    if others and not unknown:
+        raise WrongUsage(
+            f"xacro files cannot be expanded: xacro 2.1 or newer is needed, found is {', '.join(others)} "
+            "(`pip install 'xacro>=2.1,<3'`; `--no-expand` checks the files as they are written)"
+        )
+    return unknown[:1]
+
+
+def _xacro_version(folder: str) -> tuple[int, ...]:
+    """The version of the xacro in a folder, as its metadata say it; empty without any."""
+    for name in sorted(os.listdir(folder)):
+        if match := _METADATA.match(name):
+            return tuple(map(int, match[1].split(".")))
+    return ()
+
+
+def _homes(package: str) -> list[str]:
+    """The folders that hold a package: those of this environment first, then the others that are imported from."""
+    found = (os.path.abspath(folder or os.curdir) for folder in _import_folders())
+    return [
+        folder
+        for folder in dict.fromkeys(found)
+        if os.path.isfile(os.path.join(folder, package, "__init__.py"))
+    ]
+
+
+def _import_folders() -> Iterator[str]:
+    own = os.path.join(sys.prefix, "")
+    yield from (folder for folder in sys.path if folder.startswith(own))
+    yield from sys.path
 
 
 def _needed_by_the_system() -> dict[str, str]:
-    names = ("SYSTEMROOT", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")
+    names = ("LANG", "LC_ALL", "LC_CTYPE", "LOCPATH", "LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH", "SYSTEMROOT")
     return {name: os.environ[name] for name in names if name in os.environ}

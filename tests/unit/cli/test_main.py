@@ -33,6 +33,22 @@ def test_the_version_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out == f"sdfcheck {__version__}\n"
 
 
+@pytest.mark.parametrize("arguments", [["--version", "--verbose"], ["--verbose", "-V"]])
+def test_the_walls_around_xacro_are_shown(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(arguments) == 0
+    first, *others = capsys.readouterr().out.splitlines()
+    assert first == f"sdfcheck {__version__}"
+    shown = dict(line.strip().split(": ") for line in others if line.startswith("  "))
+    assert shown["interpreter of expressions"] == "active"
+    assert {"Landlock", "seccomp filter"} < set(shown)
+    assert set(shown.values()) <= {"active", "not available"}
+
+
+def test_verbose_goes_with_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["--verbose", "rules"]) == 2
+    assert "goes with `--version`" in capsys.readouterr().err
+
+
 def test_every_command_is_listed_and_can_be_loaded(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--help"]) == 0
     listed = capsys.readouterr().out

@@ -103,7 +103,7 @@ def test_a_property_made_of_itself(expander: Expander, tmp_path: Path) -> None:
         "().__class__",
         REACH,
         "(x for x in [1]).gi_frame.f_back",
-        "[f.f_globals for f in [1]]",
+        "[f.gi_code for f in [(x for x in [1])]]",
         "(lambda: (lambda: ().__class__)())()",
     ],
 )
