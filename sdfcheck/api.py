@@ -62,7 +62,7 @@ def fix(  # noqa: PLR0913
     changed = tuple(fix_files(run(paths, options), paths, options, unsafe=unsafe))
     for each in changed:
         if write and each.fixed:
-            overwrite(each.path, each.after)
+            overwrite(each.path, each.after, instead=True)
     return changed
 
 
@@ -101,12 +101,13 @@ def targets(
     from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.session import run
     from sdfcheck.lint.targets import matrix
+    from sdfcheck.files.regular import read_named
     from sdfcheck.source.sniff import sniff
 
     path = Path(what)
     configuration = Configuration(config, isolated=isolated, trusted=trust_config)
     options = options_of(configuration, target=[consumer.value for consumer in Consumer])
-    return matrix(run([path], options), sniff(path.read_bytes(), path), path)
+    return matrix(run([path], options), sniff(read_named(path), path), path)
 
 
 def inertia(what: Description) -> MassReport:

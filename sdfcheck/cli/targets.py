@@ -13,6 +13,7 @@ from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, des
 from sdfcheck.cli.parts.options import formatted, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say
+from sdfcheck.files.regular import read_named
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
@@ -51,9 +52,9 @@ def targets_command(
             "file": file.as_posix(),
             "consumers": [record(row) for row in rows],
         }
-        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file, [file])
+        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file)
     else:
-        deliver_lines(lines(rows, file), output_file, [file])
+        deliver_lines(lines(rows, file), output_file)
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 
@@ -75,7 +76,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    return matrix(done, sniff(file.read_bytes(), file), file, consumers)
+    return matrix(done, sniff(read_named(file), file), file, consumers)
 
 
 def lines(rows: Sequence[Row], file: Path) -> Iterator[str]:

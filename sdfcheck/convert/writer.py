@@ -247,8 +247,8 @@ def spaced(text: str) -> str:
     return " ".join(text.split())
 
 
-def write_atomically(path: Path, text: str) -> None:
-    """Write a file whole or not at all.
+def write_atomically(path: Path, text: str, *, instead: bool = False) -> None:
+    """Write a file whole or not at all; ``instead``: of the source.
 
     Raises:
         WrongUsage: it cannot be written.
@@ -256,6 +256,6 @@ def write_atomically(path: Path, text: str) -> None:
     from sdfcheck.files.overwrite import overwrite
 
     try:
-        overwrite(path, text.encode("utf-8", "surrogateescape"))
+        overwrite(path, text.encode("utf-8", "surrogateescape"), instead=instead)
     except OSError as error:
         raise WrongUsage(f"cannot write {path}: {error.strerror or error}") from None

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander, Surroundings
 
-_INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
+_INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG, Kind.BROKEN_XML, Kind.EMPTY})
+"""The kinds whose texts findings may show."""
 
 
 class Selected(NamedTuple):
@@ -82,6 +83,11 @@ class Caches:
             self._libraries[search] = Library(search, settings.size_limit)
         return self._libraries[search]
 
+    @property
+    def refused(self) -> list[tuple[Path, Path]]:
+        """The files that were not read as they lie outside, each with a document that refers to it."""
+        return sorted(pair for library in self._libraries.values() for pair in library.refused.items())
+
     def included(self, files: Sequence[Path]) -> Iterator[Document]:
         """The documents that only includes lead to, each once; ``files`` are the run's own."""
         own: set[str] = set()
@@ -90,9 +96,7 @@ class Caches:
                 if not own:
                     own.update(map(library.disk.real, files))
                 key = library.disk.real(document.path)
-                # The parser cannot determine the kind of a broken text, unless xacro includes it.
-                is_broken = document.root is None and document.kind is not Kind.XACRO
-                if key not in own and (document.kind in _INCLUDABLE or is_broken):
+                if key not in own and document.kind in _INCLUDABLE:
                     own.add(key)
                     yield document
 

@@ -52,6 +52,8 @@ class Settings(NamedTuple):
     xacro: tuple[tuple[Pattern, tuple[ArgumentSet, ...]], ...] = ()
     max_file_size: float = SIZE_LIMIT / MEGABYTE
     files: tuple[ConfigFile, ...] = ()
+    named: tuple[Path, ...] = ()
+    """The folders that the run is about; no key sets them."""
 
     @property
     def size_limit(self) -> int:
@@ -61,7 +63,7 @@ class Settings(NamedTuple):
     @property
     def search(self) -> SearchPaths:
         """Where models and packages are looked for."""
-        return SearchPaths(self.model_paths, self.package_paths, self.packages)
+        return SearchPaths(self.model_paths, self.package_paths, self.packages, self.named)
 
     def extended(self, search: SearchPaths, variables: tuple[str, ...] = ()) -> Settings:
         """The settings with further places, which come first, and environment variables for xacro."""
@@ -71,6 +73,7 @@ class Settings(NamedTuple):
             model_paths=(*search.models, *self.model_paths),
             package_paths=(*search.packages_in, *self.package_paths),
             packages=(*self.packages, *search.packages),
+            named=search.named,
             env=(*self.env, *variables),
         )
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
+from sdfcheck.files.regular import read_named
 from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
 from sdfcheck.robot.model import Model
 from sdfcheck.robot.naming.references import references
@@ -91,10 +92,10 @@ class Edit:
             parse(self.text, self.root.document.path)
         except Unreadable as error:
             raise EditError(f"the changed text cannot be read: {error}") from None
-        data = self._path.read_bytes() if self._path is not None else None
+        data = read_named(self._path) if self._path is not None else None
         new = self.text.encode() if data is None else splice(data, self._sorted())
         if new != data or target != self._path:
-            overwrite(target, new)
+            overwrite(target, new, instead=True)
 
     # Changes
 

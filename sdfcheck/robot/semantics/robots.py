@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages
-from sdfcheck.files.regular import read_regular
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics.semantics import Semantics, names
 from sdfcheck.source.document import Document, read
@@ -55,9 +54,9 @@ def descriptions_of(semantics: Semantics) -> Iterator[Document]:
     seen: set[str] = set()
     for packages in (Packages(_package(path)), library.packages(path)):
         for file in _files(semantics.document, packages, (".urdf", ".xacro")):
-            kind = _kind(file, semantics) if str(file) not in seen else None
+            kind = _kind(file, _data(file, semantics), semantics) if str(file) not in seen else None
             seen.add(str(file))
-            if kind is not None and (found := library.document(file, kind)) is not None:
+            if kind is not None and (found := library.document(file, kind, semantics.document)) is not None:
                 yield found
 
 
@@ -101,12 +100,17 @@ def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) ->
     return sorted((path for path in found if ".srdf" not in path.name), key=distance)
 
 
-def _kind(path: Path, semantics: Semantics) -> Kind | None:
-    """Which kind of file describes a robot of the name; None: it does not."""
+def _data(path: Path, semantics: Semantics) -> bytes:
+    """The content of a file; nothing where it cannot be read."""
+    library = library_of(semantics.document)
     try:
-        data = read_regular(path)
+        return library.read(path, semantics.document) if library is not None else b""
     except OSError:
-        return None
+        return b""
+
+
+def _kind(path: Path, data: bytes, semantics: Semantics) -> Kind | None:
+    """Which kind of file describes a robot of the name; None: it does not."""
     match = _ROBOT.search(data[:8192].decode("utf-8", "replace"))
     if match is None or match[1] != semantics.name:
         return None
@@ -115,10 +119,11 @@ def _kind(path: Path, semantics: Semantics) -> Kind | None:
 
 def _robot(path: Path, semantics: Semantics, expand: Expand | None) -> Model | None:
     """The robot of a file, if it has the name."""
-    kind = _kind(path, semantics)
+    data = _data(path, semantics)
+    kind = _kind(path, data, semantics)
     if kind is None:
         return None
-    document: Document | None = read(read_regular(path), path, kind)
+    document: Document | None = read(data, path, kind)
     assert document is not None
     document.library = semantics.document.library
     if kind is Kind.XACRO:
