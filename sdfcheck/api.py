@@ -97,11 +97,11 @@ def targets(
     Raises sdfcheck.WrongUsage for a path that is not there or is not a robot description.
     """
     from sdfcheck.consumers.reaction import Consumer
+    from sdfcheck.files.regular import read_named
     from sdfcheck.lint.call import options_of
     from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.session import run
     from sdfcheck.lint.targets import matrix
-    from sdfcheck.files.regular import read_named
     from sdfcheck.source.sniff import sniff
 
     path = Path(what)

@@ -181,7 +181,8 @@ def lint(**given: Any) -> int:
 
         if request.write_baseline:
             notifier.flush()
-            return baseline.write(done, request.baseline, quiet=request.quiet)
+            written = baseline.write(done, request.baseline, quiet=request.quiet)
+            return 2 if notifier.failed else written
         done = baseline.without_known(done, request.baseline, notifier)
     notifier.flush()
     if request.fix_only:

@@ -128,7 +128,8 @@ def _complain(error: click.ClickException) -> None:
         usage = shown.getvalue().removesuffix(f"{message}\n")
     for line in usage.splitlines():
         say(line)
-    say(message)
+    # Click lists choices in lines.
+    say(message.replace(":\n\t", ": ").replace(",\n\t", ", "))
 
 
 def _apology(error: Exception) -> str:

@@ -13,8 +13,8 @@ from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, des
 from sdfcheck.cli.parts.options import formatted, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say
-from sdfcheck.files.regular import read_named
 from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.files.regular import read_named
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.source.sniff import sniff

@@ -38,7 +38,7 @@ _KINDS = (
 )
 _KERNEL = ("/proc", "/sys", "/dev")
 """Folders whose files are what the kernel makes up, also where they look regular."""
-_MEMORY = ("/dev/shm",)  # noqa: S108 - a disk in memory, on which nothing is written here
+_MEMORY = ("/dev/shm",)
 
 Identity = tuple[int, int]
 """A value that is equal for two paths that lead to one file, by whatever links: device and inode."""
@@ -87,8 +87,18 @@ def read_named(path: Path, limit: int = SIZE_LIMIT) -> bytes:
 
 def read_regular(path: Path, limit: int = SIZE_LIMIT, within: Bounds | None = None) -> bytes:
     """The content of a regular file of at most ``limit`` bytes; raises OSError, as :func:`open_regular`."""
-    with open_regular(path, limit, within) as stream:
-        return read_on(stream, path, limit)
+    handle = _open(path, limit, within)
+    try:
+        # Not by a stream: what expands xacro may open files by their paths only.
+        pieces, left = [], limit + 1
+        while left > 0 and (piece := os.read(handle, min(left, MEGABYTE))):
+            pieces.append(piece)
+            left -= len(piece)
+    finally:
+        os.close(handle)
+    if not left:
+        raise _too_large(path, limit)
+    return b"".join(pieces)
 
 
 def open_named(path: Path, limit: int = SIZE_LIMIT) -> BinaryIO:
@@ -99,7 +109,7 @@ def open_named(path: Path, limit: int = SIZE_LIMIT) -> BinaryIO:
     own = descriptor(path)
     if own is None:
         return open_regular(path, limit)
-    return _checked(os.dup(own), path, limit, is_own=True)
+    return os.fdopen(_checked(os.dup(own), path, limit, is_own=True), "rb")
 
 
 def open_regular(path: Path, limit: int = SIZE_LIMIT, within: Bounds | None = None) -> BinaryIO:
@@ -108,6 +118,10 @@ def open_regular(path: Path, limit: int = SIZE_LIMIT, within: Bounds | None = No
     Raises OSError: Outside where it does not; Unfit for pipes, devices, what the kernel makes up
     and files larger than ``limit``.
     """
+    return os.fdopen(_open(path, limit, within), "rb")
+
+
+def _open(path: Path, limit: int, within: Bounds | None) -> int:
     try:
         # A device may act when it is opened, a pipe wait for somebody who never comes.
         _refuse_odd(path, os.stat(path))
@@ -119,8 +133,8 @@ def open_regular(path: Path, limit: int = SIZE_LIMIT, within: Bounds | None = No
 
 def _checked(
     handle: int, path: Path, limit: int, within: Bounds | None = None, *, is_own: bool = False
-) -> BinaryIO:
-    """The stream of a file that was opened; what is judged is that file, not what its path leads to by then."""
+) -> int:
+    """A file that was opened and may be read; what is judged is that file, not what its path leads to by then."""
     try:
         status = os.fstat(handle)
         if not is_own:
@@ -137,10 +151,10 @@ def _checked(
         if status.st_size > limit:
             raise _too_large(path, limit)
         _note(status)
-        return os.fdopen(handle, "rb")
     except BaseException:
         os.close(handle)
         raise
+    return handle
 
 
 def read_on(stream: BinaryIO, path: Path, limit: int = SIZE_LIMIT) -> bytes:

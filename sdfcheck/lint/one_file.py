@@ -36,9 +36,12 @@ class Selected(NamedTuple):
 class Caches:
     """The libraries and expanders of a run: one for all files that have the same search paths."""
 
-    __slots__ = ("_arguments", "_expand", "_expanders", "_libraries")
+    __slots__ = ("_arguments", "_expand", "_expanders", "_libraries", "_named")
 
-    def __init__(self, *, expand: bool = True, arguments: ArgumentSet = ()) -> None:
+    def __init__(
+        self, *, expand: bool = True, arguments: ArgumentSet = (), named: tuple[Path, ...] = ()
+    ) -> None:
+        self._named = named
         self._expand = expand
         self._arguments = arguments
         self._libraries: dict[SearchPaths, Library] = {}
@@ -78,7 +81,7 @@ class Caches:
         return Surroundings(dict(settings.packages), settings.package_paths, settings.env)
 
     def library(self, settings: Settings) -> Library:
-        search = settings.search
+        search = settings.search._replace(named=self._named)
         if search not in self._libraries:
             self._libraries[search] = Library(search, settings.size_limit)
         return self._libraries[search]

@@ -142,7 +142,7 @@ class Linter:
     def __init__(self, options: Options, book: RuleBook | None = None) -> None:
         self._options = options
         self._book = book or RuleBook(options.choice, options.target)
-        self._caches = Caches(expand=options.expand, arguments=options.arguments)
+        self._caches = Caches(expand=options.expand, arguments=options.arguments, named=options.search.named)
 
     def __enter__(self) -> Linter:
         return self
@@ -306,7 +306,8 @@ _DESCRIPTIONS = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG, K
 
 def _refuse_to_show(path: Path, options: Options) -> None:
     """Make sure that a link to what is not a robot description does not lead out: findings would show the text."""
-    around = Library(options.settings_for(path).search).around(path)
+    search = options.settings_for(path).search._replace(named=options.search.named)
+    around = Library(search).around(path)
     if not around.hold(path, os.path.realpath(path)):
         raise Outside(path, f"a link to what is not a robot description, {OUTSIDE}")
 

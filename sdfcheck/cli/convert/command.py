@@ -141,9 +141,9 @@ def _check_arguments(request: Request, files: Sequence[Source]) -> None:
 
 
 def _write(done: Conversion, source: Source, target: Path | None) -> None:
-    from sdfcheck.files.regular import identity
     from sdfcheck.convert.result_paths import seen_from
     from sdfcheck.convert.writer import write_atomically
+    from sdfcheck.files.regular import identity
 
     if target is None:
         emit(done.text)

@@ -70,7 +70,7 @@ def _surface(document: Document, uri: str) -> Any:
         if _work(data, form) > MOST_WORK:
             raise MeshError(f"mesh `{uri}` has too many parts to be measured")
         beside = _Buffers(lambda name: library.read(path.parent / name, document, SIZE_LIMIT))
-        return trimesh.load(BytesIO(data), form, beside, force="mesh", skip_materials=True)  # type: ignore[arg-type]
+        return trimesh.load(BytesIO(data), form, beside, force="mesh", skip_materials=True)
     except MeshError:
         raise
     except OSError as error:
@@ -96,7 +96,7 @@ class _Buffers(Mapping[str, bytes]):
     def __len__(self) -> int:
         return 0
 
-    def get(self, name: str, default: object = None) -> bytes:  # type: ignore[override]
+    def get(self, name: str, default: object = None) -> bytes:
         return self[name]
 
 

@@ -115,7 +115,7 @@ def test_a_link_that_leads_out_is_not_followed(tmp_path: Path, monkeypatch: pyte
     (tmp_path / "repo" / "a.sdf").symlink_to("../out/a.sdf")
     (tmp_path / "repo" / "results").symlink_to("../out")
     for name in ("a.sdf", "results/a.sdf", "results/new.sdf"):
-        with pytest.raises(Refused, match="leads out of .*repo by a link"):
+        with pytest.raises(Refused, match=r"leads out of .*repo by a link"):
             overwrite(tmp_path / "repo" / name, b"new")
     (tmp_path / "repo" / "inside.sdf").symlink_to("below/b.sdf")
     overwrite(tmp_path / "repo" / "inside.sdf", b"new")
