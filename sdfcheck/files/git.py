@@ -77,7 +77,7 @@ def _parse(line: str) -> Listed:
     """Tracked names are after their mode, hash and stage; untracked ones have nothing before them."""
     entry, tab, name = line.partition("\t")
     if tab and entry.count(" ") == 2 and len(entry) > 45:
-        return Listed(name, entry.startswith("160000 "))
+        return Listed(name.rstrip("/"), entry.startswith("160000 "))
     return Listed(line.rstrip("/"), line.endswith("/"))
 
 
