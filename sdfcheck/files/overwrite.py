@@ -24,6 +24,13 @@ class Refused(OSError):
         super().__init__(errno.EINVAL, why, str(path))
 
 
+def why_not(path: Path, error: OSError) -> str:
+    """The sentence about a file that was not written."""
+    if isinstance(error, Refused):
+        return f"{path} {error.strerror}"
+    return f"cannot write {path}: {error.strerror or error}"
+
+
 def overwrite(path: Path, data: bytes, *, instead: bool = False) -> None:
     """Put ``data`` in the place of a file's content, or leave the file as it is.
 

@@ -145,7 +145,7 @@ def _checked(
             if within is not None and not within.hold(path, real):
                 raise Outside(path, OUTSIDE)
             if is_below(real, _KERNEL) and not is_below(real, _MEMORY):
-                raise Unfit(path, "no file of a disk")
+                raise Unfit(path, "a file of the kernel, not of a disk")
         elif not stat.S_ISFIFO(status.st_mode):
             _refuse_odd(path, status)
         if status.st_size > limit:

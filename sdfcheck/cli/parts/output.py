@@ -92,14 +92,9 @@ def _explained(file: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        from sdfcheck.files.overwrite import Refused
+        from sdfcheck.files.overwrite import why_not
 
-        reason = (
-            f"{file} {error.strerror}"
-            if isinstance(error, Refused)
-            else f"cannot write {file}: {error.strerror}"
-        )
-        raise WrongUsage(reason) from None
+        raise WrongUsage(why_not(file, error)) from None
 
 
 def show(format: OutputFormat, text: str, *, color: bool, aside: bool = False) -> None:

@@ -35,7 +35,9 @@ def named(
     """
     naming = Naming({"world"})
     links = {name: naming.unique(name) for name in sorted(robot.links, key=_depth)}
-    joints = {name: naming.unique(name, f"{name}_joint") for name in sorted([*robot.joints, *kept], key=_depth)}
+    joints = {
+        name: naming.unique(name, f"{name}_joint") for name in sorted([*robot.joints, *kept], key=_depth)
+    }
     places = {name: naming.unique(name) for name in sorted(frames, key=_depth)}
     return naming, links, joints, places
 
