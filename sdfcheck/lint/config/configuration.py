@@ -130,12 +130,18 @@ class Configuration:
         """The settings of the files in an (absolute) folder."""
         if self._fixed is not None:
             return self._fixed
-        settings = self._by_folder.get(folder)
-        if settings is None:
-            settings = self._found_in(folder)
-            if settings is None:
-                settings = Settings() if folder.parent == folder else self.settings_in(folder.parent)
-            self._by_folder[folder] = settings
+        missing: list[Path] = []
+        settings: Settings | None = None
+        for place in (folder, *folder.parents):
+            settings = self._by_folder.get(place)
+            if settings is not None:
+                break
+            missing.append(place)
+            settings = self._found_in(place)
+            if settings is not None:
+                break
+        settings = settings or Settings()
+        self._by_folder.update(dict.fromkeys(missing, settings))
         return settings
 
     def _found_in(self, folder: Path) -> Settings | None:

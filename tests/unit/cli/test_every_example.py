@@ -3,11 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 
-import pytest
-
-from sdfcheck.cli.main import main
 from sdfcheck.lint.example import fill, unmark
 from sdfcheck.lint.rulebook.example_run import file_name
 from sdfcheck.lint.rulebook.packs import load_index
