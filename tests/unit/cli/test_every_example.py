@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.lint.example import fill, unmark
+from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.rulebook.example_run import file_name
 from sdfcheck.lint.rulebook.packs import load_index
 
@@ -38,7 +38,8 @@ def examples() -> Iterator[tuple[str, str, dict[str, str]]]:
     seen = set()
     for facts in index.facts:
         rule = index.rule(facts)
-        for example in (*rule.bad, *rule.good):
+        own: tuple[Bad | Good, ...] = (*rule.bad, *rule.good)
+        for example in own:
             text = unmark(fill(rule.scaffold, example))[0]
             if text not in seen:
                 seen.add(text)
