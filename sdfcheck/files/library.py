@@ -92,7 +92,7 @@ class Surroundings(NamedTuple):
         """The packages and models beside the project that a path may lead into."""
         for above in self.above:
             for folder in (above, os.path.join(above, "models")):
-                # What is in the project may be a link out of it.
+                # A folder in the project may be a link out of it.
                 if is_below(plain, (folder,)) and not is_below(os.path.realpath(folder), self.roots):
                     name = plain[len(os.path.join(folder, "")) :].partition(os.sep)[0]
                     owner = os.path.join(folder, name)

@@ -36,7 +36,7 @@ def overwrite(path: Path, data: bytes, *, instead: bool = False) -> None:
 
     ``instead``: the file is the one that the data was made from, and may have been read.
     Mode, owner and group stay; a symbolic link stays one, and the file that it leads to is written. Of
-    several hard links only this one gets the new content. What this process was given open
+    several hard links only this one gets the new content. Files that this process was given open
     (``/dev/stdout``, a shell's ``>(…)``) and the null device are written to.
 
     Raises OSError: Refused as :func:`refuse_to_write` says.

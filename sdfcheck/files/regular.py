@@ -1,7 +1,7 @@
 """The door through which files are read: regular files of a bearable size, where they may lie.
 
 A path that a person wrote goes through :func:`read_named`, any other through
-:func:`read_regular`. What was read is noted, so that the run does not write over it.
+:func:`read_regular`. Both note the files, so that the run does not write over them.
 """
 
 from __future__ import annotations
@@ -204,7 +204,7 @@ def is_new_to_run(folder: str) -> bool:
 
 
 def identity(path: Path) -> Identity | None:
-    """What a file is known by; None where there is none."""
+    """The identity of a file; None where there is none."""
     try:
         status = os.stat(path)
     except (OSError, ValueError):

@@ -30,7 +30,7 @@ def path_of(uri: str) -> Path:
     try:
         parts = urlsplit(uri)
         path = to_fs_path(uri) if parts.scheme == "file" else None
-    except ValueError:  # such as an address of a computer that is none
+    except ValueError:  # such as a malformed address of a computer
         return Path("untitled")
     # No file has the character NUL in its name.
     return Path((path or unquote(parts.path.rpartition("/")[2]) or "untitled").replace("\0", "\ufffd"))

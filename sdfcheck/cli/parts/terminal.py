@@ -98,7 +98,7 @@ def _write(text: str) -> None:
 
 
 def read_stdin() -> bytes:
-    """What stdin gives, up to the size of a file; raises WrongUsage."""
+    """The content of stdin, up to the size of a file; raises WrongUsage."""
     if sys.stdin is None:
         raise WrongUsage("cannot read stdin: it is closed")
     try:

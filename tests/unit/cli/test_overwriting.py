@@ -63,7 +63,7 @@ def contents(folder: Path) -> dict[str, str]:
 
 @pytest.mark.parametrize("place", ["world.sdf", "part.sdf", "sdfcheck.toml", "more.toml"])
 @pytest.mark.parametrize("command", ON_WORLDS)
-def test_what_was_read_stays(
+def test_inputs_stay(
     folder: Path, command: str, place: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     if command.startswith("convert sdf-to-sdf") and " -o" in command and place == "world.sdf":
@@ -77,14 +77,14 @@ def test_what_was_read_stays(
 
 
 @pytest.mark.parametrize("command", ON_XACRO)
-def test_what_xacro_has_read_stays(folder: Path, command: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_inputs_of_xacro_stay(folder: Path, command: str, capsys: pytest.CaptureFixture[str]) -> None:
     before = contents(folder)
     assert main([*command.format("part.xacro").split(), "robot.urdf.xacro"]) == 2
     assert "part.xacro is an input" in capsys.readouterr().err
     assert contents(folder) == before
 
 
-def test_what_other_processes_have_read_stays(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_inputs_of_other_processes_stay(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "worlds").mkdir()
     for number in range(70):
         (folder / "worlds" / f"{number}.sdf").write_text(WORLD.replace("part", "../part"))

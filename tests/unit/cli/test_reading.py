@@ -1,4 +1,4 @@
-"""What a description, a folder or a configuration leads to is read only where it may lie, and only if it is a file."""
+"""Files that descriptions, folders and configurations lead to are read within their bounds only."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def everything(capsys: pytest.CaptureFixture[str]) -> str:
     "uri", ["/proc/self/environ", "/proc/{pid}/environ", "/dev/stdin", "/sys/kernel/uevent_seqnum"]
 )
 @pytest.mark.parametrize("by_link", [False, True], ids=["itself", "by a link"])
-def test_what_the_kernel_makes_up_is_not_shown(
+def test_files_of_the_kernel_are_not_shown(
     project: Path, uri: str, *, by_link: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     uri = uri.format(pid=os.getpid())
@@ -64,7 +64,7 @@ def test_what_the_kernel_makes_up_is_not_shown(
 
 @pytest.mark.parametrize("name", ["secret.sdf", "secret.txt"])
 @pytest.mark.parametrize("by_link", [False, True], ids=["by its path", "by a link"])
-def test_what_lies_outside_is_not_shown(
+def test_files_outside_are_not_shown(
     project: Path, name: str, *, by_link: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     if by_link:
@@ -80,7 +80,7 @@ def test_what_lies_outside_is_not_shown(
     assert SECRET not in everything(capsys)
 
 
-def test_what_was_named_is_read(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_named_folders_are_read(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (project / "a.sdf").write_text(INCLUDING.format("../secret.sdf"))
     assert main(["lint", "a.sdf", ".."]) == 1
     assert "nonsense" in everything(capsys)

@@ -88,7 +88,7 @@ def test_a_file_whose_owner_cannot_be_kept_is_left_alone(
 
 @pytest.mark.parametrize("by_link", [False, True], ids=["itself", "by a link"])
 @pytest.mark.parametrize("kind", ["pipe", "device", "folder"])
-def test_what_is_not_a_file_is_not_written_to(tmp_path: Path, kind: str, *, by_link: bool) -> None:
+def test_pipes_devices_and_folders_are_not_written_to(tmp_path: Path, kind: str, *, by_link: bool) -> None:
     place = tmp_path / "odd" if kind != "device" else Path("/dev/zero")
     if kind == "pipe":
         os.mkfifo(place)
@@ -102,7 +102,7 @@ def test_what_is_not_a_file_is_not_written_to(tmp_path: Path, kind: str, *, by_l
     assert named.is_symlink() == by_link
 
 
-def test_what_goes_to_the_null_device_is_gone() -> None:
+def test_the_null_device_takes_everything() -> None:
     overwrite(Path(os.devnull), b"new")
     assert stat.S_ISCHR(os.stat(os.devnull).st_mode)
 
@@ -128,7 +128,7 @@ def test_a_link_that_leads_out_is_not_followed(tmp_path: Path, monkeypatch: pyte
     assert not (tmp_path / "elsewhere").exists()
 
 
-def test_what_was_read_is_kept(tmp_path: Path) -> None:
+def test_inputs_are_kept(tmp_path: Path) -> None:
     path, other = tmp_path / "a.sdf", tmp_path / "b.sdf"
     path.write_bytes(b"old")
     os.link(path, other)
@@ -150,7 +150,7 @@ overwrite(Path(sys.argv[1]), b"new")
 """
 
 
-def test_what_a_killed_run_has_left_is_removed_by_the_next(tmp_path: Path) -> None:
+def test_leftovers_of_a_killed_run_are_removed(tmp_path: Path) -> None:
     path = tmp_path / "a.sdf"
     path.write_bytes(b"old")
     subprocess.run([sys.executable, "-c", _KILLED, str(path)], check=False)
@@ -160,7 +160,7 @@ def test_what_a_killed_run_has_left_is_removed_by_the_next(tmp_path: Path) -> No
     assert os.listdir(tmp_path) == ["a.sdf"]
 
 
-def test_what_another_run_writes_is_left_alone(tmp_path: Path) -> None:
+def test_files_of_another_run_are_left_alone(tmp_path: Path) -> None:
     theirs = tmp_path / f".sdfcheck-{'0' * 16}"
     with theirs.open("wb") as stream:
         stream.write(b"theirs")
