@@ -12,7 +12,7 @@ import numpy as np
 from lxml import etree
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.regular import MEGABYTE
+from sdfcheck.files.regular import MEGABYTE, Unfit
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.motion.mass_properties import MassProperties
@@ -73,6 +73,8 @@ def _surface(document: Document, uri: str) -> Any:
         return trimesh.load(BytesIO(data), form, beside, force="mesh", skip_materials=True)
     except MeshError:
         raise
+    except Unfit as error:
+        raise MeshError(f"mesh `{uri}` is {error.strerror}") from None
     except OSError as error:
         raise MeshError(f"mesh `{uri}` is not read: {error.strerror}") from None
     except Exception:  # trimesh and its importers raise any kind, and quote what they read

@@ -63,9 +63,7 @@ def contents(folder: Path) -> dict[str, str]:
 
 @pytest.mark.parametrize("place", ["world.sdf", "part.sdf", "sdfcheck.toml", "more.toml"])
 @pytest.mark.parametrize("command", ON_WORLDS)
-def test_inputs_stay(
-    folder: Path, command: str, place: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_inputs_stay(folder: Path, command: str, place: str, capsys: pytest.CaptureFixture[str]) -> None:
     if command.startswith("convert sdf-to-sdf") and " -o" in command and place == "world.sdf":
         pytest.skip("a file may be moved to another version in place")
     before = contents(folder)
