@@ -62,7 +62,7 @@ def fix(  # noqa: PLR0913
     changed = tuple(fix_files(run(paths, options), paths, options, unsafe=unsafe))
     for each in changed:
         if write and each.fixed:
-            overwrite(each.path, each.after)
+            overwrite(each.path, each.after, instead=True)
     return changed
 
 
@@ -97,6 +97,7 @@ def targets(
     Raises sdfcheck.WrongUsage for a path that is not there or is not a robot description.
     """
     from sdfcheck.consumers.reaction import Consumer
+    from sdfcheck.files.regular import read_named
     from sdfcheck.lint.call import options_of
     from sdfcheck.lint.config.configuration import Configuration
     from sdfcheck.lint.session import run
@@ -106,7 +107,7 @@ def targets(
     path = Path(what)
     configuration = Configuration(config, isolated=isolated, trusted=trust_config)
     options = options_of(configuration, target=[consumer.value for consumer in Consumer])
-    return matrix(run([path], options), sniff(path.read_bytes(), path), path)
+    return matrix(run([path], options), sniff(read_named(path), path), path)
 
 
 def inertia(what: Description) -> MassReport:

@@ -52,6 +52,11 @@ class UnusableInclude(Rule):
             says="its root element is `COLLADA`",
         ),
         Bad(
+            "<include><uri>«notes.txt»</uri></include>",
+            files={"notes.txt": "not for everybody"},
+            says="`notes.txt` is neither SDFormat nor URDF",
+        ),
+        Bad(
             "<include><uri>«arm.urdf»</uri></include>",
             files={"arm.urdf": '<robot name="r"><xacro:leg/></robot>'},
             says="has to be expanded",
@@ -88,10 +93,11 @@ class UnusableInclude(Rule):
         root = document.root if document is not None else None
         if include.obstacle is Obstacle.XACRO:
             return f"{name} is xacro, which has to be expanded before it can be included"
+        if include.obstacle is Obstacle.FOREIGN:
+            element = f": its root element is `{root.name}`" if root is not None else ""
+            return f"{name} is neither SDFormat nor URDF{element}"
         if root is None:
             return f"{name} cannot be read"
-        if include.obstacle is Obstacle.FOREIGN:
-            return f"{name} is neither SDFormat nor URDF: its root element is `{root.name}`"
         if root.has("world"):
             return f"{name} holds no model but a world, and a world cannot be included"
         return f"{name} holds no model, actor or light"

@@ -66,12 +66,11 @@ def diff(**given: Any) -> int:
     surroundings = around(given)
     request = Request(**given)
     found = _compare(request, surroundings)
-    inputs = (request.a, request.b)
     if request.form == "json":
-        deliver(_json(found), request.output_file, inputs)
+        deliver(_json(found), request.output_file)
     else:
         color = request.output_file is None and wants_color(request.color, sys.stdout)
-        deliver_lines(_lines(found, color=color), request.output_file, inputs, color=color)
+        deliver_lines(_lines(found, color=color), request.output_file, color=color)
     return int(bool(found.changes) and request.exit_code and not request.exit_zero)
 
 

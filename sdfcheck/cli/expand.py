@@ -49,9 +49,9 @@ def expand(file: Path, annotate: bool, output_file: Path | None, **given: Any) -
     if annotate:
         from sdfcheck.xacro.annotate import annotated
 
-        deliver(annotated(outcome.document), output_file, [file])
+        deliver(annotated(outcome.document), output_file)
     else:
-        deliver(outcome.text, output_file, [file])
+        deliver(outcome.text, output_file)
     return 0
 
 
@@ -61,11 +61,11 @@ def _expand(file: Path, around: Around) -> tuple[Document, Expansion]:
     with expander_for(settings) as expander:
         expander.start()
         from sdfcheck.files.library import Library
-        from sdfcheck.files.regular import read_regular
+        from sdfcheck.files.regular import read_named
         from sdfcheck.source.document import read
 
         try:
-            data = read_regular(file, settings.size_limit)
+            data = read_named(file, settings.size_limit)
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         document = read(data, file, Kind.XACRO)

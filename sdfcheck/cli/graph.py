@@ -57,9 +57,9 @@ def graph_command(
     if form == "text":
         colors = output_file is None and wants_color(color, sys.stdout)
         text = graph_text.tree(drawn, _paint if colors else graph_text.plain)
-        deliver_lines(lines_of(text), output_file, [file], color=colors)
+        deliver_lines(lines_of(text), output_file, color=colors)
     else:
-        deliver(_picture(drawn, form), output_file, [file])
+        deliver(_picture(drawn, form), output_file)
     return 0
 
 

@@ -70,13 +70,13 @@ def inertia(
     if name is not None:
         report = _only(report, name)
     if form == "json":
-        deliver(_json(report), output_file, [file])
+        deliver(_json(report), output_file)
     elif output_file is None and sys.stdout.isatty():
         from rich.console import Console
 
         draw(report, Console(highlight=False, no_color=not wants_color(color, sys.stdout)))
     else:
-        deliver_lines(_lines(report), output_file, [file])
+        deliver_lines(_lines(report), output_file)
     for note in _warnings(report):
         say(f"warning: {note}")
     return 0

@@ -19,10 +19,19 @@ from sdfcheck.cli.parts.descriptions import (
     surroundings,
 )
 from sdfcheck.cli.parts.options import PATH, colored, configured, listing, path, reported, targeted, written
-from sdfcheck.cli.parts.output import FORMATS, Output, inputs_of, outputs, refuse_inputs, write
+from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.progress import Notifier, Progress
 from sdfcheck.cli.parts.shown import exit_code, gate_of, shown, view_of
-from sdfcheck.cli.parts.terminal import emit, emit_lines, lines_of, say, wants_color, wants_links, width_of
+from sdfcheck.cli.parts.terminal import (
+    emit,
+    emit_lines,
+    lines_of,
+    read_stdin,
+    say,
+    wants_color,
+    wants_links,
+    width_of,
+)
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.select import Choice
@@ -158,7 +167,7 @@ def lint(**given: Any) -> int:
     notifier = Notifier(quiet=request.quiet)
     done = _run(request, paths, options, notifier)
     places = (*(output.file for output in wanted), request.baseline if request.write_baseline else None)
-    refuse_inputs(places, inputs_of(paths, done))
+    refuse_to_write(places)
     if request.rewrites or request.diff:
         from sdfcheck.cli.rewrite import Rewriter, work
 
@@ -172,7 +181,8 @@ def lint(**given: Any) -> int:
 
         if request.write_baseline:
             notifier.flush()
-            return baseline.write(done, request.baseline, quiet=request.quiet)
+            written = baseline.write(done, request.baseline, quiet=request.quiet)
+            return 2 if notifier.failed else written
         done = baseline.without_known(done, request.baseline, notifier)
     notifier.flush()
     if request.fix_only:
@@ -226,7 +236,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
     paths = tuple(path for path in request.paths if ARGUMENT not in str(path)) or (Path(),)
     stdin = None
     if _STDIN in paths:
-        stdin = sys.stdin.buffer.read()
+        stdin = read_stdin()
     elif request.stdin_filename is not None:
         raise WrongUsage("--stdin-filename needs - among the paths")
     options = Options(

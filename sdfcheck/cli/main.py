@@ -17,6 +17,7 @@ import click
 
 from sdfcheck.cli.parts.group import LazyCommand, LazyGroup
 from sdfcheck.cli.parts.terminal import say
+from sdfcheck.files.regular import noting
 from sdfcheck.release import HOME, __version__
 from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
@@ -132,9 +133,10 @@ def run() -> NoReturn:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command line (default: the process's own); returns the exit code."""
     try:
-        result = sdfcheck.main(arguments, prog_name="sdfcheck", standalone_mode=False)
+        with noting():
+            result = sdfcheck.main(arguments, prog_name="sdfcheck", standalone_mode=False)
         return result if isinstance(result, int) else 0
-    except click.Abort:
+    except (click.Abort, KeyboardInterrupt):
         return 130
     except click.ClickException as error:
         _complain(error)
@@ -157,7 +159,8 @@ def _complain(error: click.ClickException) -> None:
         usage = shown.getvalue().removesuffix(f"{message}\n")
     for line in usage.splitlines():
         say(line)
-    say(message)
+    # Click lists choices in lines.
+    say(message.replace(":\n\t", ": ").replace(",\n\t", ", "))
 
 
 def _apology(error: Exception) -> str:

@@ -74,7 +74,7 @@ def print_command(**given: Any) -> int:
         request.expand_auto_inertials,
     )
     result = canonical(load(request.file, surroundings), style)
-    deliver(result.text, request.output_file, [request.file])
+    deliver(result.text, request.output_file)
     for note in result.notes:
         say(f"warning: {note}")
     return 0

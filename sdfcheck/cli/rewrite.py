@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Protocol
 
 from sdfcheck.cli.parts.terminal import emit, say
-from sdfcheck.files.overwrite import overwrite
+from sdfcheck.files.overwrite import Refused, overwrite
+from sdfcheck.files.regular import read_named
 from sdfcheck.lint.fix.fixer import ROUNDS, FixedFile, MadeFix, fix_files
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify, Options, run
@@ -142,14 +143,20 @@ class Rewriter:
             self._options = self._options._replace(stdin=fixed_file.after)
             return True
         try:
-            if fixed_file.path.read_bytes() != fixed_file.before:
+            if read_named(fixed_file.path) != fixed_file.before:
                 self._give_up(
                     fixed_file.path, Level.FAILURE, f"not {self._work.participle}: it has changed meanwhile"
                 )
                 return False
-            overwrite(fixed_file.path, fixed_file.after)
+            overwrite(fixed_file.path, fixed_file.after, instead=True)
         except OSError as error:
-            self._give_up(fixed_file.path, Level.FAILURE, f"cannot be written: {error.strerror}")
+            self._give_up(
+                fixed_file.path,
+                Level.FAILURE,
+                f"not {self._work.participle}: {error.strerror}"
+                if isinstance(error, Refused)
+                else f"cannot be written: {error.strerror}",
+            )
             return False
         return True
 

@@ -12,6 +12,7 @@ from sdfcheck.cli.parts.options import PATH, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.cli.parts.version import sdf_version
+from sdfcheck.files.regular import note_read, read_named
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -43,7 +44,8 @@ def schema_command(
         if file.suffix == ".toml":
             from sdfcheck.lint.config.schema import render
 
-            deliver(render(), output_file, [file])
+            note_read([file])
+            deliver(render(), output_file)
             return
         version = _version_of(file)
     if form == "xsd":
@@ -54,7 +56,7 @@ def schema_command(
         from sdfcheck.formats.export.rng import rng
 
         text = rng(version)
-    deliver(text, output_file, [file] if file is not None else [])
+    deliver(text, output_file)
 
 
 def _version_of(file: Path) -> Version:
@@ -67,7 +69,7 @@ def _version_of(file: Path) -> Version:
     from sdfcheck.source.sniff import Kind, sniff
 
     try:
-        kind = sniff(file.read_bytes(), file)
+        kind = sniff(read_named(file), file)
     except OSError as error:
         raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
     document = Library().document(file, kind) if kind is Kind.SDF else None

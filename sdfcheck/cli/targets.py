@@ -14,6 +14,7 @@ from sdfcheck.cli.parts.options import formatted, require_file, targeted, writte
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.files.regular import read_named
 from sdfcheck.lint.session import Level, Notice, Options, run
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.source.sniff import Kind, sniff
@@ -52,9 +53,9 @@ def targets_command(
             "file": file.as_posix(),
             "consumers": [record(row) for row in rows],
         }
-        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file, [file])
+        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file)
     else:
-        deliver_lines(lines(rows, file), output_file, [file])
+        deliver_lines(lines(rows, file), output_file)
     return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
 
 
@@ -76,7 +77,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    kind = sniff(file.read_bytes(), file)
+    kind = sniff(read_named(file), file)
     if kind not in _JUDGED:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
     return matrix(done, kind, file, consumers)

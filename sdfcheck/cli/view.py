@@ -46,7 +46,7 @@ def view(file: Path, other: Path | None, output_file: Path | None, opened: bool,
         deliver(text, None)
         return 0
     target = output_file or Path(mkdtemp(prefix="sdfcheck-")) / f"{file.stem}.html"
-    deliver(text, target, files)
+    deliver(text, target)
     say(f"wrote {target}")
     if opened:
         click.launch(str(target))

@@ -247,15 +247,15 @@ def spaced(text: str) -> str:
     return " ".join(text.split())
 
 
-def write_atomically(path: Path, text: str) -> None:
-    """Write a file whole or not at all.
+def write_atomically(path: Path, text: str, *, instead: bool = False) -> None:
+    """Write a file whole or not at all; ``instead``: of the source.
 
     Raises:
         WrongUsage: it cannot be written.
     """
-    from sdfcheck.files.overwrite import overwrite
+    from sdfcheck.files.overwrite import overwrite, why_not
 
     try:
-        overwrite(path, text.encode("utf-8", "surrogateescape"))
+        overwrite(path, text.encode("utf-8", "surrogateescape"), instead=instead)
     except OSError as error:
-        raise WrongUsage(f"cannot write {path}: {error.strerror or error}") from None
+        raise WrongUsage(why_not(path, error)) from None

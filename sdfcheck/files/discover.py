@@ -68,7 +68,7 @@ def discover(
         WrongUsage: a path does not exist.
     """
     found: dict[str, DiscoveredFile] = {}
-    left = _Left([], [])
+    left = _Left([], [], tuple(path for path in paths if os.path.isdir(path)))
     empty: list[Path] = []
     for path in paths:
         if os.path.isdir(path):
@@ -101,13 +101,22 @@ class _Left(NamedTuple):
 
     skipped: list[tuple[Path, str]]
     unreadable: list[tuple[Path, str]]
+    named: tuple[Path, ...]
 
     def is_fit(self, path: Path) -> bool:
         """Whether a robot file that was found can be read; if not, it is noted."""
-        odd = oddity(path)
+        odd = oddity(path) or ("a link that leads out of the project" if self._leads_out(path) else "")
         if odd:
             self.skipped.append((path, odd))
         return not odd
+
+    def _leads_out(self, path: Path) -> bool:
+        if not os.path.islink(path):
+            return False
+        from sdfcheck.files.library import Library, SearchPaths
+
+        around = Library(SearchPaths(named=self.named)).around(path)
+        return not around.hold(path, os.path.realpath(path))
 
     def not_read(self, folder: Path, why: str) -> None:
         self.unreadable.append((folder, f"cannot be read: {why}"))
@@ -148,7 +157,9 @@ def _listed_files(top: Path, listing: Listing, left: _Left) -> Iterator[Path]:
         if _below_foreign(top, name if is_repository else folder, foreign):
             continue
         if is_repository:
-            yield from _walk(path, True, left)
+            # A submodule may not be checked out, and its folder removed.
+            if os.path.isdir(path) and not path.is_symlink():
+                yield from _walk(path, True, left)
         # Git lists what was deleted, and what lies in folders that nobody may enter.
         elif os.path.lexists(path) and not os.path.isdir(path) and left.is_fit(path):
             yield path
@@ -156,9 +167,13 @@ def _listed_files(top: Path, listing: Listing, left: _Left) -> Iterator[Path]:
 
 def _below_foreign(top: Path, folder: str, known: dict[str, bool]) -> bool:
     """Whether ``folder`` (relative to ``top``) or one above it is not to be entered."""
-    if folder not in known:
-        parent = folder.rpartition("/")[0]
-        known[folder] = _below_foreign(top, parent, known) or _is_foreign(top / folder)
+    missing = []
+    at = folder
+    while at not in known:
+        missing.append(at)
+        at = at.rpartition("/")[0]
+    for at in reversed(missing):
+        known[at] = known[at.rpartition("/")[0]] or _is_foreign(top / at)
     return known[folder]
 
 
@@ -169,24 +184,27 @@ def _is_foreign(folder: Path) -> bool:
     return name in _BUILD_FOLDERS and any((folder / mark).exists() for mark in _BUILD_MARKS)
 
 
-def _descend(folder: Path, ignores: Ignores | None, left: _Left) -> Iterator[Path]:
-    """Walk without git's help."""
-    if ignores is not None:
-        ignores = ignores.entering(folder)
-    try:
-        with os.scandir(folder) as listing:
-            entries = sorted(listing, key=lambda entry: entry.name)
-    except OSError as error:
-        left.not_read(folder, error.strerror or str(error))
-        return
-    for entry in entries:
-        path = folder / entry.name
-        is_folder = entry.is_dir(follow_symlinks=False)
-        if _is_foreign(path) if is_folder else not is_robot_file(entry.name):
+def _descend(top: Path, ignores: Ignores | None, left: _Left) -> Iterator[Path]:
+    """Walk without git's help; without recursion, as folders may be deep."""
+    waiting = [(top, ignores)]
+    while waiting:
+        folder, ignores = waiting.pop()
+        if ignores is not None:
+            ignores = ignores.entering(folder)
+        try:
+            with os.scandir(folder) as listing:
+                entries = sorted(listing, key=lambda entry: entry.name)
+        except OSError as error:
+            left.not_read(folder, error.strerror or str(error))
             continue
-        if ignores is not None and ignores.ignore(path, folder=is_folder):
-            continue
-        if is_folder:
-            yield from _descend(path, ignores, left)
-        elif not os.path.isdir(path) and left.is_fit(path):
-            yield path
+        for entry in entries:
+            path = folder / entry.name
+            is_folder = entry.is_dir(follow_symlinks=False)
+            if _is_foreign(path) if is_folder else not is_robot_file(entry.name):
+                continue
+            if ignores is not None and ignores.ignore(path, folder=is_folder):
+                continue
+            if is_folder:
+                waiting.append((path, ignores))
+            elif not os.path.isdir(path) and left.is_fit(path):
+                yield path

@@ -8,8 +8,14 @@ from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
 
-# Set while git runs a hook; they would point at that repository, whichever folder is asked about.
-_HOOK_VARIABLES = ("GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX")
+_LOCAL_VARIABLES = frozenset(
+    """
+    GIT_ALTERNATE_OBJECT_DIRECTORIES GIT_COMMON_DIR GIT_CONFIG GIT_CONFIG_COUNT GIT_CONFIG_PARAMETERS GIT_DIR
+    GIT_GRAFT_FILE GIT_IMPLICIT_WORK_TREE GIT_INDEX_FILE GIT_INTERNAL_SUPER_PREFIX GIT_NAMESPACE
+    GIT_NO_REPLACE_OBJECTS GIT_OBJECT_DIRECTORY GIT_PREFIX GIT_REPLACE_REF_BASE GIT_SHALLOW_FILE GIT_WORK_TREE
+    """.split()
+)
+"""Set while git runs a hook; they would point at that repository, whichever folder is asked about."""
 _UNREAD = re.compile(rb"^warning: could not open directory '([^\n]*)': ([^\n]*)$", re.MULTILINE)
 
 TIMEOUT = 5.0
@@ -48,6 +54,8 @@ def listed(folder: Path) -> Listing | None:
     if done is None:
         return None
     names = {_parse(os.fsdecode(line)) for line in done.output.split(b"\0") if line}
+    if any(listed.name in {"", os.curdir} for listed in names):
+        return None  # a submodule that is not checked out: git speaks of the folder itself, as what is around sees it
     if not names and _git(folder, "check-ignore", "--quiet", ".") is not None:
         return None
     unread = [
@@ -69,7 +77,7 @@ def _parse(line: str) -> Listed:
     """Tracked names are after their mode, hash and stage; untracked ones have nothing before them."""
     entry, tab, name = line.partition("\t")
     if tab and entry.count(" ") == 2 and len(entry) > 45:
-        return Listed(name, entry.startswith("160000 "))
+        return Listed(name.rstrip("/"), entry.startswith("160000 "))
     return Listed(line.rstrip("/"), line.endswith("/"))
 
 
@@ -82,7 +90,7 @@ def _git(folder: Path, *arguments: str) -> _Done | None:
     """The output of a git command; None if it fails."""
     import subprocess
 
-    environment = {name: value for name, value in os.environ.items() if name not in _HOOK_VARIABLES}
+    environment = {name: value for name, value in os.environ.items() if name not in _LOCAL_VARIABLES}
     environment["LC_ALL"] = "C"
     try:
         done = subprocess.run(

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar, cast
 
 from sdfcheck.files.disk import Disk
-from sdfcheck.files.regular import SIZE_LIMIT, read_regular
+from sdfcheck.files.regular import SIZE_LIMIT, Outside, is_below, read_named, read_regular
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -29,20 +29,75 @@ MODEL_PATH_VARIABLES = (
 
 
 class SearchPaths(NamedTuple):
-    """Where names are looked for: folders of models, folders of packages, packages by name."""
+    """Where names are looked for: folders of models, folders of packages, packages by name.
+
+    ``named`` are the folders whose files a person asked about.
+    """
 
     models: tuple[Path, ...] = ()
     packages_in: tuple[Path, ...] = ()
     packages: tuple[tuple[str, Path], ...] = ()
+    named: tuple[Path, ...] = ()
 
     @property
     def model_folders(self) -> Iterator[Path]:
         """The configured folders, then those of the environment."""
         yield from self.models
-        for variable in MODEL_PATH_VARIABLES:
-            for part in os.environ.get(variable, "").split(os.pathsep):
-                if part:
-                    yield Path(part)
+        yield from _model_folders_of_environment()
+
+
+def _model_folders_of_environment() -> Iterator[Path]:
+    for variable in MODEL_PATH_VARIABLES:
+        for part in os.environ.get(variable, "").split(os.pathsep):
+            if part:
+                yield Path(part)
+
+
+_CLIMB = 6
+"""How many folders above the referring file may hold the model or package that it names."""
+_MARKS = ("package.xml", "model.config")
+"""Files that make a folder a package or a model."""
+
+
+def folders_above(given: str) -> list[str]:
+    """A folder and those above it, up to where everybody's files begin."""
+    folder = Path(os.path.abspath(given))  # resolve() would follow links
+    home = Path(os.path.expanduser("~"))
+    shared = {home, *home.parents, Path(folder.anchor)} - {folder}
+    return [str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared]
+
+
+class Surroundings(NamedTuple):
+    """The places whose files the documents of one folder may bring in.
+
+    ``roots`` are, without links, the project, what a person named, and the folders of packages and
+    models; ``installed`` those of the environment, which build tools fill with links; ``above`` the folders
+    beside which other packages may be.
+    """
+
+    roots: tuple[str, ...]
+    installed: tuple[str, ...]
+    above: tuple[str, ...]
+
+    def hold(self, path: Path, real: str) -> bool:
+        """Whether a file lies there; ``real`` is its path without symbolic links."""
+        plain = os.path.abspath(path)
+        return (
+            is_below(real, self.roots)
+            or is_below(plain, self.installed)
+            or any(is_below(real, (owner,)) for owner in self._owners(plain))
+        )
+
+    def _owners(self, plain: str) -> Iterator[str]:
+        """The packages and models beside the project that a path may lead into."""
+        for above in self.above:
+            for folder in (above, os.path.join(above, "models")):
+                # A folder in the project may be a link out of it.
+                if is_below(plain, (folder,)) and not is_below(os.path.realpath(folder), self.roots):
+                    name = plain[len(os.path.join(folder, "")) :].partition(os.sep)[0]
+                    owner = os.path.join(folder, name)
+                    if name and any(os.path.isfile(os.path.join(owner, mark)) for mark in _MARKS):
+                        yield os.path.realpath(owner)
 
 
 def library_of(document: Document) -> Library | None:
@@ -65,9 +120,11 @@ class Library:
         "_packages",
         "_projects",
         "_roots",
+        "_surroundings",
         "_unseen",
         "disk",
         "model_folders",
+        "refused",
         "search",
     )
 
@@ -83,12 +140,19 @@ class Library:
         self._roots: dict[Path, Path] = {}
         self._packages: dict[Path, Packages] = {}
         self._projects: dict[tuple[object, Path], object] = {}
+        self._surroundings: dict[Path, Surroundings] = {}
+        self.refused: dict[Path, Path] = {}
+        """Files that lie outside of what may be read → a document that refers to them."""
 
-    def document(self, path: Path, kind: Kind | None = None) -> Document | None:
-        """The document of a file; None if it cannot be read."""
+    def document(self, path: Path, kind: Kind | None = None, of: Document | None = None) -> Document | None:
+        """The document of a file that a person named, or that another document refers to; None if it cannot be read."""
         key = self.disk.real(path)
         if key not in self._documents:
-            document = self._documents[key] = self._read(path, key, kind)
+            try:
+                document = self._read(path, key, kind, of)
+            except Outside:
+                return None  # for this document; another one may bring it in
+            self._documents[key] = document
             if document is not None:
                 self._unseen.append(document)
         return self._documents[key]
@@ -114,6 +178,30 @@ class Library:
         """The documents that were read and not handed out here before; looking at them may bring in more."""
         while self._unseen:
             yield self._unseen.pop(0)
+
+    def read(self, path: Path, of: Document, limit: int = SIZE_LIMIT) -> bytes:
+        """The content of a file that a document refers to, of at most ``limit`` bytes.
+
+        Raises OSError, as :func:`read_regular`.
+        """
+        try:
+            return read_regular(path, min(limit, self._limit), self.around(of.path))
+        except Outside:
+            self.refused.setdefault(path, of.path)
+            raise
+
+    def around(self, path: Path) -> Surroundings:
+        """The places whose files a document at a path may bring in."""
+        found = self._surroundings.get(path.parent)
+        if found is None:
+            packages = self.packages(path)
+            folders = (*packages.own, *self.model_folders, *self.search.named)
+            found = self._surroundings[path.parent] = Surroundings(
+                tuple(dict.fromkeys(os.path.realpath(folder) for folder in folders)),
+                tuple(map(os.path.abspath, (*packages.sourced, *_model_folders_of_environment()))),
+                tuple(folders_above(str(path.parent))),
+            )
+        return found
 
     def packages(self, path: Path) -> Packages:
         """The packages around a file."""
@@ -150,11 +238,13 @@ class Library:
         """Did something refer to a file?"""
         return self.disk.real(path) in self._documents
 
-    def _read(self, path: Path, key: str, kind: Kind | None) -> Document | None:
+    def _read(self, path: Path, key: str, kind: Kind | None, of: Document | None) -> Document | None:
         from sdfcheck.source.document import read
 
         try:
-            data = read_regular(path, self._limit)
+            data = read_named(path, self._limit) if of is None else self.read(path, of)
+        except Outside:
+            raise
         except OSError:
             return None
         plain = os.path.normpath(path)

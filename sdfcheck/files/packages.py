@@ -8,6 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
+from sdfcheck.files.regular import MEGABYTE, is_below, read_regular
+
 FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
 
@@ -124,8 +126,17 @@ class Packages:
 
     def trusted(self) -> tuple[Path, ...]:
         """The folders that a person or the ROS environment pointed out."""
-        prefixes = self._of_environment("AMENT_PREFIX_PATH")
-        return (*self.given.values(), *self.paths, *self._of_environment("ROS_PACKAGE_PATH"), *prefixes)
+        return (*self.given.values(), *self.paths, *self.sourced)
+
+    @property
+    def sourced(self) -> tuple[Path, ...]:
+        """The folders that the ROS environment points out."""
+        return (*self._of_environment("ROS_PACKAGE_PATH"), *self._of_environment("AMENT_PREFIX_PATH"))
+
+    @property
+    def own(self) -> tuple[Path, ...]:
+        """The folders whose files belong to the project: its own, and those of packages."""
+        return (self.root, *self.installed(), *self.trusted())
 
     def locate(self, path: Path) -> Path:
         """The file that a path into a package leads to, which may hold only once the package is installed.
@@ -151,8 +162,11 @@ class Packages:
     def files(self, suffix: str, limit: int) -> Iterator[Path]:
         """The project's files of one suffix, at most ``limit``."""
         count = 0
+        roots = tuple(os.path.realpath(folder) for folder in self.own)
         for folder in self._folders_below(self.root):
             for path in sorted(folder.glob(f"*{suffix}")):
+                if path.is_symlink() and not is_below(os.path.realpath(path), roots):
+                    continue
                 count += 1
                 if count > limit:
                     return
@@ -222,10 +236,20 @@ class Packages:
 
 def _folders(root: Path) -> Iterator[Path]:
     """The folder and those below it, without hidden ones and what build tools write."""
-    for count, (folder, names, _) in enumerate(os.walk(root)):
-        if count >= FOLDER_LIMIT:
-            return
-        names[:] = sorted(name for name in names if name[0] != "." and name not in _FOREIGN)
+    # By hand: before Python 3.12 `os.walk` calls itself, and folders may be deep.
+    waiting, count = [os.fspath(root)], 0
+    while waiting and count < FOLDER_LIMIT:
+        folder = waiting.pop()
+        try:
+            with os.scandir(folder) as entries:
+                below = [entry.name for entry in entries if entry.is_dir(follow_symlinks=False)]
+        except OSError:
+            continue
+        count += 1
+        waiting += sorted(
+            (os.path.join(folder, name) for name in below if name[0] != "." and name not in _FOREIGN),
+            reverse=True,
+        )
         yield Path(folder)
 
 
@@ -236,8 +260,7 @@ def _package_name(path: Path) -> str:
 
 def _read(path: Path) -> str:
     try:
-        with path.open(encoding="utf-8", errors="replace") as stream:
-            return stream.read(1_000_000)
+        return read_regular(path, MEGABYTE).decode("utf-8", "replace")
     except OSError:
         return ""
 

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sdfcheck.files.disk import Disk
-from sdfcheck.files.library import library_of
+from sdfcheck.files.library import folders_above, library_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 
@@ -21,9 +21,6 @@ _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):/*")
 REMOTE_SCHEMES = frozenset({"http", "https", "fuel", "ftp"})
 SEARCHED_SCHEMES = frozenset({"model", "package"})
 LOCAL_SCHEMES = frozenset({"file", *SEARCHED_SCHEMES})
-
-_CLIMB = 6
-"""How many folders above the referring file may hold the model or package that it names."""
 
 
 class Location(NamedTuple):
@@ -97,7 +94,7 @@ class _Surroundings:
     def __init__(self, folder: str, disk: Disk) -> None:
         self.folder = folder
         """As it is known."""
-        self.above = _above(folder)
+        self.above = folders_above(folder)
         self.disk = disk
         self.located: dict[str, Location] = {}
         self.owners: dict[tuple[str, str], _Owners] = {}
@@ -184,11 +181,3 @@ def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[
         if os.path.basename(above) == name:
             yield above
         yield os.path.join(above, name)
-
-
-def _above(given: str) -> list[str]:
-    """A folder and those above it, up to where everybody's files begin."""
-    folder = Path(os.path.abspath(given))  # resolve() would follow links
-    home = Path(os.path.expanduser("~"))
-    shared = {home, *home.parents, Path(folder.anchor)} - {folder}
-    return [str(above) for above in (folder, *folder.parents)[:_CLIMB] if above not in shared]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
+from sdfcheck.files.regular import read_named
 from sdfcheck.lint.obstacles import errors
 from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
 from sdfcheck.robot.model import Model
@@ -92,10 +93,10 @@ class Edit:
         if target is None:
             raise EditError("a text has no file to be saved in: give a path")
         self._check()
-        data = self._path.read_bytes() if self._path is not None else None
+        data = read_named(self._path) if self._path is not None else None
         new = self.text.encode() if data is None else splice(data, self._sorted())
         if new != data or target != self._path:
-            overwrite(target, new)
+            overwrite(target, new, instead=True)
 
     def _check(self) -> None:
         """Raise EditError if the changed text has an error that the text as it was read does not have."""

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from sdfcheck.xacro.expansion import Expander, Surroundings
 
 _ROBOTS = frozenset({Kind.SDF, Kind.URDF})
-_INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG})
+_INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG, Kind.BROKEN_XML, Kind.EMPTY})
+"""The kinds whose texts findings may show."""
 
 
 class Selected(NamedTuple):
@@ -39,9 +40,12 @@ class Selected(NamedTuple):
 class Caches:
     """The libraries and expanders of a run: one for all files that have the same search paths."""
 
-    __slots__ = ("_arguments", "_expand", "_expanders", "_libraries")
+    __slots__ = ("_arguments", "_expand", "_expanders", "_libraries", "_named")
 
-    def __init__(self, *, expand: bool = True, arguments: ArgumentSet = ()) -> None:
+    def __init__(
+        self, *, expand: bool = True, arguments: ArgumentSet = (), named: tuple[Path, ...] = ()
+    ) -> None:
+        self._named = named
         self._expand = expand
         self._arguments = arguments
         self._libraries: dict[SearchPaths, Library] = {}
@@ -81,10 +85,15 @@ class Caches:
         return Surroundings(dict(settings.packages), settings.package_paths, settings.env)
 
     def library(self, settings: Settings) -> Library:
-        search = settings.search
+        search = settings.search._replace(named=self._named)
         if search not in self._libraries:
             self._libraries[search] = Library(search, settings.size_limit)
         return self._libraries[search]
+
+    @property
+    def refused(self) -> list[tuple[Path, Path]]:
+        """The files that were not read as they lie outside, each with a document that refers to it."""
+        return sorted(pair for library in self._libraries.values() for pair in library.refused.items())
 
     def included(self, files: Sequence[Path]) -> Iterator[Document]:
         """The documents that only includes lead to, each once; ``files`` are the run's own."""
@@ -94,9 +103,7 @@ class Caches:
                 if not own:
                     own.update(map(library.disk.real, files))
                 key = library.disk.real(document.path)
-                # The parser cannot determine the kind of a broken text, unless xacro includes it.
-                is_broken = document.root is None and document.kind is not Kind.XACRO
-                if key not in own and (document.kind in _INCLUDABLE or is_broken):
+                if key not in own and document.kind in _INCLUDABLE:
                     own.add(key)
                     yield document
 

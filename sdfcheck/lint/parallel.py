@@ -40,6 +40,7 @@ def run_in_parallel(
     notify: Notify | None = None,
 ) -> Run:
     """The same as :func:`sdfcheck.lint.session.run`, by ``jobs`` processes; None: by as many as are of use."""
+    options = options.about(paths)
     found = find(paths, options)
     jobs = min(jobs or MOST, processors(), len(found.files) // LEAST)
     if jobs < 2:
@@ -65,6 +66,7 @@ def run_on(executor: Executor, paths: Sequence[Path], options: Options) -> Run:
     from sdfcheck.lint.portions import Lost, outcomes, portions, settled, submit
     from sdfcheck.lint.processes import by_processes, run_of
 
+    options = options.about(paths)
     work = portions(find(paths, options), options, _PORTIONS_OF_A_CLUSTER, is_listening=False)
     futures = submit(executor, work)
     try:

@@ -11,8 +11,17 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.discover import DiscoveredFile, Found, discover
 from sdfcheck.files.disk import Disk
-from sdfcheck.files.library import SearchPaths
-from sdfcheck.files.regular import open_regular, read_on
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.regular import (
+    OUTSIDE,
+    Identity,
+    Outside,
+    note_read,
+    noting,
+    open_named,
+    open_regular,
+    read_on,
+)
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.one_file import Caches, Selected, lint_file, lint_included
 from sdfcheck.lint.rulebook.rulebook import RuleBook
@@ -78,6 +87,11 @@ class Options(NamedTuple):
         """The settings of a file, with what the caller adds."""
         return self.configuration.settings_for(path).extended(self.search, self.variables)
 
+    def about(self, paths: Sequence[Path]) -> Options:
+        """The settings of a run on some paths: files below the folders among them may refer to one another."""
+        folders = tuple(path for path in paths if os.path.isdir(path))
+        return self._replace(search=self.search._replace(named=folders)) if folders else self
+
 
 class InternalError(Exception):
     """A bug met on a file."""
@@ -102,6 +116,8 @@ class Part(NamedTuple):
     skipped: list[tuple[Path, str]]
     suppressed: int
     rules: dict[str, RuleFacts]
+    read: frozenset[Identity] = frozenset()
+    """All files that were read."""
 
 
 def run(
@@ -113,6 +129,7 @@ def run(
         WrongUsage: a path does not exist, or the configuration is faulty.
         InternalError: a bug, if nobody is notified; otherwise the other files are linted anyway.
     """
+    options = options.about(paths)
     with Linter(options) as linter:
         return joined([linter.lint(find(paths, options), progress=progress, notify=notify)])
 
@@ -125,7 +142,7 @@ class Linter:
     def __init__(self, options: Options, book: RuleBook | None = None) -> None:
         self._options = options
         self._book = book or RuleBook(options.choice, options.target)
-        self._caches = Caches(expand=options.expand, arguments=options.arguments)
+        self._caches = Caches(expand=options.expand, arguments=options.arguments, named=options.search.named)
 
     def __enter__(self) -> Linter:
         return self
@@ -135,6 +152,11 @@ class Linter:
 
     def lint(self, found: Found, *, progress: Progress | None = None, notify: Notify | None = None) -> Part:
         """Lint files that were found, and what they include first; raises as :func:`run` does."""
+        with noting() as read:
+            part = self._lint(found, progress, notify)
+        return part._replace(read=frozenset(read))
+
+    def _lint(self, found: Found, progress: Progress | None, notify: Notify | None) -> Part:
         options, book = self._options, self._book
         part = Part([], {}, [], list(found.skipped), 0, {})
         suppressed = 0
@@ -156,6 +178,8 @@ class Linter:
             with _surviving(document.path, part.skipped, notify):
                 reported = lint_included(document, book, options.configuration)
                 part.foreign[os.path.realpath(document.path)] = reported
+        for path, referrer in self._caches.refused:
+            (notify or _nobody)(Notice(Level.NOTE, f"{referrer}: {path} is not read: it lies {OUTSIDE}"))
         return part._replace(suppressed=suppressed)
 
 
@@ -180,6 +204,8 @@ def joined(parts: Sequence[Part]) -> Run:
             **foreign,
         }
     diagnostics = [diagnostic for part in parts for diagnostic in part.diagnostics]
+    for part in parts:
+        note_read(part.read)
     for reported, _ in foreign.values():
         diagnostics += reported
     if diagnostics:
@@ -265,12 +291,25 @@ def _look(file: DiscoveredFile, options: Options, notify: Notify) -> Selected | 
     if options.stdin is not None and file.path == options.stdin_path:
         return _judge(file, options.stdin, options, notify)
     limit = options.configuration.settings_for(file.path).size_limit
-    with open_regular(file.path, limit) as stream:
+    with open_named(file.path, limit) if file.named else open_regular(file.path, limit) as stream:
         head = stream.read(HEAD)
         taken = _judge(file, head, options, notify)
+        if isinstance(taken, Selected) and taken.kind not in _DESCRIPTIONS and os.path.islink(file.path):
+            _refuse_to_show(file.path, options)
         if len(head) == HEAD and isinstance(taken, Selected):
             return taken._replace(data=head + read_on(stream, file.path, limit))
         return taken
+
+
+_DESCRIPTIONS = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG, Kind.SRDF})
+
+
+def _refuse_to_show(path: Path, options: Options) -> None:
+    """Make sure that a link to what is not a robot description does not lead out: findings would show the text."""
+    search = options.settings_for(path).search._replace(named=options.search.named)
+    around = Library(search).around(path)
+    if not around.hold(path, os.path.realpath(path)):
+        raise Outside(path, f"a link to what is not a robot description, {OUTSIDE}")
 
 
 def _judge(file: DiscoveredFile, head: bytes, options: Options, notify: Notify) -> Selected | Kind:

@@ -27,10 +27,13 @@ _SEVERITIES = {
 
 def path_of(uri: str) -> Path:
     """The file that a URI means; a text without a file is named after it."""
-    parts = urlsplit(uri)
-    if parts.scheme == "file" and (path := to_fs_path(uri)):
-        return Path(path)
-    return Path(unquote(parts.path.rpartition("/")[2]) or "untitled")
+    try:
+        parts = urlsplit(uri)
+        path = to_fs_path(uri) if parts.scheme == "file" else None
+    except ValueError:  # such as a malformed address of a computer
+        return Path("untitled")
+    # No file has the character NUL in its name.
+    return Path((path or unquote(parts.path.rpartition("/")[2]) or "untitled").replace("\0", "\ufffd"))
 
 
 class Speech:

@@ -121,10 +121,10 @@ class LiveLibrary(Library):
             return super().known(data, path)
         return buffer.document if buffer.data == data else None
 
-    def _read(self, path: Path, key: str, kind: Kind | None) -> Document | None:
+    def _read(self, path: Path, key: str, kind: Kind | None, of: Document | None) -> Document | None:
         buffer = self._buffers.get(key)
         if buffer is None:
-            return super()._read(path, key, kind)
+            return super()._read(path, key, kind, of)
         document = buffer.document
         if kind is not None and document.kind is not kind:
             document = Document(buffer.source, kind, [])

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import base64
+import re
 from pathlib import Path
 from typing import Any
 
 from lxml import etree
 
+from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.source.document import Document
 
@@ -33,27 +35,42 @@ class Meshes:
         number = self._numbers.get(key)
         if number is None:
             number = self._numbers[key] = len(self.entries)
-            self.entries.append(self._entry(uri, path))
+            self.entries.append(self._entry(document, uri, path))
         return number
 
-    def _entry(self, uri: str, path: Path | None) -> dict[str, Any]:
+    def _entry(self, document: Document, uri: str, path: Path | None) -> dict[str, Any]:
         name = uri.rpartition("/")[2]
         form = FORMATS.get(Path(name).suffix.lower())
-        if path is None or not path.is_file():
+        library = library_of(document)
+        if path is None or library is None:
             return {"name": name, "missing": "not found"}
         if form is None:
             return {"name": name, "missing": "a format that is not shown"}
-        size = path.stat().st_size
-        if size > min(self._one, self._left):
-            return {"name": name, "missing": f"too large to embed ({size / 1e6:.0f} MB)"}
-        self._left -= size
         try:
-            data = path.read_bytes()
-        except OSError:
-            return {"name": name, "missing": "cannot be read"}
+            size = path.stat().st_size
+            if size > min(self._one, self._left):
+                return {"name": name, "missing": f"too large to embed ({size / 1e6:.0f} MB)"}
+            data = library.read(path, document, min(self._one, self._left))
+        except OSError as error:
+            return {"name": name, "missing": f"not read: {error.strerror}"}
+        if not _is_mesh(form, data):
+            return {"name": name, "missing": "not a mesh"}
         if form == "dae" and not _is_well_formed(data):
             return {"name": name, "missing": "not well-formed"}
+        self._left -= len(data)
         return {"name": name, "format": form, "data": base64.b64encode(data).decode()}
+
+
+def _is_mesh(form: str, data: bytes) -> bool:
+    """Whether the bytes look like their format: a page shows nothing else of a file."""
+    if form == "stl":
+        is_text = data[:512].lstrip().startswith(b"solid") and b"facet" in data
+        return is_text or 0 < int.from_bytes(data[80:84], "little") * 50 <= len(data) - 84
+    if form == "obj":
+        return re.search(rb"^[ \t]*v[ \t]+[-+.\d]", data, re.MULTILINE) is not None
+    if form == "dae":
+        return b"COLLADA" in data[:4096]
+    return data.startswith(b"glTF") or (data.lstrip().startswith(b"{") and b'"asset"' in data)
 
 
 def _is_well_formed(data: bytes) -> bool:

@@ -9,7 +9,7 @@ from types import TracebackType
 from typing import Any, TypeGuard
 
 from sdfcheck.files.packages import Packages, project_root
-from sdfcheck.files.regular import read_regular
+from sdfcheck.files.regular import note_read, read_named
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -167,7 +167,7 @@ def expand(
     Raises:
         OSError: the file cannot be read.
     """
-    document = what if isinstance(what, Document) else read(read_regular(what), what, Kind.XACRO)
+    document = what if isinstance(what, Document) else read(read_named(what), what, Kind.XACRO)
     with Expander(surroundings) as expander:
         return expander.expand(document, arguments)
 
@@ -181,6 +181,7 @@ def _expansion(answer: Mapping[str, Any], document: Document, texts: Mapping[str
     calls = [Call(*row) for row in answer["steps"]]
     sources = Sources(document.source, texts)
     read_files = tuple(dict.fromkeys(shown(Path(name)) for name in (*files, *answer.get("others", ()))))
+    note_read(map(Path, (*files, *answer.get("others", ()))))
     if "failure" in answer:
         provenance = Provenance(sources, files, calls, [])
         found = explain(answer["failure"], provenance, document)

@@ -23,7 +23,7 @@ def write_page(page: Path, given: Input, outcome: Outcome) -> None:
     if given.document is None:
         say(f"note: {page} is not written: {given.file} cannot be expanded")
         return
-    deliver(_page(given.document, outcome), page, [given.file])
+    deliver(_page(given.document, outcome), page)
 
 
 def _page(source: Document, outcome: Outcome) -> str:

@@ -83,7 +83,8 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
     wanted = outputs(request.output_format, None)
     places = targets(request, files, suffix)
     paths = [file.path for file in files if file.data is None]
-    refuse_to_overwrite(paths, places, wanted, stays=suffix == ".sdf" and Kind.SDF in kinds)
+    others = [*(output.file for output in wanted), request.report]
+    refuse_to_overwrite(paths, places, others, stays=suffix == ".sdf" and Kind.SDF in kinds)
     _check_arguments(request, files)
     done = Reporting(request, wanted)
     with Reader(request.around, lint=request.lint, expand=not request.no_expand) as reader:
@@ -142,6 +143,7 @@ def _check_arguments(request: Request, files: Sequence[Source]) -> None:
 def _write(done: Conversion, source: Source, target: Path | None) -> None:
     from sdfcheck.convert.result_paths import seen_from
     from sdfcheck.convert.writer import write_atomically
+    from sdfcheck.files.regular import identity
 
     if target is None:
         emit(done.text)
@@ -152,4 +154,6 @@ def _write(done: Conversion, source: Source, target: Path | None) -> None:
         raise WrongUsage(f"cannot make the folder {target.parent}: {error.strerror}") from None
     for path, text in done.files:
         write_atomically(target.parent / path, text)
-    write_atomically(target, seen_from(done, source.path.parent, target.parent))
+    # Between versions of SDFormat a file may be replaced by its result.
+    is_source = source.data is None and identity(target) == identity(source.path)
+    write_atomically(target, seen_from(done, source.path.parent, target.parent), instead=is_source)

@@ -12,7 +12,7 @@ from sdfcheck.cli.parts.descriptions import Around, chosen_arguments, expander_f
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.soundness import means_another_robot, new_errors, new_refusals
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.files.regular import read_regular
+from sdfcheck.files.regular import read_named
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import lint_document
@@ -92,7 +92,7 @@ class Reader:
         # Shared, so that what lies around the files is looked up once.
         library = self._libraries.setdefault(search, Library(search, settings.size_limit))
         try:
-            data = read_regular(file, settings.size_limit) if source.data is None else source.data
+            data = read_named(file, settings.size_limit) if source.data is None else source.data
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         kind = sniff(data, file)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from sdfcheck.cli.convert.options import Request
-from sdfcheck.cli.parts.output import Output, refuse_inputs
+from sdfcheck.cli.parts.output import refuse_to_write
+from sdfcheck.cli.parts.terminal import read_stdin
 from sdfcheck.files.discover import discover
+from sdfcheck.files.regular import identity
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -43,7 +44,7 @@ def sources(request: Request) -> list[Source]:
     for path in paths:
         if path == _STDIN:
             name = request.stdin_filename or Path("<stdin>")
-            wanted.append(Source(name, data=sys.stdin.buffer.read()))
+            wanted.append(Source(name, data=read_stdin()))
         elif path not in folders:
             wanted.append(Source(path))
     inside = (Source(each.path, named=False) for each in found.files if each.path.name != "model.config")
@@ -108,23 +109,15 @@ def _clash(paths: Sequence[Path], names: Sequence[Path], folder: Path) -> str:
 
 
 def refuse_to_overwrite(
-    files: Collection[Path], targets: Sequence[Path | None], wanted: Sequence[Output], *, stays: bool
+    files: Collection[Path], targets: Sequence[Path | None], others: Sequence[Path | None], *, stays: bool
 ) -> None:
-    """Keep reports off inputs and results, and results off inputs unless the format ``stays`` the same.
+    """Keep reports off inputs and results, and results off inputs unless the one file's format ``stays`` the same.
 
     Raises:
-        WrongUsage: one would be written over another.
+        WrongUsage: one would be written over another, or where nothing is written.
     """
-    reports = [output.file for output in wanted]
-    refuse_inputs(reports, files)
-    if not stays:
-        refuse_inputs(targets, files)
-    elif len(files) > 1:
-        inputs = {file.resolve() for file in files}
-        for target in targets:
-            if target is not None and target.resolve() in inputs:
-                raise WrongUsage(f"{target} is an input; name it with -o to replace it")
-    named = {report.resolve() for report in reports if report is not None}
-    for target in targets:
-        if target is not None and target.resolve() in named:
-            raise WrongUsage(f"the result and a report would both go to {target}")
+    inputs = {identity(file) for file in files}
+    replaced = [each for each in targets if stays and each is not None and identity(each) in inputs - {None}]
+    if replaced and len(files) > 1:
+        raise WrongUsage(f"{replaced[0]} is an input; name it with -o to replace it")
+    refuse_to_write([each for each in (*targets, *others) if each not in replaced], files)

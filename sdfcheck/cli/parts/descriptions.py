@@ -105,7 +105,7 @@ def load(file: Path, around: Around, *, check: bool = True) -> Document:
     Raises: WrongUsage: it is not a description, cannot be read or expanded, or brings too many
     models.
     """
-    from sdfcheck.files.regular import read_regular
+    from sdfcheck.files.regular import read_named
     from sdfcheck.robot.includes.multiplied import refuse_too_many
 
     settings = around.settings_for(file)
@@ -113,7 +113,7 @@ def load(file: Path, around: Around, *, check: bool = True) -> Document:
         check_arguments(around.arguments, [file], settings)
     library = Library(settings.search, settings.size_limit)
     try:
-        kind = sniff(read_regular(file, settings.size_limit), file)
+        kind = sniff(read_named(file, settings.size_limit), file)
     except OSError as error:
         raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
     document = library.document(file, None if kind is Kind.BROKEN_XML else kind)
@@ -198,11 +198,11 @@ def check_arguments(
 
 
 def _xacro(file: Path, library: Library, limit: int, text: bytes | None) -> Document | None:
-    from sdfcheck.files.regular import read_regular
+    from sdfcheck.files.regular import read_named
     from sdfcheck.source.document import read
 
     try:
-        kind = sniff(read_regular(file, limit) if text is None else text, file)
+        kind = sniff(read_named(file, limit) if text is None else text, file)
     except OSError:
         return None
     if kind is not Kind.XACRO:

@@ -42,6 +42,13 @@ class LazyGroup(click.Group):
         self._endings = endings or {}
         """Ends of names of files → the command that takes such a file."""
 
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        if not args and not ctx.resilient_parsing:
+            # In some versions of click this is an error whose message is the help.
+            click.echo(ctx.get_help(), color=ctx.color)
+            ctx.exit(2)
+        return super().parse_args(ctx, args)
+
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(self._lazy)
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +19,7 @@ from sdfcheck.cli.parts.terminal import (
     wants_links,
     width_of,
 )
+from sdfcheck.files.regular import note_read
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.report.summary import EVERYTHING, View
@@ -61,29 +64,39 @@ def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
     return tuple(wanted)
 
 
-def inputs_of(paths: Sequence[Path], done: Run) -> Iterator[Path]:
-    """The files that a run has read, or was asked to."""
-    yield from (path for path in paths if not path.is_dir())
-    yield from done.files
-    yield from (path for path, _ in done.skipped)
-    yield from {diagnostic.span.source.path for diagnostic in done.diagnostics}
+def refuse_to_write(places: Iterable[Path | None], inputs: Iterable[Path] = ()) -> None:
+    """Make sure that all results can be written, before the first one is.
 
-
-def refuse_inputs(places: Iterable[Path | None], inputs: Iterable[Path]) -> None:
-    """Make sure that nothing is written over what is read.
+    ``inputs`` are files that are still to be read.
 
     Raises:
-        WrongUsage: a place is an input, by whatever name.
+        WrongUsage: two results would go to one place, or one to what is read, or where nothing is written.
     """
-    written = [place for place in places if place is not None and place.exists()]
+    written = [place for place in places if place is not None]
     if not written:
         return
-    from sdfcheck.files.overwrite import identity
+    from sdfcheck.files import overwrite
 
-    own = set(map(identity, inputs))
+    note_read(inputs)
+    seen: dict[str, Path] = {}
     for place in written:
-        if identity(place) in own:
-            raise WrongUsage(f"{place} is an input and would be overwritten; name another file")
+        with _explained(place):
+            if overwrite.goes_to_a_file(place):
+                overwrite.refuse_to_write(place)
+                first = seen.setdefault(os.path.realpath(place), place)
+                if first is not place:
+                    raise WrongUsage(f"two results would go to {place}")
+
+
+@contextmanager
+def _explained(file: Path) -> Iterator[None]:
+    """Errors of writing a file as wrong usage."""
+    try:
+        yield
+    except OSError as error:
+        from sdfcheck.files.overwrite import why_not
+
+        raise WrongUsage(why_not(file, error)) from None
 
 
 def show(format: OutputFormat, text: str, *, color: bool, aside: bool = False) -> None:
@@ -120,7 +133,7 @@ def write(
     deliver(render(output.format, run, color=False, view=view, robots=robots), output.file)
 
 
-def deliver(text: str, file: Path | None, inputs: Iterable[Path] = ()) -> None:
+def deliver(text: str, file: Path | None) -> None:
     """Write a document, or what programs read, exactly as it is.
 
     Raises:
@@ -131,18 +144,13 @@ def deliver(text: str, file: Path | None, inputs: Iterable[Path] = ()) -> None:
         return
     from sdfcheck.files.overwrite import overwrite
 
-    refuse_inputs([file], inputs)
-    try:
+    with _explained(file):
         overwrite(file, text.encode("utf-8", "backslashreplace"))
-    except OSError as error:
-        raise WrongUsage(f"cannot write {file}: {error.strerror}") from None
 
 
-def deliver_lines(
-    lines: Iterable[str], file: Path | None, inputs: Iterable[Path] = (), *, color: bool = False
-) -> None:
+def deliver_lines(lines: Iterable[str], file: Path | None, *, color: bool = False) -> None:
     """Write text for people; ``color``: colors pass. Raises as ``deliver`` does."""
     if file is None:
         emit_lines(lines, color=color)
     else:
-        deliver("".join(f"{harmless(line)}\n" for line in lines), file, inputs)
+        deliver("".join(f"{harmless(line)}\n" for line in lines), file)

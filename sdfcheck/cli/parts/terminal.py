@@ -5,10 +5,12 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from typing import TextIO
 
 import click
 
+from sdfcheck.files.regular import read_on
 from sdfcheck.source.visible import harmless, harmless_document
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -93,6 +95,16 @@ def _write(text: str) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except OSError as error:
         raise WrongUsage(f"cannot write the output: {error.strerror}") from None
+
+
+def read_stdin() -> bytes:
+    """The content of stdin, up to the size of a file; raises WrongUsage."""
+    if sys.stdin is None:
+        raise WrongUsage("cannot read stdin: it is closed")
+    try:
+        return read_on(sys.stdin.buffer, Path("<stdin>"))
+    except OSError as error:
+        raise WrongUsage(f"cannot read stdin: {error.strerror}") from None
 
 
 def lines_of(text: str) -> list[str]:

@@ -110,7 +110,8 @@ def _prepare(scope: Model, options: Options, folder: Path) -> Context:
     canonical = scope.canonical_link
     canonical_name = next((name for name, frame in frames.items() if frame is canonical), "")
     made = arrange(meant, canonical_name)
-    naming, links, joints, places = named(meant, robot.frames)
+    couplings = robot.joints.keys() - meant.joints.keys()
+    naming, links, joints, places = named(meant, robot.frames, sorted(couplings))
     world = inverse(poses.in_scope(scope))
     layout = lay_out(meant, made, world, keep=options.keep_link_frames, naming=naming)
     root = Node("robot", name=scope.name)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.files.library import SearchPaths
-from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, read_regular
+from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, read_named
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.select import Choice
 from sdfcheck.source.record import NamedTuple
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     _Loaded = tuple[dict[str, Any], tuple[ConfigFile, ...]]
 
 PYPROJECT = "pyproject.toml"
+LARGEST = 16 * MEGABYTE
+"""So many bytes a configuration may have."""
 NAMES = (".sdfcheck.toml", "sdfcheck.toml", PYPROJECT)
 
 
@@ -65,7 +67,7 @@ class Settings(NamedTuple):
 
     def extended(self, search: SearchPaths, variables: tuple[str, ...] = ()) -> Settings:
         """The settings with further places, which come first, and environment variables for xacro."""
-        if not variables and search == SearchPaths():
+        if not variables and search._replace(named=()) == SearchPaths():
             return self
         return self._replace(
             model_paths=(*search.models, *self.model_paths),
@@ -128,19 +130,25 @@ class Configuration:
         """The settings of the files in an (absolute) folder."""
         if self._fixed is not None:
             return self._fixed
-        settings = self._by_folder.get(folder)
-        if settings is None:
-            settings = self._found_in(folder)
-            if settings is None:
-                settings = Settings() if folder.parent == folder else self.settings_in(folder.parent)
-            self._by_folder[folder] = settings
+        missing: list[Path] = []
+        settings: Settings | None = None
+        for place in (folder, *folder.parents):
+            settings = self._by_folder.get(place)
+            if settings is not None:
+                break
+            missing.append(place)
+            settings = self._found_in(place)
+            if settings is not None:
+                break
+        settings = settings or Settings()
+        self._by_folder.update(dict.fromkeys(missing, settings))
         return settings
 
     def _found_in(self, folder: Path) -> Settings | None:
         for name in NAMES:
             path = f"{folder}{os.sep}{name}"
             if os.path.isfile(path) and (name != PYPROJECT or _configures_us(path)):
-                settings = load(Path(path))
+                settings = load(Path(path), trusted=self._trusted)
                 if not self._trusted:
                     from sdfcheck.lint.config.trust import require_trust
 
@@ -149,13 +157,15 @@ class Configuration:
         return None
 
 
-def load(path: Path, root: Path | None = None) -> Settings:
+def load(path: Path, root: Path | None = None, *, trusted: bool = True) -> Settings:
     """The settings of a configuration file; relative paths start from ``root``, or its folder.
+
+    One that is not ``trusted`` extends files of its project.
 
     Raises:
         WrongUsage: it is missing, unreadable, or says something that makes no sense.
     """
-    values, files = _load(path, root, ())
+    values, files = _load(path, root, (), trusted)
     return Settings()._replace(**values, files=files)
 
 
@@ -169,14 +179,19 @@ def _configures_us(pyproject: str) -> bool:
     return "sdfcheck" in _tool(parse_toml(path, _text(path)))
 
 
-def _load(path: Path, root: Path | None, below: tuple[Path, ...]) -> _Loaded:
+def _load(path: Path, root: Path | None, below: tuple[ConfigFile, ...], trusted: bool) -> _Loaded:
     """The values that a file sets, its own over those that it extends, and all these files."""
     from sdfcheck.lint.config.reading import ConfigFile, parse_toml, read_table, shown
 
     path = Path(os.path.abspath(path))
-    if path in below:
-        chain = " → ".join(shown(place) for place in (*below[below.index(path) :], path))
+    above = [file.path for file in below]
+    if path in above:
+        chain = " → ".join(shown(place) for place in (*above[above.index(path) :], path))
         raise WrongUsage(f"configuration files extend each other: {chain}")
+    if not trusted:
+        from sdfcheck.lint.config.trust import require_inside
+
+        require_inside(path, above[0] if above else path, below[-1] if below else None)
     file = ConfigFile(path, _text(path), root or path.parent)
     table = parse_toml(path, file.text)
     if path.name == PYPROJECT:
@@ -187,9 +202,9 @@ def _load(path: Path, root: Path | None, below: tuple[Path, ...]) -> _Loaded:
     extended = values.pop("extend", None)
     if extended is None:
         return values, (file,)
-    if not extended.is_file():
+    if not os.path.exists(extended):
         raise file.error(f"no such file: {shown(extended)}", "extend")
-    base, files = _load(extended, None, (*below, path))
+    base, files = _load(extended, None, (*below, file), trusted)
     if "extend_select" in values:
         values["extend_select"] = (*base.get("extend_select", ()), *values["extend_select"])
     return base | values, (file, *files)
@@ -202,7 +217,7 @@ def _tool(table: dict[str, Any]) -> dict[str, Any]:
 
 def _bytes(path: Path) -> bytes:
     try:
-        return read_regular(path)
+        return read_named(path, LARGEST)
     except OSError as error:
         from sdfcheck.lint.config.reading import shown
 

@@ -112,8 +112,16 @@ def read_table(file: ConfigFile, table: Mapping[str, Any]) -> dict[str, Any]:
             from sdfcheck.formats.near_names import did_you_mean
 
             raise file.error(f"unknown key `{key}`{did_you_mean(key, fields)}", key)
+        if _has_nul(value):
+            raise file.error(f"`{key}` has the character NUL, which no path can have", key)
         values[field.attribute] = _READERS[field.shape](file, field, value)
     return values
+
+
+def _has_nul(value: object) -> bool:
+    if isinstance(value, dict):
+        return any(_has_nul(each) for pair in value.items() for each in pair)
+    return any(map(_has_nul, value)) if isinstance(value, list) else isinstance(value, str) and "\0" in value
 
 
 def _mismatch(file: ConfigFile, field: Field, *keys: str) -> WrongUsage:

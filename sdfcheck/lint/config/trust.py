@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.files.packages import project_root
-from sdfcheck.files.regular import read_regular
+from sdfcheck.files.regular import is_below, read_regular
 from sdfcheck.lint.config.reading import ConfigFile, parse_toml, shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -35,13 +35,35 @@ def require_trust(files: Sequence[ConfigFile], settings: Mapping[str, Any]) -> N
         if _is_trusted(path.parent):
             return
         file = next((file for file in files if key in file.text), files[0])
-        own = own_configuration()
-        always = f", or name its folder under `{KEY}` in {own} to trust it always" if own else ""
-        raise file.error(
-            f"`{key}` {effect}, which needs your consent: pass --trust-config if you trust this"
-            f" configuration{always}; --isolated uses no configuration",
-            key,
-        )
+        raise file.error(f"`{key}` {effect}, {_consent()}", key)
+
+
+def require_inside(path: Path, found: Path, by: ConfigFile | None) -> None:
+    """Make sure, before it is read, that a configuration lies in the project of the one that was ``found``.
+
+    ``by`` is the one that extends it, None for that which was found.
+
+    Raises:
+        WrongUsage: it does not, and the folder of the one that was found is not trusted.
+    """
+    root = os.path.realpath(project_root(found))
+    if is_below(os.path.realpath(path), (root,)) or _is_trusted(found.parent):
+        return
+    effect = f"leads out of {shown(Path(root))}, {_consent()}"
+    raise (
+        WrongUsage(f"{shown(path)}: a link that {effect}")
+        if by is None
+        else by.error(f"`extend` {effect}", "extend")
+    )
+
+
+def _consent() -> str:
+    own = own_configuration()
+    always = f", or name its folder under `{KEY}` in {own} to trust it always" if own else ""
+    return (
+        f"which needs your consent: pass --trust-config if you trust this configuration{always};"
+        " --isolated uses no configuration"
+    )
 
 
 def own_configuration() -> Path | None:
@@ -68,7 +90,7 @@ def _reach(path: Path, settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]
         ("package-paths", settings["package_paths"]),
         ("model-paths", settings["model_paths"]),
     ):
-        if not all(_is_below(os.path.realpath(place), root) for place in places):
+        if not all(is_below(os.path.realpath(place), (root,)) for place in places):
             yield key, f"leads out of {shown(Path(root))}"
 
 
@@ -78,7 +100,7 @@ def _is_trusted(folder: Path) -> bool:
     if own is None or not own.is_file():
         return False
     real = os.path.realpath(folder)
-    return any(_is_below(real, os.path.realpath(trusted)) for trusted in _trusted_folders(own))
+    return is_below(real, map(os.path.realpath, _trusted_folders(own)))
 
 
 def _trusted_folders(own: Path) -> Iterator[str]:
@@ -95,7 +117,3 @@ def _trusted_folders(own: Path) -> Iterator[str]:
         if not os.path.isabs(folder):
             raise WrongUsage(f"{own}: `{KEY}` should name absolute folders, not `{folder}`")
         yield folder
-
-
-def _is_below(path: str, folder: str) -> bool:
-    return path == folder or path.startswith(os.path.join(folder, ""))

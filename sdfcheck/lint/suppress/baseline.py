@@ -7,12 +7,15 @@ from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 
+from sdfcheck.files.regular import MEGABYTE, read_named
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
+LARGEST = 64 * MEGABYTE
+"""So many bytes a baseline may have."""
 
 Key = tuple[str, str]
 """File (relative to the folder of the baseline) and code of the rule."""
@@ -33,11 +36,11 @@ def read(path: Path) -> Mapping[Key, int]:
     import json
 
     try:
-        record = json.loads(path.read_bytes())
+        record = json.loads(read_named(path, LARGEST))
         if record["version"] != VERSION:
             raise WrongUsage(f"{path}: a baseline of version {record['version']}, not {VERSION}")
         return {
-            (file, code): int(number)
+            (file, code): _count(number)
             for file, rules in record["findings"].items()
             for code, number in rules.items()
         }
@@ -45,6 +48,12 @@ def read(path: Path) -> Mapping[Key, int]:
         raise WrongUsage(f"cannot read {path}: {error.strerror}; --write-baseline makes one") from None
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise WrongUsage(f"{path} is not a baseline") from None
+
+
+def _count(number: object) -> int:
+    if not isinstance(number, int) or isinstance(number, bool) or number < 0:
+        raise ValueError("not a count")
+    return number
 
 
 def render(run: Run, path: Path) -> str:

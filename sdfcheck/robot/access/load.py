@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.files.regular import read_regular
+from sdfcheck.files.regular import read_named
 from sdfcheck.robot.includes.multiplied import TooManyModels, refuse_too_many
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
@@ -38,7 +38,7 @@ def load(
     """
     place = Path(path)
     search = SearchPaths(tuple(model_paths), tuple(package_paths))
-    return _root(read_regular(place), place, arguments, search)
+    return _root(read_named(place), place, arguments, search)
 
 
 def parse(

@@ -14,11 +14,12 @@ from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.problems import MisplacedElement
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.robot.includes.model_config import config_of, model_file
+from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
 from sdfcheck.robot.values import is_true
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
 
 INCLUDABLE = ("model", "actor", "light")
 """The parts that an included file may hold, in the order in which libsdformat prefers them."""
@@ -32,6 +33,7 @@ class Obstacle(Enum):
     NO_CONFIG = "no model.config"
     BAD_CONFIG = "bad model.config"
     UNREADABLE = "unreadable"
+    OUTSIDE = "outside of what is read"
     BROKEN = "broken"
     FOREIGN = "foreign"
     XACRO = "xacro"
@@ -101,6 +103,11 @@ def included_element(document: Document) -> Element | None:
     return next((found for kind in INCLUDABLE if (found := root.find(kind)) is not None), None)
 
 
+def is_description(document: Document) -> bool:
+    """Was a text without any element meant to be a robot description? Others are not shown in findings."""
+    return document.kind in {Kind.BROKEN_XML, Kind.EMPTY, Kind.XACRO}
+
+
 def ring(document: Document, include: Element) -> tuple[Value, ...]:
     """The includes that lead from one in this document back to it, outside in; empty if none do."""
     goal = os.path.realpath(document.path)
@@ -153,7 +160,8 @@ def _find_file(document: Document, found: Included, path: Path) -> Included:
         return found._replace(file=path)
     config = config_of(document, path)
     if config is None:
-        return found._replace(obstacle=Obstacle.NO_CONFIG)
+        is_outside = _is_refused(document, path / CONFIG)
+        return found._replace(obstacle=Obstacle.OUTSIDE if is_outside else Obstacle.NO_CONFIG)
     _note_origin(document, config, found)
     file = model_file(config)
     return found._replace(config=config, file=file, obstacle=None if file else Obstacle.BAD_CONFIG)
@@ -162,13 +170,14 @@ def _find_file(document: Document, found: Included, path: Path) -> Included:
 def _read(document: Document, found: Included, file: Path) -> Included:
     library = library_of(document)
     assert library is not None
-    other = library.document(file)
+    other = library.document(file, of=document)
     if other is None:
-        return found._replace(obstacle=Obstacle.UNREADABLE)
+        is_outside = _is_refused(document, file)
+        return found._replace(obstacle=Obstacle.OUTSIDE if is_outside else Obstacle.UNREADABLE)
     _note_origin(document, other, found)
     found = found._replace(document=other)
     if other.root is None:
-        return found._replace(obstacle=Obstacle.BROKEN)
+        return found._replace(obstacle=Obstacle.BROKEN if is_description(other) else Obstacle.FOREIGN)
     if other.root.name not in {"sdf", "robot"}:
         return found._replace(obstacle=Obstacle.FOREIGN)
     if other.root.name == "robot" and other.source.contains("<xacro:"):
@@ -179,6 +188,11 @@ def _read(document: Document, found: Included, file: Path) -> Included:
     kind = "model" if model.name == "robot" else model.name
     own = model.attributes.get("name", "").strip() or None
     return found._replace(model=model, kind=kind, name=found.name or own)
+
+
+def _is_refused(document: Document, file: Path) -> bool:
+    library = library_of(document)
+    return library is not None and file in library.refused
 
 
 def _note_origin(document: Document, other: Document, found: Included) -> None:

@@ -138,7 +138,7 @@ def config_of(document: Document, folder: Path) -> Document | None:
     library = library_of(document)
     for name in (CONFIG, OLD_CONFIG):
         if library is not None and os.path.isfile(folder / name):
-            return library.document(folder / name, Kind.MODEL_CONFIG)
+            return library.document(folder / name, Kind.MODEL_CONFIG, document)
     return None
 
 

@@ -71,7 +71,7 @@ class Include(FileUse):
             return False
         from sdfcheck.robot.includes.included import Obstacle
 
-        return self.obstacle is not Obstacle.BROKEN
+        return self.obstacle not in {Obstacle.BROKEN, Obstacle.OUTSIDE}
 
     @property
     def is_searched_for(self) -> bool:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages
-from sdfcheck.files.regular import read_regular
 from sdfcheck.formats.urdf.table import is_expression
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics.semantics import Semantics, names
@@ -60,12 +59,12 @@ def _namesake(semantics: Semantics, packages: Packages) -> Model | None:
     """The URDF robot of another name that has all that a file names, where no robot may have its name."""
     heads: dict[Path, _Head] = {}
     for path in _files(semantics.document, packages, (".urdf", ".xacro")):
-        head = _head(path)
+        head = _head(path, semantics)
         if head is not None:
             heads[path] = head
             if head.name == semantics.name or is_expression(head.name) or len(heads) > MOST_ROBOTS:
                 return None
-    robots = [_robot(path, kind, semantics, None) for path, (_, kind) in heads.items() if kind is Kind.URDF]
+    robots = [_robot(path, head, semantics, None) for path, head in heads.items() if head.kind is Kind.URDF]
     fitting = [robot for robot in robots if robot is not None and _score(semantics, robot) == 1]
     return fitting[0] if len(fitting) == 1 else None
 
@@ -79,9 +78,11 @@ def descriptions_of(semantics: Semantics) -> Iterator[Document]:
     seen: set[str] = set()
     for packages in (Packages(_package(path)), library.packages(path)):
         for file in _files(semantics.document, packages, (".urdf", ".xacro")):
-            kind = _kind(file, semantics) if str(file) not in seen else None
+            head = _own_head(file, semantics) if str(file) not in seen else None
             seen.add(str(file))
-            if kind is not None and (found := library.document(file, kind)) is not None:
+            if head is None:
+                continue
+            if (found := library.document(file, head.kind, semantics.document)) is not None:
                 yield found
 
 
@@ -104,8 +105,8 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
     for path in _files(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
             return
-        kind = _kind(path, semantics)
-        robot = None if kind is None else _robot(path, kind, semantics, expand)
+        head = _own_head(path, semantics)
+        robot = None if head is None else _robot(path, head, semantics, expand)
         if robot is not None:
             found += 1
             yield robot
@@ -127,32 +128,35 @@ def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) ->
 
 
 class _Head(NamedTuple):
-    """The name of the robot that a file describes, and the kind of the file."""
+    """The name of the robot that a file describes, the kind of the file, and its content."""
 
     name: str
     kind: Kind
+    data: bytes
 
 
-def _head(path: Path) -> _Head | None:
-    """What the beginning of a file says; None where it describes no robot."""
+def _head(path: Path, semantics: Semantics) -> _Head | None:
+    """The beginning of a file, read; None where it describes no robot or cannot be read."""
+    library = library_of(semantics.document)
     try:
-        data = read_regular(path)
+        data = library.read(path, semantics.document) if library is not None else b""
     except OSError:
         return None
     match = _ROBOT.search(data[:8192].decode("utf-8", "replace"))
     is_xacro = path.suffix == ".xacro" or b"<xacro:" in data
-    return None if match is None else _Head(match[1], Kind.XACRO if is_xacro else Kind.URDF)
+    return None if match is None else _Head(match[1], Kind.XACRO if is_xacro else Kind.URDF, data)
 
 
-def _kind(path: Path, semantics: Semantics) -> Kind | None:
-    """Which kind of file describes a robot of the name; None: it does not."""
-    head = _head(path)
-    return head.kind if head is not None and head.name == semantics.name else None
+def _own_head(path: Path, semantics: Semantics) -> _Head | None:
+    """The beginning of a file that describes a robot of the name; None: it does not."""
+    head = _head(path, semantics)
+    return head if head is not None and head.name == semantics.name else None
 
 
-def _robot(path: Path, kind: Kind, semantics: Semantics, expand: Expand | None) -> Model | None:
+def _robot(path: Path, head: _Head, semantics: Semantics, expand: Expand | None) -> Model | None:
     """The robot of a file; None where it has no links, or cannot be expanded."""
-    document: Document | None = read(read_regular(path), path, kind)
+    kind = head.kind
+    document: Document | None = read(head.data, path, kind)
     assert document is not None
     document.library = semantics.document.library
     if kind is Kind.XACRO:

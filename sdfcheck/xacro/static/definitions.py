@@ -91,7 +91,7 @@ class Definitions:
         if real in self._done:
             return
         library = library_of(document)
-        found = library.document(target, Kind.XACRO) if library else None
+        found = library.document(target, Kind.XACRO, document) if library else None
         if found is None or found.root is None:
             self.is_open = True
         else:

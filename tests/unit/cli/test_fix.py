@@ -146,7 +146,7 @@ def test_stdin_is_fixed_to_stdout(lint: Shell, monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_a_file_that_cannot_be_written_is_said(lint: Shell, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(path: Path, data: bytes) -> None:
+    def fail(path: Path, data: bytes, *, instead: bool) -> None:
         raise PermissionError(13, "Permission denied", str(path))
 
     monkeypatch.setattr("sdfcheck.cli.rewrite.overwrite", fail)

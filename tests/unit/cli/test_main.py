@@ -105,3 +105,42 @@ def test_an_output_that_takes_nothing_is_reported(target: str, says: str, tmp_pa
     assert done.returncode == 2
     assert done.stderr.startswith("error: cannot write the output: ")
     assert says in done.stderr
+
+
+@pytest.mark.parametrize("words", [[], ["convert"]], ids=["sdfcheck", "convert"])
+def test_the_bare_command_shows_its_help_once(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 2
+    captured = capsys.readouterr()
+    assert captured.out.count("Usage:") == 1
+    assert captured.out.count("Commands:") == 1
+    assert captured.err == ""
+
+
+def test_choices_are_listed_in_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["graph"]) == 2
+    err = capsys.readouterr().err
+    assert err.endswith("Choose from: frames, poses, joints\n")
+    assert "␊" not in err
+    assert "␉" not in err
+
+
+_INTERRUPTED = """
+import runpy, sys
+wanted, sys.argv = sys.argv[1], ["sdfcheck", "lint", "nothing.sdf"]
+class Interrupting:
+    def find_spec(self, name, path, target=None):
+        if name == wanted:
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, Interrupting())
+runpy.run_module("sdfcheck", run_name="__main__")
+"""
+
+
+@pytest.mark.parametrize(
+    "module", ["sdfcheck.cli.main", "click", "sdfcheck.cli.lint", "sdfcheck.lint.session"]
+)
+def test_an_interrupt_while_modules_are_loaded(module: str) -> None:
+    command = [sys.executable, "-c", _INTERRUPTED, module]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 130
+    assert "Traceback" not in done.stderr

@@ -173,14 +173,14 @@ def test_unreadable_files_do_not_stop_the_others(seen: list[Seen]) -> None:
 
 def test_vanished_files_do_not_stop_the_others(seen: list[Seen], monkeypatch: pytest.MonkeyPatch) -> None:
     a, b = plant(a_sdf=SDF, b_sdf=SDF.format("!"))
-    opened = regular.open_regular
+    opened = regular.open_named
 
     def vanishing(path: Path, limit: int) -> object:
         if path == a:
             raise FileNotFoundError(2, "No such file or directory")
         return opened(path, limit)
 
-    monkeypatch.setattr(session, "open_regular", vanishing)
+    monkeypatch.setattr(session, "open_named", vanishing)
     check_that_only_b_is_linted(a, b, "No such file or directory")
 
 

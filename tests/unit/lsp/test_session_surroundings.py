@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import AsyncIterator
 from pathlib import Path
@@ -187,3 +188,40 @@ async def test_a_failure_is_logged_and_shown_once(broken: LanguageClient, tmp_pa
     (message,) = broken.messages
     assert "RuntimeError: the hover fails" in message.message
     assert await text.diagnostics()
+
+
+@pytest.mark.parametrize(
+    "uri",
+    [
+        "file:///a%00b/m.sdf",
+        "file:///%00",
+        "untitled:a%00b.sdf",
+        "file://[/m.sdf",
+        "%00",
+        "file:///a/%FF%00.urdf",
+    ],
+)
+async def test_addresses_that_no_file_has_are_answered(session: Session, uri: str) -> None:
+    client = session.client
+    item = types.TextDocumentItem(uri, "sdf", 1, MODEL.replace("hnd", "hand"))
+    client.text_document_did_open(types.DidOpenTextDocumentParams(item))
+    identifier = types.TextDocumentIdentifier(uri)
+    answer = await session.raw("textDocument/documentSymbol", {"textDocument": {"uri": uri}})
+    assert answer
+    event = types.FileEvent(uri, types.FileChangeType.Changed)
+    client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams([event]))
+    client.text_document_did_close(types.DidCloseTextDocumentParams(identifier))
+
+
+async def test_a_text_in_deep_folders_is_linted(session: Session, folder: Path) -> None:
+    deep = folder.joinpath(*"d" * 1100)
+    at = folder
+    for name in deep.relative_to(folder).parts:
+        at = at / name
+        os.mkdir(at)
+    shown = session.open(deep / "m.sdf", MODEL)
+    assert [each.code for each in await shown.diagnostics()]
+    session.close(shown)
+    (deep / "m.sdf").unlink()
+    for at in (deep, *deep.parents)[:1100]:  # what removes whole trees calls itself
+        at.rmdir()

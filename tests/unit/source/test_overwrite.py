@@ -1,10 +1,14 @@
+import fcntl
 import os
 import stat
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
-from sdfcheck.files.overwrite import overwrite
+from sdfcheck.files.overwrite import Refused, overwrite
+from sdfcheck.files.regular import noting, read_regular
 
 
 def test_the_mode_stays(tmp_path: Path) -> None:
@@ -83,28 +87,91 @@ def test_a_file_whose_owner_cannot_be_kept_is_left_alone(
 
 
 @pytest.mark.parametrize("by_link", [False, True], ids=["itself", "by a link"])
-def test_a_pipe_is_written_to(tmp_path: Path, *, by_link: bool) -> None:
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    named = tmp_path / "link" if by_link else pipe
+@pytest.mark.parametrize("kind", ["pipe", "device", "folder"])
+def test_pipes_devices_and_folders_are_not_written_to(tmp_path: Path, kind: str, *, by_link: bool) -> None:
+    place = tmp_path / "odd" if kind != "device" else Path("/dev/zero")
+    if kind == "pipe":
+        os.mkfifo(place)
+    elif kind == "folder":
+        place.mkdir()
+    named = tmp_path / "link" if by_link else place
     if by_link:
-        named.symlink_to("pipe")
-    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
-    try:
+        named.symlink_to(place)
+    with pytest.raises(Refused, match="is not a file"):
         overwrite(named, b"new")
-        assert os.read(consumer, 100) == b"new"
-    finally:
-        os.close(consumer)
-    assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert named.is_symlink() == by_link
 
 
-def test_a_device_is_written_to(tmp_path: Path) -> None:
-    link = tmp_path / "a.sdf"
-    link.symlink_to("/dev/null")
-    overwrite(link, b"new")
-    assert link.is_symlink()
-    assert stat.S_ISCHR(os.stat("/dev/null").st_mode)
+def test_the_null_device_takes_everything() -> None:
+    overwrite(Path(os.devnull), b"new")
+    assert stat.S_ISCHR(os.stat(os.devnull).st_mode)
+
+
+def test_a_link_that_leads_out_is_not_followed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "repo" / ".git").mkdir(parents=True)
+    (tmp_path / "repo" / "below").mkdir()
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "a.sdf").write_bytes(b"old")
+    (tmp_path / "repo" / "a.sdf").symlink_to("../out/a.sdf")
+    (tmp_path / "repo" / "results").symlink_to("../out")
+    for name in ("a.sdf", "results/a.sdf", "results/new.sdf"):
+        with pytest.raises(Refused, match=r"leads out of .*repo by a link"):
+            overwrite(tmp_path / "repo" / name, b"new")
+    (tmp_path / "repo" / "inside.sdf").symlink_to("below/b.sdf")
+    overwrite(tmp_path / "repo" / "inside.sdf", b"new")
+    assert (tmp_path / "repo" / "below" / "b.sdf").read_bytes() == b"new"
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["a.sdf"]
+    monkeypatch.chdir(tmp_path / "out")
+    (tmp_path / "out" / "b.sdf").symlink_to("../elsewhere")
+    with pytest.raises(Refused, match="leads out"):
+        overwrite(Path("b.sdf"), b"new")
+    assert not (tmp_path / "elsewhere").exists()
+
+
+def test_inputs_are_kept(tmp_path: Path) -> None:
+    path, other = tmp_path / "a.sdf", tmp_path / "b.sdf"
+    path.write_bytes(b"old")
+    os.link(path, other)
+    with noting():
+        assert read_regular(path) == b"old"
+        with pytest.raises(Refused, match="is an input"):
+            overwrite(other, b"new")
+        overwrite(path, b"new", instead=True)
+    overwrite(other, b"newer")
+    assert (path.read_bytes(), other.read_bytes()) == (b"new", b"newer")
+
+
+_KILLED = """
+import os, signal, sys
+from pathlib import Path
+from sdfcheck.files.overwrite import overwrite
+os.fsync = lambda handle: os.kill(os.getpid(), signal.SIGKILL)
+overwrite(Path(sys.argv[1]), b"new")
+"""
+
+
+def test_leftovers_of_a_killed_run_are_removed(tmp_path: Path) -> None:
+    path = tmp_path / "a.sdf"
+    path.write_bytes(b"old")
+    subprocess.run([sys.executable, "-c", _KILLED, str(path)], check=False)
+    assert path.read_bytes() == b"old"
+    assert len(os.listdir(tmp_path)) == 2
+    overwrite(path, b"newer")
+    assert os.listdir(tmp_path) == ["a.sdf"]
+
+
+def test_files_of_another_run_are_left_alone(tmp_path: Path) -> None:
+    theirs = tmp_path / f".sdfcheck-{'0' * 16}"
+    with theirs.open("wb") as stream:
+        stream.write(b"theirs")
+        stream.flush()
+        fcntl.flock(stream, fcntl.LOCK_EX)
+        overwrite(tmp_path / "a.sdf", b"ours")
+        assert theirs.exists()
+    (tmp_path / ".sdfcheck.toml").write_text("")
+    (tmp_path / f".sdfcheck-{'1' * 16}").mkdir()
+    overwrite(tmp_path / "a.sdf", b"ours")
+    assert sorted(os.listdir(tmp_path)) == [f".sdfcheck-{'1' * 16}", ".sdfcheck.toml", "a.sdf"]
 
 
 def test_an_open_file_is_written_on(tmp_path: Path) -> None:

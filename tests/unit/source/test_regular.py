@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.files.regular import Unfit, oddity, read_regular
+from sdfcheck.files.regular import Unfit, oddity, read_named, read_regular
 
 
 def test_a_file_is_read(tmp_path: Path) -> None:
@@ -52,7 +52,7 @@ def test_a_pipe_that_was_given_is_read() -> None:
     os.write(ours, b"text")
     os.close(ours)
     try:
-        assert read_regular(Path(f"/dev/fd/{theirs}")) == b"text"
+        assert read_named(Path(f"/dev/fd/{theirs}")) == b"text"
     finally:
         os.close(theirs)
 
@@ -62,7 +62,7 @@ def test_but_not_without_end() -> None:
     os.write(ours, b"text" * 10)
     try:
         with pytest.raises(Unfit, match="larger than"):
-            read_regular(Path(f"/dev/fd/{theirs}"), limit=4)
+            read_named(Path(f"/dev/fd/{theirs}"), limit=4)
     finally:
         os.close(theirs)
         os.close(ours)

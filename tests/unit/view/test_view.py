@@ -87,9 +87,10 @@ def test_numbers_that_are_none_can_be_drawn() -> None:
 
 
 def test_meshes_are_embedded_once_and_up_to_a_size(tmp_path: Path) -> None:
-    (tmp_path / "a.stl").write_bytes(b"x" * 100)
+    (tmp_path / "a.stl").write_bytes(bytes(80) + b"\1\0\0\0" + bytes(50))
+    (tmp_path / "text.stl").write_bytes(b"x" * 100)
     (tmp_path / "big.stl").write_bytes(b"x" * 1001)
-    uris = ("a.stl", "a.stl", "big.stl", "gone.dae", "a.xyz")
+    uris = ("a.stl", "a.stl", "big.stl", "gone.dae", "a.xyz", "text.stl")
     links = "".join(
         f'<link name="l{i}"><visual name="v"><geometry><mesh><uri>{uri}</uri></mesh></geometry></visual></link>'
         for i, uri in enumerate(uris)
@@ -104,6 +105,7 @@ def test_meshes_are_embedded_once_and_up_to_a_size(tmp_path: Path) -> None:
         "too large to embed (0 MB)",
         "not found",
         "a format that is not shown",
+        "not a mesh",
     ]
 
 

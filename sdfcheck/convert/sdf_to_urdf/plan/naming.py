@@ -27,15 +27,17 @@ class Naming:
 
 
 def named(
-    robot: Mechanism, frames: Iterable[str]
+    robot: Mechanism, frames: Iterable[str], kept: Iterable[str] = ()
 ) -> tuple[Naming, Mapping[str, str], Mapping[str, str], Mapping[str, str]]:
-    """The names of links, of joints and of frames, by those of the source.
+    """The names of links, of joints and of frames, by those of the source; ``kept`` are further joints.
 
     Names without a scope are given out first: they stay what they are.
     """
     naming = Naming({"world"})
     links = {name: naming.unique(name) for name in sorted(robot.links, key=_depth)}
-    joints = {name: naming.unique(name, f"{name}_joint") for name in sorted(robot.joints, key=_depth)}
+    joints = {
+        name: naming.unique(name, f"{name}_joint") for name in sorted([*robot.joints, *kept], key=_depth)
+    }
     places = {name: naming.unique(name) for name in sorted(frames, key=_depth)}
     return naming, links, joints, places
 
