@@ -30,7 +30,7 @@ from sdfcheck.xacro.static.oversights import oversights, parameter_place
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
-from sdfcheck.xacro.static.suggestions import guess, nearest
+from sdfcheck.xacro.static.suggestions import guess, misspelling_of, nearest
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 
@@ -224,5 +224,5 @@ def _unknown_packages(document: Document) -> Iterator[Problem]:
         seen.add(match[1])
         if packages.find(match[1]) is None:
             span = place(command.element, command.attribute, command.text, match[1])
-            near = nearest(match[1], set(packages.names))
+            near = misspelling_of(match[1], packages.names)
             yield UnknownPackage(span, match[1], near)
