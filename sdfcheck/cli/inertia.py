@@ -15,9 +15,10 @@ from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_bro
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color
+from sdfcheck.formats.suggest import did_you_mean
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
-from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -108,7 +109,7 @@ def _only(report: MassReport, name: str) -> MassReport:
     found = next((model for model in report.walk() if model.name == name), None)
     if found is None:
         names = tuple(model.name for model in report.walk())
-        near = suggestion(name, names) or f" (there is {', '.join(names) or 'none'})"
+        near = did_you_mean(name, names) or f" (there is {', '.join(names) or 'none'})"
         raise WrongUsage(f"no model `{name}`{near}")
     return MassReport((found,), found.total)
 

@@ -13,10 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from sdfcheck.formats.suggest import did_you_mean, nearest_choice
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage, nearest_choice, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage
 
 ALL = "ALL"
 
@@ -130,7 +131,7 @@ def check_targets(targets: Iterable[str]) -> None:
     known = tuple(consumer.value for consumer in Consumer)
     for target in targets:
         if target not in known:
-            near = suggestion(target, known) or f" (choose from {', '.join(sorted(known))})"
+            near = did_you_mean(target, known) or f" (choose from {', '.join(sorted(known))})"
             raise WrongUsage(f"unknown target `{target}`{near}")
 
 

@@ -10,18 +10,3 @@ class WrongUsage(Exception):
 
     The message is one line that says what, and where it helps, what to write instead.
     """
-
-
-def suggestion(word: str, choices: tuple[str, ...]) -> str:
-    """``, did you mean `x`?`` for the nearest choice, or nothing."""
-    near = nearest_choice(word, choices)
-    return f", did you mean `{near}`?" if near else ""
-
-
-def nearest_choice(word: str, choices: tuple[str, ...]) -> str | None:
-    """The choice that looks most like a word, if one does."""
-    import difflib
-
-    by_fold = {choice.casefold(): choice for choice in choices}
-    near = difflib.get_close_matches(word.casefold(), by_fold, n=1)
-    return by_fold[near[0]] if near else None

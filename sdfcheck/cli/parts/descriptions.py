@@ -175,8 +175,8 @@ def check_arguments(
     names = [name for name, _ in given]
     if not names:
         return
+    from sdfcheck.formats.suggest import nearest
     from sdfcheck.xacro.static.arguments import taken_arguments
-    from sdfcheck.xacro.static.suggestions import nearest
 
     library = Library(settings.search, settings.size_limit)
     taken: set[str] = set()

@@ -8,8 +8,8 @@ from typing import Any
 
 import click
 
+from sdfcheck.formats.suggest import did_you_mean
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import suggestion
 
 
 class LazyCommand(NamedTuple):
@@ -55,7 +55,7 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         if args and args[0] not in self._lazy and not args[0].startswith("-"):
             meant = self._meant.get(args[0].lower()) or self._for_file(args[0])
-            hint = f"; try `{meant}`" if meant else suggestion(args[0], tuple(self._lazy))
+            hint = f"; try `{meant}`" if meant else did_you_mean(args[0], tuple(self._lazy))
             ctx.fail(f"no such command: {args[0]}{hint}")
         return super().resolve_command(ctx, args)
 

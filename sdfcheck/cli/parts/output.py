@@ -17,12 +17,13 @@ from sdfcheck.cli.parts.terminal import (
     wants_links,
     width_of,
 )
+from sdfcheck.formats.suggest import did_you_mean
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.report.summary import EVERYTHING, View
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import harmless
-from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.report.robots import Robot
@@ -47,7 +48,7 @@ def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
     for text in formats:
         name, equals, place = text.partition("=")
         if name not in FORMATS:
-            near = suggestion(name, FORMATS) or f" (choose from {', '.join(FORMATS)})"
+            near = did_you_mean(name, FORMATS) or f" (choose from {', '.join(FORMATS)})"
             raise WrongUsage(f"unknown output format `{name}`{near}")
         if equals and not place:
             raise WrongUsage(f"`{text}` names no file")

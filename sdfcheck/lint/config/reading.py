@@ -9,10 +9,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from sdfcheck.formats.suggest import did_you_mean
 from sdfcheck.lint.config.fields import FIELDS, Field, Shape
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+from sdfcheck.source.wrong_usage import WrongUsage
 
 ArgumentSet = tuple[tuple[str, str], ...]
 """Names and values of xacro arguments."""
@@ -109,7 +110,7 @@ def read_table(file: ConfigFile, table: Mapping[str, Any]) -> dict[str, Any]:
     for key, value in table.items():
         field = fields.get(key)
         if field is None:
-            raise file.error(f"unknown key `{key}`{suggestion(key, tuple(fields))}", key)
+            raise file.error(f"unknown key `{key}`{did_you_mean(key, tuple(fields))}", key)
         values[field.attribute] = _READERS[field.shape](file, field, value)
     return values
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from sdfcheck.formats.suggest import nearest_choice
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.rule import write_instead
 from sdfcheck.lint.run import RuleFacts
@@ -20,7 +21,6 @@ from sdfcheck.lint.suppress.comments import Comment
 from sdfcheck.lint.suppress.rules import MalformedSuppression, report
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.source.wrong_usage import nearest_choice
 
 IGNORE, DISABLE, ENABLE, IGNORE_FILE = "ignore", "disable", "enable", "ignore-file"
 VERBS = (IGNORE, DISABLE, ENABLE, IGNORE_FILE)

@@ -31,7 +31,7 @@ def pick(owner: Part, kind: str, parts: Sequence[P], key: str | int) -> P:
         model = next((model for model in getattr(owner, "models", ()) if model.name == outer), None)
         if model is not None:
             return getattr(model, kind)(inner)  # type: ignore[no-any-return]
-    from sdfcheck.source.wrong_usage import suggestion
+    from sdfcheck.formats.suggest import did_you_mean
 
-    near = suggestion(key, tuple(part.name for part in parts))
+    near = did_you_mean(key, tuple(part.name for part in parts))
     raise NotFound(f"{where} has no {kind} `{key}`{near}")

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from sdfcheck.files.library import library_of
+from sdfcheck.formats.suggest import guess, misspelling_of, nearest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
@@ -30,7 +31,6 @@ from sdfcheck.xacro.static.oversights import oversights, parameter_place
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
-from sdfcheck.xacro.static.suggestions import guess, misspelling_of, nearest
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sdfcheck.formats.suggest import nearest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, PREFIX, REQUIRED
 from sdfcheck.xacro.problems import IgnoredIncludeContent, WrongXacroAttribute
-from sdfcheck.xacro.static.suggestions import nearest
 
 _INCLUDE = "xacro:include"
 _FREE = frozenset({"gazebo", "plugin", "ros2_control", "transmission", "mujoco"})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from sdfcheck.formats.suggest import nearest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
@@ -31,7 +32,6 @@ from sdfcheck.xacro.static.definitions import Definitions, knows_all
 from sdfcheck.xacro.static.elements import is_conditional, is_outside
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.reading import Macro, Property, Reading, own_words, place, reading
-from sdfcheck.xacro.static.suggestions import nearest
 
 _SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 _SCOPES = ("global", "local", "parent")
