@@ -124,9 +124,9 @@ def _unmatched(mine: list[Geometry], theirs: list[Geometry], tolerance: float) -
     left = list(theirs)
     count = 0
     for shape in mine:
-        match = next((other for other in left if same_geometry(shape, other, tolerance)), None)
+        match = next((at for at, other in enumerate(left) if same_geometry(shape, other, tolerance)), None)
         if match is None:
             count += 1
         else:
-            left = [other for other in left if other is not match]
+            del left[match]
     return count
