@@ -8,15 +8,15 @@ whole are compared, then those of each link, the links' geometry and the joints'
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping
-from itertools import cycle, islice
+from collections.abc import Mapping
+from itertools import islice
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from sdfcheck.convert.contents.verification import Counterparts, Settings
+from sdfcheck.convert.nearby import Nearby
 from sdfcheck.convert.verification import Difference, Verification
 from sdfcheck.robot.motion.kinematics import (
     Bodies,
@@ -92,8 +92,6 @@ def verify(
 
 _EQUAL = 8
 """So many shapes of the result are taken into account that equal one of the source."""
-_WEIGHTS = tuple(1 + math.sin(number) / 2 for number in range(1, 17))
-"""Irregular, so that different numbers seldom have the same sum."""
 
 
 class _Comparison:
@@ -253,7 +251,7 @@ class _Comparison:
         return math.copysign(math.inf, value) if abs(value) >= self.to.unlimited else value
 
     def compare_geometries(self) -> None:
-        shelves: dict[str, _Shapes] = {}
+        known: dict[str, Nearby[Geometry]] = {}
         for name in self.compared:
             counterpart = self.to.link(name)
             wanted = [
@@ -261,16 +259,18 @@ class _Comparison:
             ]
             if not wanted:
                 continue
-            if counterpart.link not in shelves:
-                shelves[counterpart.link] = _Shapes(self.result.links[counterpart.link].geometries)
-            there = shelves[counterpart.link].copy()
+            if counterpart.link not in known:
+                shapes = self.result.links[counterpart.link].geometries
+                known[counterpart.link] = Nearby((_numbers(shape, shape.pose), shape) for shape in shapes)
+            there = known[counterpart.link].copy()
             for geometry in wanted:
-                near = there.near(geometry, counterpart.offset, max(self.tolerance, 1e-9))
+                numbers = _numbers(geometry, counterpart.offset @ geometry.pose)
+                near = there.near(numbers, max(self.tolerance, 1e-9))
                 equal = list(islice((g for g in near if self.same(geometry, g, counterpart.offset)), _EQUAL))
                 if not equal:
                     self.differ(geometry.role, name, f"{geometry.kind} has no equal in the result")
                 else:
-                    there.remove(equal[0])
+                    there.remove(_numbers(equal[0], equal[0].pose), equal[0])
                     self.shapes.append(Counterparts(name, geometry, equal))
 
     def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
@@ -282,43 +282,9 @@ class _Comparison:
         self.found.setdefault((what, name), Difference(what, name, text))
 
 
-class _Shapes:
-    """The shapes of a link in the order of a sum of their numbers, in which equal ones are side by side."""
-
-    def __init__(self, shapes: Iterable[Geometry]) -> None:
-        pairs = sorted(((_sum(g, g.pose), g) for g in shapes), key=lambda pair: pair[0])
-        self._sums = [each for each, _ in pairs]
-        self._shapes = [shape for _, shape in pairs]
-
-    def copy(self) -> _Shapes:
-        made = _Shapes(())
-        made._sums, made._shapes = self._sums.copy(), self._shapes.copy()
-        return made
-
-    def near(self, shape: Geometry, offset: Array, tolerance: float) -> Iterator[Geometry]:
-        """Those that may equal a shape whose link has the pose ``offset``; within ``tolerance``, for each number."""
-        wanted = _sum(shape, offset @ shape.pose)
-        apart = tolerance * sum(_WEIGHTS[:12]) + 1e-8 * (1 + abs(wanted) + sum(map(abs, _finite(shape.size))))
-        at = bisect_left(self._sums, wanted - apart)
-        while at < len(self._sums) and self._sums[at] <= wanted + apart:
-            yield self._shapes[at]
-            at += 1
-
-    def remove(self, shape: Geometry) -> None:
-        at = bisect_left(self._sums, _sum(shape, shape.pose))
-        while self._shapes[at] is not shape:
-            at += 1
-        del self._shapes[at], self._sums[at]
-
-
-def _sum(shape: Geometry, pose: Array) -> float:
-    """A number that is the same for equal shapes in one place, and seldom for others."""
-    numbers = _finite((*pose[:3].ravel().tolist(), *shape.size))
-    return sum(number * weight for number, weight in zip(numbers, cycle(_WEIGHTS), strict=False))
-
-
-def _finite(numbers: Iterable[float]) -> list[float]:
-    return [number if math.isfinite(number) else 0.0 for number in numbers]
+def _numbers(shape: Geometry, pose: Array) -> list[float]:
+    """The numbers by which shapes are compared."""
+    return [*pose[:3].ravel().tolist(), *shape.size]
 
 
 def _scattered(rows: int, columns: int, seed: int) -> Array:

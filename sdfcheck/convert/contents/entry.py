@@ -219,7 +219,7 @@ def _keyed(entry: Entry) -> dict[tuple[str, str, int], Entry]:
     counts: Counter[tuple[str, str]] = Counter()
     for child in entry.children:
         name = child.name, child.own
-        found[*name, counts[name]] = child
+        found[child.name, child.own, counts[name]] = child
         counts[name] += 1
     return found
 

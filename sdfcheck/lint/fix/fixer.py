@@ -169,7 +169,7 @@ class _Trials:
 
     def apply(self, before: _Linted, fixes: Sequence[Fix]) -> tuple[_Linted, list[Fix]]:
         """The text after those fixes that do no harm, together, and these; they are apart from each other."""
-        now, kept = before, []
+        now, kept = before, list[Fix]()
         groups = [list(fixes)]
         while groups:
             group = groups.pop()
