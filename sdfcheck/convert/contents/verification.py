@@ -65,10 +65,10 @@ class Settings(NamedTuple):
             if mine is not None and theirs:
                 # Of several shapes in one place any may be the one.
                 best = apart(mine, theirs[0], shape.role)
-                for other in theirs[1:]:
+                for one_more in theirs[1:]:
                     if not best:
                         break
-                    best = min(best, apart(mine, other, shape.role), key=len)
+                    best = min(best, apart(mine, one_more, shape.role), key=len)
                 yield from ((link, one) for one in best)
 
 
