@@ -8,6 +8,7 @@
 # make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
 # make gallery  draw the pictures of docs/gallery.md again (needs Chromium)
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
+# make growth   measure how the work of the commands grows with the size of a document
 # make mutants  change the code a little, many times: which changes does no test notice?
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
@@ -24,7 +25,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check gallery bench fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check gallery bench growth fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -77,6 +78,10 @@ fuzz: $(TOOLS)
 	$(BIN)/python -m tests.fuzz --kills 30 --seed $(SEED)
 
 # Changes the code a little, many times, and lists the changes that no test notices.
+growth: $(TOOLS)
+	$(BIN)/python -m benchmarks.growth
+	$(BIN)/python -m benchmarks.growth --commands
+
 mutants: $(TOOLS)
 	$(BIN)/python -m tests.mutation --seed $(SEED)
 

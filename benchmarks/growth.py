@@ -9,13 +9,19 @@ from __future__ import annotations
 
 import argparse
 import gc
+import io
 import math
+import os
 import sys
 import time
 from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import FrameType
 from typing import Any, NamedTuple
 
+from sdfcheck.cli.main import main as run_command
 from sdfcheck.lint.call import lint
 
 SIZE = 500
@@ -208,6 +214,156 @@ DIMENSIONS: dict[str, Dimension] = {
 """Everything that may occur often in a document, wanted or not."""
 
 
+def _chain_of(kind: str) -> Dimension:
+    part = (
+        f'<link name="l@">{_MASS}</link><joint name="j#" type="{kind}"><parent link="l#"/><child link="l@"/>'
+        f'<axis xyz="0 0 1"/>{_REVOLUTE}</joint>'
+    )
+    return Dimension(
+        "a.urdf",
+        lambda n: _urdf(
+            f'<link name="l0">{_MASS}</link>'
+            '<joint name="j" type="fixed"><parent link="a"/><child link="l0"/></joint>'
+            + "".join(part.replace("#", str(i)).replace("@", str(i + 1)) for i in range(n))
+        ),
+    )
+
+
+_MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+_NEXT = '<joint name="j#" type="fixed"><parent link="a"/><child link="k#"/></joint>'
+
+SERIES: dict[str, tuple[Dimension, tuple[str, ...]]] = {
+    "chain of revolute joints": (
+        _chain_of("revolute"),
+        ("convert urdf-to-sdf", "diff", "targets", "inertia"),
+    ),
+    "chain of fixed joints": (_chain_of("fixed"), ("convert urdf-to-sdf", "diff")),
+    "collisions of a link": (
+        Dimension(
+            "a.urdf",
+            lambda n: _urdf(
+                f'<link name="b">{_MASS}'
+                + '<collision><geometry><box size="1 1 1"/></geometry></collision>' * n
+                + '</link><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>'
+            ),
+        ),
+        ("convert urdf-to-sdf", "diff"),
+    ),
+    "visuals of a link": (
+        Dimension(
+            "a.sdf",
+            lambda n: _sdf(
+                '<joint name="j" type="fixed"><parent>l</parent><child>q</child></joint><link name="q">'
+                + _each('<visual name="v#"><geometry><box><size>1 1 1</size></box></geometry></visual>', n)
+                + "</link>"
+            ),
+        ),
+        ("convert sdf-to-urdf", "diff", "print"),
+    ),
+    "textures that are lost": (
+        Dimension(
+            "a.urdf",
+            lambda n: _urdf("").replace(
+                '<link name="a"/>', '<link name="a">' + '<texture name="s"/>' * n + "</link>"
+            ),
+        ),
+        ("convert urdf-to-sdf",),
+    ),
+    "frames attached in a chain": (
+        Dimension(
+            "a.sdf",
+            lambda n: _sdf(
+                '<frame name="f0"/>'
+                + "".join(f'<frame name="f{i + 1}" attached_to="f{i}"/>' for i in range(n))
+            ),
+        ),
+        ("lint", "convert sdf-to-urdf", "print"),
+    ),
+    "unknown names with a common prefix": (
+        _sdf_of(
+            '<link name="robot_left_upper_section_actuator_#"/>'
+            '<frame name="f#" attached_to="robot_left_upper_section_actuator_x#"/>'
+        ),
+        ("lint",),
+    ),
+    "letters of a name": (
+        Dimension(
+            "a.sdf",
+            lambda n: _sdf(f'<link name="{"a" * n}"/><frame name="f" attached_to="{"a" * (n - 1)}b"/>'),
+        ),
+        ("lint",),
+    ),
+    "missing meshes": (
+        _urdf_of(
+            '<link name="k#"><visual><geometry><mesh filename="m#.stl"/></geometry></visual></link>' + _NEXT
+        ),
+        ("lint", "view"),
+    ),
+    "comments to fix": (_sdf_of("<!-- a -- # -->"), ("lint --diff",)),
+    "parameters of a macro": (
+        Dimension(
+            "a.urdf.xacro",
+            lambda n: _xacro(
+                f'<xacro:macro name="m" params="{_each("p# ", n)}"><link name="a${{p0}}"/></xacro:macro>'
+                f"<xacro:m {_each('p#=' + chr(34) + '1' + chr(34) + ' ', n)}/>"
+            ),
+        ),
+        ("lint", "expand"),
+    ),
+}
+"""Documents in which something occurs n times, and the other commands that look at it."""
+TWO_FILES = ("diff",)
+TO_A_FILE = ("convert urdf-to-sdf", "convert sdf-to-urdf", "view")
+
+
+def seconds_of(command: str, dimension: Dimension, n: int) -> float:
+    """Processor time that a command takes, in this process and its children."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder, dimension.file)
+        file.write_text(dimension.text(n))
+        files = [str(file)] * (1 + (command in TWO_FILES))
+        output = ["-o", str(Path(folder, "result"))] if command in TO_A_FILE else []
+        begin = _processor_time()
+        with redirect_stdout(_nowhere()), redirect_stderr(_nowhere()):
+            run_command([*command.split(), "--isolated", *output, *files])
+        return _processor_time() - begin
+
+
+def _nowhere() -> io.TextIOWrapper:
+    return io.TextIOWrapper(io.BytesIO(), "utf-8")
+
+
+def _processor_time() -> float:
+    used = os.times()
+    return used.user + used.system + used.children_user + used.children_system
+
+
+def measure_commands() -> int:
+    """Print a line of a table for each series and command: the times above the floor, and the exponent.
+
+    The floor is the time for a small document, the exponent that of the last two doublings. A series that
+    seems steep is measured once more, and the smaller exponent counts.
+    """
+    steep = 0
+    print("| document | command | s at n, 2n, 4n, 8n | exponent |\n|---|---|---|---|")
+    for name, (dimension, commands) in SERIES.items():
+        for command in commands:
+            seconds_of(command, dimension, 10)
+            floor = min(seconds_of(command, dimension, 5) for _ in range(2))
+            power, times = 99.0, [0.0]
+            for _ in range(2):
+                took = [seconds_of(command, dimension, 300 * factor) - floor for factor in (1, 2, 4, 8)]
+                again = exponent(max(took[1], 1e-3), max(took[3], 1e-3), 4)
+                power, times = min((power, times), (again, took))
+                gc.collect()
+                if power <= MOST:
+                    break
+            steep += power > MOST
+            shown = ", ".join(f"{each:.2f}" for each in times)
+            print(f"| {name} | {command} | {shown} | {power:.2f} |", flush=True)
+    return steep
+
+
 def seconds(dimension: Dimension, n: int) -> float:
     """Processor time to lint a document."""
     text = dimension.text(n)
@@ -245,9 +401,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", default=list(DIMENSIONS), help="the dimensions to measure")
     parser.add_argument("--size", type=int, default=SIZE, help="the smallest n")
+    parser.add_argument("--commands", action="store_true", help="measure the other commands instead")
     given = parser.parse_args()
     # As in the program: trees are acyclic, and the collector would look at all of them again and again.
     gc.disable()
+    if given.commands:
+        return int(measure_commands() > 0)
     steep = 0
     for name in given.names:
         dimension = DIMENSIONS[name]

@@ -848,7 +848,8 @@ def NS005_applies(declaration):
     return declaration.name == 'xmlns' and declaration.document.kind.value == 'sdf'
 
 def ns_prefix_declared_below_root___below(prefix):
-    return [each for each in prefix.declarations if each.is_used and (not each.is_on_root)]
+    below = [each for each in prefix.declarations if each.is_used and (not each.is_on_root)]
+    return [] if any((each.is_repeated for each in prefix.declarations)) else below
 
 def NS006_applies(prefix):
     return not prefix.undeclared and bool(ns_prefix_declared_below_root___below(prefix))

@@ -2,28 +2,58 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from random import Random
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.fix.fixer import FixedFile, applicable, fix_file
-from sdfcheck.lint.one_file import Selected
+from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.example_run import file_name
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.rulebook.trial import Trial
+from sdfcheck.lint.select import SILENT
 from sdfcheck.source.sniff import Kind, sniff
+from tests.fuzz.documents import Text, changed, fixtures
+from tests.harm_of_fixes import harm
 from tests.test_rules import BENCH, TRIALS
+
+CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
+KNOWN = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
+REVEALS = {"DRK001-bad-1", "DRK017-bad-1", "RES004-bad-6", "URD001-bad-2"}
+"""Unsafe fixes after which something that was not read is read, and an error is found in it."""
 
 
 def fixed_file(data: bytes, path: Path, example: Bad, folder: Path) -> FixedFile:
-    def again(file: Selected) -> list[Diagnostic]:
-        return BENCH.lint(file.data.decode(), example, folder)
+    def again(file: Selected) -> tuple[list[Diagnostic], int]:
+        return BENCH.lint(file.data.decode(), example, folder), 0
 
+    return fix_file(selected(data, path), again, unsafe=True)
+
+
+def selected(data: bytes, path: Path) -> Selected:
     # A broken text may be anything; the parser decides.
     kind = sniff(data, path)
-    known = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
-    return fix_file(Selected(path, data, kind if kind in known else Kind.BROKEN_XML), again, unsafe=True)
+    return Selected(path, data, kind if kind in KNOWN else Kind.BROKEN_XML)
+
+
+def some_fixed(data: bytes, path: Path, chance: Random, share: float, *, unsafe: bool) -> FixedFile:
+    """The file after some of its fixes, drawn again in each round."""
+    configuration = Configuration(None, isolated=True)
+    book = RuleBook(SILENT, None)
+    with Caches() as caches:
+
+        def lint(file: Selected) -> tuple[Sequence[Diagnostic], int]:
+            found, silenced = lint_file(file, book, configuration.settings_for(path), caches)
+            return [each if chance.random() < share else each._replace(fix=None) for each in found], silenced
+
+        return fix_file(selected(data, path), lint, unsafe=unsafe)
 
 
 @pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
@@ -35,6 +65,9 @@ def test_fixing_comes_to_rest(trial: Trial, tmp_path: Path) -> None:
     if example.files is not None:
         path = tmp_path / path
     once = fixed_file(data, path, example, tmp_path)
+    if repr(trial) in REVEALS:
+        assert once.refusal.startswith("the edits would bring in `")
+        return
     assert not once.refusal
     assert (once.after != data) is (once.fixed > 0)
     assert once.fixed or example.fixed is None
@@ -42,3 +75,41 @@ def test_fixing_comes_to_rest(trial: Trial, tmp_path: Path) -> None:
     assert applicable(left, path, unsafe=True) == []
     if example.fixed is not None:
         assert [d.message for d in left if d.code == rule.code] == []
+
+
+@pytest.mark.parametrize(
+    "trial", [trial for trial in TRIALS if getattr(trial.example, "fixed", None) is not None], ids=repr
+)
+def test_fixes_of_examples_do_no_harm(trial: Trial) -> None:
+    data = unmark(fill(trial.rule.scaffold, trial.example))[0].encode()
+    path = Path(file_name(data.decode(), trial.example))
+    result = some_fixed(data, path, Random(1), 1.0, unsafe=True)
+    assert harm(data, result.after, path) == ""
+
+
+DIRECTIVES = ("ignore[NAM]", "disable[SCH]", "enable", "ignore-file[URD010]", "ignore[XML002] -- why: so")
+
+
+@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
+@given(changed(st.sampled_from(fixtures())), st.randoms(use_true_random=False), st.booleans(), st.data())
+def test_random_combinations_do_no_harm(
+    text: Text, chance: Random, unsafe: bool, data: st.DataObject
+) -> None:
+    words = data.draw(st.sampled_from(DIRECTIVES))
+    place = data.draw(st.sampled_from((">", "</", "<link", "<joint")))
+    before = text.data.replace(place.encode(), f"<!-- sdfcheck: {words} -->{place}".encode(), 3)
+    path = Path(f"file{text.suffix}")
+    result = some_fixed(before, path, chance, data.draw(st.sampled_from((0.3, 1.0))), unsafe=unsafe)
+    assert harm(before, result.after, path) == ""
+
+
+@pytest.mark.skipif(not CORPUS.is_dir(), reason="public files are not there")
+def test_public_files_take_no_harm() -> None:
+    files = sorted(path for path in CORPUS.rglob("*") if path.suffix in {".sdf", ".urdf", ".xacro", ".world"})
+    for path in Random(1).sample(files, 25):
+        before = path.read_bytes()
+        for unsafe in (False, True):
+            result = some_fixed(before, path, Random(1), 1.0, unsafe=unsafe)
+            assert harm(before, result.after, path) == "", path
+            again = some_fixed(result.after, path, Random(1), 1.0, unsafe=unsafe)
+            assert again.after == result.after, path

@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Link, Model, Rule, Severity, warns
 from sdfcheck_rules.drk.scaffolds import ROBOT
@@ -52,9 +52,20 @@ def _massless(model: Model) -> Iterator[tuple[Link, Joint | None, int]]:
     tree = model.tree
     free: list[tuple[Link, Joint | None]] = [(link, None) for link in tree.roots if link.name != WORLD]
     moved = [(tree.ends(joint), joint) for joint in tree.joints if not joint.is_fixed]
-    reported: set[Link] = set()
+    barred: set[Link] = set()
+
+    def bar(links: Iterable[Link]) -> None:
+        """Leave out links and all that carry them."""
+        waiting = [link for link in links if link not in barred]
+        while waiting:
+            at = waiting.pop()
+            barred.add(at)
+            above = [ends[0] for joint in tree.parents.get(at, ()) if (ends := tree.ends(joint)) is not None]
+            waiting += [link for link in above if link not in barred]
+
+    bar(link for link in tree.links.values() if link.has_mass)
     for link, by in (*free, *((ends[1], joint) for ends, joint in moved if ends is not None)):
-        links = set(link.below())
-        if reported.isdisjoint(links) and not any(each.has_mass for each in links):
-            reported |= links
+        if link not in barred:
+            links = list(link.below())
+            bar(links)
             yield link, by, len(links)

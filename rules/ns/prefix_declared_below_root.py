@@ -41,6 +41,11 @@ class PrefixDeclaredBelowRoot(Rule):
             '<light name="b" type="point" p:x="1"/></world></sdf>',
             why="undeclared-prefix reports the scope that is too small",
         ),
+        Good(
+            '<sdf version="1.12"><world name="w" xmlns:p="https://example.org/p" xmlns:p="https://example.org/q">'
+            "<p:kind>2d</p:kind></world></sdf>",
+            why="redeclared-prefix reports it, and which of the two is meant is open",
+        ),
     )
 
     @staticmethod
@@ -66,4 +71,5 @@ class PrefixDeclaredBelowRoot(Rule):
 
 def _below(prefix: Prefix) -> list[PrefixDeclaration]:
     """The declarations below the root that something uses."""
-    return [each for each in prefix.declarations if each.is_used and not each.is_on_root]
+    below = [each for each in prefix.declarations if each.is_used and not each.is_on_root]
+    return [] if any(each.is_repeated for each in prefix.declarations) else below

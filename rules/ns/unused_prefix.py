@@ -37,6 +37,11 @@ class UnusedPrefix(Rule):
             '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w" p:kind="2d"/></sdf>',
             why="an attribute uses it",
         ),
+        Good(
+            '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w" xmlns:p="https://example.org/p">'
+            "<p:kind>2d</p:kind></world></sdf>",
+            why="prefix-declared-below-root reports the second declaration, which says the same",
+        ),
     )
 
     @staticmethod

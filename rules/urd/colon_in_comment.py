@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Root, Rule, Severity, Span, make_fix
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
-DIRECTIVE = re.compile(r"<!--\s*sdfcheck\Z")
-SPACE = re.compile(r"\s+")
+DIRECTIVE = "sdfcheck:"
 COLON = re.compile(r":(?=\s)")
 
 
@@ -32,10 +31,7 @@ class ColonInComment(Rule):
             fixed="<!-- author - me --><!-- a:b -->\n<!-- to do -\n  a joint -->",
             says="2 colons in comments",
         ),
-        Bad(
-            "<!-- sdfcheck«:» ignore-file[zero-axis] agreed -->",
-            fixed="<!-- sdfcheck:ignore-file[zero-axis] agreed -->",
-        ),
+        Bad("<!-- sdfcheck«:» ignore[XML] -->", says="a colon in a comment for sdfcheck"),
     )
     good = (
         Good("<!-- see https://example.org/a:b -->", why="no space after"),
@@ -48,21 +44,20 @@ class ColonInComment(Rule):
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         found = colons(root)
-        what = "a colon in a comment breaks" if len(found) == 1 else f"{len(found)} colons in comments break"
-        message = f"{what} launch files that read the description as YAML"
-        edits = tuple(_edit(colon) for colon in found)
-        title = "write a dash" if any(edit.text for edit in edits) else "leave out the space"
-        fix = make_fix(title, edits)
-        yield self.diagnostic(found[0], message, fix=fix)
+        prose = [colon for colon in found if not is_directive(colon)]
+        silencing = [colon for colon in found if is_directive(colon)]
+        if prose:
+            fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in prose))
+            yield self.diagnostic(prose[0], _message(prose, ""), fix=fix)
+        if silencing:
+            advice = f"write `{DIRECTIVE}` without a space after it"
+            yield self.diagnostic(silencing[0], _message(silencing, " for sdfcheck"), help=advice)
 
 
-def _edit(colon: Span) -> Edit:
-    """The directive of a suppression stays one without the space; prose gets a dash."""
-    source = colon.source
-    if DIRECTIVE.search(source.text, 0, colon.start):
-        end = SPACE.match(source.text, colon.end)
-        return Edit(source.span(colon.end, end.end() if end else colon.end), "")
-    return Edit(colon, " -")
+def _message(found: list[Span], whose: str) -> str:
+    one = len(found) == 1
+    what = f"a colon in a comment{whose} breaks" if one else f"{len(found)} colons in comments{whose} break"
+    return f"{what} launch files that read the description as YAML"
 
 
 def colons(root: Root) -> list[Span]:
@@ -73,3 +68,10 @@ def colons(root: Root) -> list[Span]:
         for start, end in root.document.scan.comments
         for match in COLON.finditer(source.text, start + 4, end - 3)
     ]
+
+
+def is_directive(colon: Span) -> bool:
+    """Is it in a comment that silences something?"""
+    text = colon.source.text
+    start = text.rfind("<!--", 0, colon.start)
+    return DIRECTIVE in text[start : text.find("-->", colon.end)]

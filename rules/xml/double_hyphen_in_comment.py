@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems
+from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, Span, make_fix, problems
 from sdfcheck_rules.xml.strict import unless_xacro
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -28,6 +28,8 @@ class DoubleHyphenInComment(Rule):
             '<sdf version="1.12"><!-- «----» wheels ---- --></sdf>',
             fixed='<sdf version="1.12"><!-- - - - - wheels - - - - --></sdf>',
         ),
+        Bad('<sdf version="1.12"><!-- a «--»-></sdf>', fixed='<sdf version="1.12"><!-- a - --></sdf>'),
+        Bad('<sdf version="1.12"><!--«--»--></sdf>', fixed='<sdf version="1.12"><!--- - --></sdf>'),
         Bad(
             f'<robot name="r" {XACRO}><!-- «--» wheels --><link name="a"/></robot>',
             file="robot.urdf.xacro",
@@ -37,7 +39,12 @@ class DoubleHyphenInComment(Rule):
     good = (Good('<sdf version="1.12"><!-- a - b - c --></sdf>', why="single hyphens are fine"),)
 
     def check(self, problem: problems.CommentHyphens) -> Iterator[Diagnostic]:
-        edits = tuple(Edit(run, " ".join("-" * len(run.text))) for run in problem.runs)
+        edits = tuple(Edit(run, _apart(run)) for run in problem.runs)
         fix = make_fix("put spaces between the hyphens", edits)
         own = unless_xacro(problem.span, "`--` inside a comment is not allowed in XML")
         yield self.diagnostic(problem.span, fix=fix, **own)
+
+
+def _apart(run: Span) -> str:
+    """The hyphens with spaces between them; after the last, too, where the end of the comment follows."""
+    return " ".join(run.text) + " " * run.source.text.startswith("-->", run.end)

@@ -132,10 +132,9 @@ class Rewriter:
             if fixed_file.path in self._given_up:
                 continue
             if fixed_file.refusal:
-                self._give_up(
-                    fixed_file.path, Level.WARNING, f"not {self._work.participle}: {fixed_file.refusal}"
-                )
-            elif fixed_file.fixed:
+                what = "some fixes are left out" if fixed_file.fixed else f"not {self._work.participle}"
+                self._give_up(fixed_file.path, Level.WARNING, f"{what}: {fixed_file.refusal}")
+            if fixed_file.fixed:
                 yield fixed_file
 
     def _write(self, fixed_file: FixedFile) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sdfcheck.formats.namespaces import declarations
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import (
     ContentAfterRoot,
@@ -29,5 +30,7 @@ def guess_in(document: Document) -> Span | None:
 def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
     found = (problem for problem in document.problems if isinstance(problem, kinds))
     # The version of XML that a declaration names does not change the text.
-    spans = (p.span for p in found if getattr(p, "kind", None) is not SyntaxKind.ODD_VERSION)
+    spans = [p.span for p in found if getattr(p, "kind", None) is not SyntaxKind.ODD_VERSION]
+    # A prefix that one element declares twice has no meaning that could be written.
+    spans += [each.span for each in declarations(document) if each.first is not None]
     return min(spans, key=lambda span: span.start, default=None)

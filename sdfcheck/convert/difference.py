@@ -17,7 +17,15 @@ from sdfcheck.convert.change import Change, ChangeKind
 from sdfcheck.convert.contents.difference import Settings
 from sdfcheck.convert.contents.entry import Contents
 from sdfcheck.convert.rewrite.reframing import reframed
-from sdfcheck.convert.rewrite.renaming import Names, filled, same_geometry, same_names, same_pose, seat
+from sdfcheck.convert.rewrite.renaming import (
+    Names,
+    carriers,
+    filled,
+    same_geometry,
+    same_names,
+    same_pose,
+    seat,
+)
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
@@ -66,6 +74,7 @@ class _Comparison:
         self.a = filled(a, b, links)
         other = filled(b, a, {there: here for here, there in links.items()})
         self.b, self.moved = reframed(self.a, other, self.names, tolerance)
+        self.carried_by = carriers(self.a), carriers(self.b)
 
     def correspondence(self) -> Correspondence:
         links = {name: Counterpart(other) for name, other in self.names.links.items()}
@@ -100,8 +109,8 @@ class _Comparison:
     # Links
 
     def link(self, a: Link, b: Link) -> Iterator[Change]:
-        parent, here = seat(self.a, a.name)
-        other_parent, there = seat(self.b, b.name)
+        parent, here = seat(self.a, a.name, self.carried_by[0])
+        other_parent, there = seat(self.b, b.name, self.carried_by[1])
         if a.name in self.moved:
             yield self.changed("link", b.name, "frame", *pose_texts(np.eye(4), self.moved[a.name]))
         if self.names.links.get(parent, parent) != other_parent:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import Counter
 from collections.abc import Iterable
 
@@ -29,15 +30,17 @@ def new_errors(
     if not found:
         return []
     before = tuple(before)
-    own = [one for one in before if _is_for_the_result(source, one)]
+    blocks = _Blocks(source)
+    own = [one for one in before if blocks.hold(one)]
     had = Counter(one.code for one in before) - Counter(one.code for one in own)
     now = Counter(one.code for one in found)
     fresh = [one for one in found if now[one.code] > had[one.code]]
     repeated = {(one.code, one.message) for one in fresh}
     known = [one for one in own if (one.code, one.message) in repeated]
     said = {(one.code, one.message) for one in known}
+    counterparts = _Counterparts(source, result)
     losses = {
-        loss_at(_counterpart(source, result, one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
+        loss_at(counterparts.of(one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
         for one in fresh
         if (one.code, one.message) not in said
     }
@@ -67,22 +70,32 @@ def new_refusals(
     consumers = [one for one in consumers if one in OWN_CONSUMER.values()]
     known = {consumer for consumer, _ in refused(before, consumers)}
     found = refused(after, consumers)
+    if not found:
+        return [], None
+    counterparts = _Counterparts(source, result)
     losses = {
-        loss_at(_counterpart(source, result, one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
+        loss_at(counterparts.of(one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
         for consumer, one in found
         if consumer not in known
     }
     ordered = sorted(losses, key=lambda loss: (loss.span.start, loss.message))
-    return [to_diagnostic(loss) for loss in ordered], found[0] if found and not losses else None
+    return [to_diagnostic(loss) for loss in ordered], None if losses else found[0]
 
 
-def _is_for_the_result(source: Document, error: Diagnostic) -> bool:
-    """Is it in a ``<gazebo>`` block, which no parser of the source's own format reads?"""
-    root, spans = source.root, source.spans
-    if root is None or error.span.source.path != source.source.path:
-        return False
-    blocks = (spans.place(block) for block in root.children("gazebo"))
-    return any(block.start <= error.span.start < block.close_end for block in blocks)
+class _Blocks:
+    """The ``<gazebo>`` blocks of a source, which no parser of its own format reads."""
+
+    def __init__(self, source: Document) -> None:
+        self._source = source.source
+        found = [] if source.root is None else source.root.children("gazebo")
+        places = [source.spans.place(block) for block in found]
+        self._starts = [place.start for place in places]
+        self._ends = [place.close_end for place in places]
+
+    def hold(self, error: Diagnostic) -> bool:
+        """Is an error in one of them?"""
+        at = bisect_right(self._starts, error.span.start) - 1
+        return at >= 0 and error.span.source.path == self._source.path and error.span.start < self._ends[at]
 
 
 def means_another_robot(found: Diagnostic) -> bool:
@@ -98,31 +111,29 @@ def _text(error: Diagnostic) -> str:
     return f"the result would have an error in line {line} ({error.code}): {error.message}"
 
 
-def _counterpart(source: Document, result: Document, error: Diagnostic) -> Element:
-    """The element of the source that has the name of the nearest element around an error, or its root."""
-    assert source.root is not None
-    around = None if result.root is None else _named_around(result.root, error.span.start)
-    for name, kind in reversed(around or []):
-        same = [
-            e for e in source.root.iter("{*}*") if isinstance(e, Element) and e.attributes.get("name") == name
-        ]
-        exact = [element for element in same if element.name == kind]
-        if exact or same:
-            return (exact or same)[0]
-    return source.root
+class _Counterparts:
+    """Elements of the source for those of the result, by name."""
 
+    def __init__(self, source: Document, result: Document) -> None:
+        assert source.root is not None
+        self._root, self._named = source.root, dict[tuple[str, str], Element]()
+        for element in source.root.iter("{*}*"):
+            if isinstance(element, Element) and (name := element.attributes.get("name")) is not None:
+                self._named.setdefault((name, element.name), element)
+                self._named.setdefault((name, ""), element)
+        self._spans = result.spans
+        there = [] if result.root is None else result.root.iter("{*}*")
+        self._elements = [element for element in there if isinstance(element, Element)]
+        self._starts = [result.spans.place(element).start for element in self._elements]
 
-def _named_around(root: Element, place: int) -> list[tuple[str, str]]:
-    """Name and kind of the elements around a place, from the outside in."""
-    spans, found = root.document.spans, []
-    at: Element | None = root
-    while at is not None:
-        if name := at.attributes.get("name", "").strip():
-            found.append((name, at.name))
-        inside = (
-            child
-            for child in at.children()
-            if spans.place(child).start <= place < spans.place(child).close_end
-        )
-        at = next(inside, None)
-    return found
+    def of(self, error: Diagnostic) -> Element:
+        """The element of the source that has the name of the nearest one around an error, or its root."""
+        number = bisect_right(self._starts, error.span.start) - 1
+        at = self._elements[number] if number >= 0 else None
+        while at is not None:
+            name = at.attributes.get("name", "").strip()
+            found = self._named.get((name, at.name)) or self._named.get((name, ""))
+            if name and found is not None and error.span.start < self._spans.place(at).close_end:
+                return found
+            at = at.parent
+        return self._root

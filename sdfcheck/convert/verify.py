@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from itertools import islice
 from types import MappingProxyType
 from typing import Any
 
@@ -16,6 +17,7 @@ import numpy as np
 
 from sdfcheck.convert.contents.entry import Divergence
 from sdfcheck.convert.contents.verification import Counterparts, Settings
+from sdfcheck.convert.nearby import Nearby
 from sdfcheck.convert.verification import Difference, Verification
 from sdfcheck.robot.motion.kinematics import (
     Bodies,
@@ -87,6 +89,10 @@ def verify(
     """Compare two robots and their settings; the positions are random, and the same at every call."""
     comparison = _Comparison(source, result, correspondence or Correspondence(), tolerance)
     return comparison.run(configurations, settings)
+
+
+_EQUAL = 8
+"""So many shapes of the result are taken into account that equal one of the source."""
 
 
 class _Comparison:
@@ -251,18 +257,26 @@ class _Comparison:
         return math.copysign(math.inf, value) if abs(value) >= self.to.unlimited else value
 
     def compare_geometries(self) -> None:
+        known: dict[str, Nearby[Geometry]] = {}
         for name in self.compared:
             counterpart = self.to.link(name)
             wanted = [
                 g for g in self.source.links[name].geometries if g.kind not in self.to.dropped_geometries
             ]
-            there = list(self.result.links[counterpart.link].geometries)
+            if not wanted:
+                continue
+            if counterpart.link not in known:
+                shapes = self.result.links[counterpart.link].geometries
+                known[counterpart.link] = Nearby((_numbers(shape, shape.pose), shape) for shape in shapes)
+            there = known[counterpart.link].copy()
             for geometry in wanted:
-                equal = [g for g in there if self.same(geometry, g, counterpart.offset)]
+                numbers = _numbers(geometry, counterpart.offset @ geometry.pose)
+                near = there.near(numbers, max(self.tolerance, 1e-9))
+                equal = list(islice((g for g in near if self.same(geometry, g, counterpart.offset)), _EQUAL))
                 if not equal:
                     self.differ(geometry.role, name, f"{geometry.kind} has no equal in the result")
                 else:
-                    there = [g for g in there if g is not equal[0]]
+                    there.remove(_numbers(equal[0], equal[0].pose), equal[0])
                     self.shapes.append(Counterparts(name, geometry, equal))
 
     def same(self, mine: Geometry, theirs: Geometry, offset: Array) -> bool:
@@ -272,6 +286,11 @@ class _Comparison:
 
     def differ(self, what: str, name: str, text: str) -> None:
         self.found.setdefault((what, name), Difference(what, name, text))
+
+
+def _numbers(shape: Geometry, pose: Array) -> list[float]:
+    """The numbers by which shapes are compared."""
+    return [*pose[:3].ravel().tolist(), *shape.size]
 
 
 def _scattered(rows: int, columns: int, seed: int) -> Array:

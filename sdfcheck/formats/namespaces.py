@@ -47,6 +47,17 @@ class PrefixDeclaration:
         self._number = number
 
     @property
+    def is_repeated(self) -> bool:
+        """Does its element declare the prefix once more?"""
+        return any(other.first is self for other in self.beside)
+
+    def use(self) -> None:
+        """Note that a name uses it; those around it that say the same could take its place."""
+        same: PrefixDeclaration | None = self
+        while same is not None and same.namespace == self.namespace:
+            same.is_used, same = True, same.outer
+
+    @property
     def span(self) -> Span:
         """The place of its name."""
         return self.document.source.span(self._place.name_start, self._place.name_end)
@@ -235,7 +246,7 @@ class Namespaces:
         self.names.append(used)
         for declaration in reversed(self._scope):
             if declaration.prefix == used.prefix:
-                declaration.is_used = True
+                declaration.use()
                 used.namespace = declaration.namespace
                 return used
         if _is_qualified(name) and used.prefix not in _RESERVED:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.suggest import distance, suggest, suggest_in
+from sdfcheck.formats.suggest import LONGEST, LOOK, Effort, distance, suggest, suggest_in
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
+_DIGIT = re.compile(r"\d")
 _WORD = re.compile(r"[^\W\d_]+|\d+")
 _LONG = 4
 """Letters of a word of which others are taken for misspellings: `arm` and `arc` are two names."""
@@ -69,3 +70,48 @@ def _is_near(word: str, other: str, has_context: bool) -> bool:
         is_letter_more = abs(len(word) - len(other)) == 1 and distance(word, other) == 1
         return has_context and len(other) > 2 and is_letter_more
     return suggest(word, (other,)) is not None
+
+
+def guess(document: Document, name: str, known: Collection[str], *, surely: bool) -> str | None:
+    """The name that was meant: the one it misspells or, unless it has to be ``surely`` so, the most similar.
+
+    A document full of unknown names is not guessed at for ever.
+    """
+    effort = document.view(Effort)
+    if effort.is_spent or len(name) > LONGEST:
+        return None
+    effort.spend(2 * LOOK * len(known))
+    return misspelling_of(name, known) or (None if surely else nearest(name, known, document))
+
+
+def misspelling_of(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate of which a name is a misspelling for certain: each of its words is at most a misspelling away.
+
+    Where not all definitions are known, a name may well be one of them that is merely like others.
+    """
+    words = _parts(name)
+    for candidate in sorted(candidates):
+        others = _parts(candidate)
+        pairs = zip(words, others, strict=False)
+        if len(words) == len(others) and all(
+            a == b or (len(a) > 2 and _is_one_misspelling(a, b)) for a, b in pairs
+        ):
+            return candidate
+        if (
+            len(words) != len(others)
+            and len(name) > 3
+            and _is_one_misspelling(name.lower(), candidate.lower())
+        ):
+            return candidate
+    return None
+
+
+def _is_one_misspelling(one: str, other: str) -> bool:
+    """Is one word a misspelling of the other? Those with digits are models or numbers, as in `d435` and `d415`."""
+    if not one or not other or _DIGIT.search(one + other):
+        return False
+    return distance(one, other, 1) < 2 or sorted(one) == sorted(other)
+
+
+def _parts(name: str) -> list[str]:
+    return re.split(r"[_.\-]", name.lower())

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.config.reading import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import Xacro
+    from sdfcheck.lint.fix import Fix
     from sdfcheck.lint.run import RuleFacts
     from sdfcheck.lint.source_file import FileResult
     from sdfcheck.lint.suppress.comments import Comment
@@ -172,7 +173,19 @@ def _silence(
         for report in (*own.malformed, *filtered.unused)
         if report.code in active.codes
     ]
-    return [*filtered.kept, *reported], filtered.suppressed
+    kept = _without_fixes_of(result.comments, filtered.kept)
+    return [*kept, *reported], filtered.suppressed
+
+
+def _without_fixes_of(comments: Sequence[Comment], found: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
+    """The diagnostics; no fix of theirs changes a comment for sdfcheck."""
+    from sdfcheck.lint.suppress.comments import touched
+
+    def is_free(fix: Fix) -> bool:
+        own = (edit.span for edit in fix.edits if comments and edit.span.source is comments[0].span.source)
+        return not any(True for span in own for _ in touched(comments, span))
+
+    return [each if each.fix is None or is_free(each.fix) else each._replace(fix=None) for each in found]
 
 
 def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Directive, str], bool]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.fix import Edit
-from sdfcheck.lint.fix.fixer import fix_file
+from sdfcheck.lint.fix.fixer import Lint, fix_file, harmless
 from sdfcheck.lint.one_file import Selected, lint_file
 from sdfcheck.lint.suppress.add_ignores import ignoring
 from sdfcheck.lsp.workspace import Buffer, Workspace
@@ -31,9 +31,26 @@ class Offer(NamedTuple):
 def offers(workspace: Workspace, buffer: Buffer, found: Sequence[Diagnostic], at: Span) -> list[Offer]:
     """The actions for the diagnostics that touch a range: fixes first, safe ones before others."""
     touched = [each for each in found if each.span.start <= at.end and at.start <= each.span.end]
-    fixes = [fix for each in touched for fix in _fixes(each)]
+    fixes = _harmless(workspace, buffer, [fix for each in touched for fix in _fixes(each)])
     silences = [silence for each in touched for silence in _silences(workspace, buffer, each)]
     return [*sorted(fixes, key=lambda offer: not offer.is_safe), *silences]
+
+
+def _harmless(workspace: Workspace, buffer: Buffer, fixes: Sequence[Offer]) -> list[Offer]:
+    file, lint = _trial(workspace, buffer)
+    given = [(offer, offer.diagnostic.fix) for offer in fixes]
+    kept = set(harmless(file, [fix for _, fix in given if fix is not None], lint))
+    return [offer for offer, fix in given if fix in kept]
+
+
+def _trial(workspace: Workspace, buffer: Buffer) -> tuple[Selected, Lint]:
+    """An open text as a file, and how to lint what becomes of it."""
+    settings = workspace.settings_for(buffer.path)
+
+    def lint(file: Selected) -> tuple[Sequence[Diagnostic], int]:
+        return lint_file(file, workspace.book, settings, workspace.caches)
+
+    return Selected(buffer.path, buffer.data, buffer.kind), lint
 
 
 def _fixes(diagnostic: Diagnostic) -> Iterator[Offer]:
@@ -58,12 +75,7 @@ def _silences(workspace: Workspace, buffer: Buffer, diagnostic: Diagnostic) -> I
 
 def fix_all(workspace: Workspace, buffer: Buffer) -> list[Edit]:
     """The edits that all safe fixes of an open text come to; none where they would do no good."""
-    settings = workspace.settings_for(buffer.path)
-    file = Selected(buffer.path, buffer.data, buffer.kind)
-
-    def lint(file: Selected) -> Sequence[Diagnostic]:
-        return lint_file(file, workspace.book, settings, workspace.caches)[0]
-
+    file, lint = _trial(workspace, buffer)
     fixed_file = fix_file(file, lint, unsafe=False)
     if not fixed_file.fixed:
         return []

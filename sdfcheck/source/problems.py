@@ -69,7 +69,7 @@ class SyntaxDefect(Record):
 
 
 class CommentHyphens(Record):
-    """``--`` inside a comment; ``runs`` are all runs of hyphens in it."""
+    """``--`` inside a comment; ``runs`` are all runs of hyphens in it, and one that it ends with."""
 
     span: Span
     runs: tuple[Span, ...]

@@ -14,6 +14,7 @@ from unittest.mock import patch
 
 from sdfcheck.cli.main import main
 from sdfcheck.source.record import NamedTuple
+from tests.harm_of_fixes import harm
 
 EXIT_CODES = {0, 1, 2}
 BUGS = ("internal error", "this is a bug in", "CNV030")
@@ -130,7 +131,7 @@ def _refuse(name: str) -> object:
 
 
 def _is_stable(options: list[str], file: Path, before: bytes, done: Done) -> Failure | None:
-    """After a fix a second one changes nothing, and nothing else is left in the folder."""
+    """A fix does no harm, after it a second one changes nothing, and nothing else is left in the folder."""
     after = file.read_bytes()
     if "--fix" not in options and "--add-ignore" not in options:
         return None if after == before else Failure("lint changes the file", "")
@@ -138,6 +139,8 @@ def _is_stable(options: list[str], file: Path, before: bytes, done: Done) -> Fai
         return Failure("files are left behind", str(os.listdir(file.parent)))
     if "--add-ignore" in options or after == before:
         return None
+    if words := harm(before, after, file):
+        return Failure("a fix does harm", f"{words}\n{after!r}")
     again = run(["lint", *options, "--isolated", str(file)])
     if isinstance(again, Failure):
         return again

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator
 from copy import copy
 
@@ -227,11 +228,11 @@ def _is_taken(text: str, definition: Definition, name: str) -> bool:
 def _keyed(entry: Entry) -> dict[tuple[str, str, int], Entry]:
     """The settings inside one, by name, the author's name for it, and number among its like."""
     found: dict[tuple[str, str, int], Entry] = {}
+    counts: Counter[tuple[str, str]] = Counter()
     for child in entry.children:
-        number = 0
-        while (child.name, child.own, number) in found:
-            number += 1
-        found[child.name, child.own, number] = child
+        name = child.name, child.own
+        found[child.name, child.own, counts[name]] = child
+        counts[name] += 1
     return found
 
 

@@ -66,7 +66,11 @@ class Settings(NamedTuple):
             ]
             if mine is not None and theirs:
                 # Of several shapes in one place any may be the one.
-                best = min((apart(mine, other, shape.role) for other in theirs), key=len)
+                best = apart(mine, theirs[0], shape.role)
+                for one_more in theirs[1:]:
+                    if not best:
+                        break
+                    best = min(best, apart(mine, one_more, shape.role), key=len)
                 yield from ((link, one) for one in best)
 
     def arrived(self, one: Divergence, excused: _Excuses, part: Entry) -> bool:

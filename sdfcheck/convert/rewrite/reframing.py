@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.convert.rewrite.renaming import Names, same_geometry, same_pose, seat
+from sdfcheck.convert.rewrite.renaming import Names, carriers, same_geometry, same_pose, seat
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
@@ -55,6 +55,7 @@ class _Search:
         self.tolerance = tolerance
         self.shifts: dict[str, Array] = {}
         self.carriers = tuple({joint.child: joint for joint in robot.tree()} for robot in (a, b))
+        self.carried_by = carriers(a), carriers(b)
         self.pairs: dict[str, list[tuple[Joint, Joint]]] = {}
         for one, other in names.joints.items():
             mine, theirs = a.joints[one], b.joints[other]
@@ -86,8 +87,8 @@ class _Search:
         theirs = _shifted(other, shift)
         count = int(not _same_body(link.body, theirs.body, self.tolerance))
         count += _unmatched(link.geometries, theirs.geometries, self.tolerance)
-        parent, here = seat(self.a, name)
-        other_parent, _ = seat(self.b, other.name)
+        parent, here = seat(self.a, name, self.carried_by[0])
+        other_parent = self.carried_by[1].get(other.name, "")
         if parent and self.names.links.get(parent) == other_parent and parent in self.shifts:
             above = self.b.links[other_parent].pose @ inverse(self.shifts[parent])
             count += not same_pose(here, inverse(above) @ theirs.pose, self.tolerance)
@@ -124,9 +125,9 @@ def _unmatched(mine: list[Geometry], theirs: list[Geometry], tolerance: float) -
     left = list(theirs)
     count = 0
     for shape in mine:
-        match = next((other for other in left if same_geometry(shape, other, tolerance)), None)
+        match = next((at for at, other in enumerate(left) if same_geometry(shape, other, tolerance)), None)
         if match is None:
             count += 1
         else:
-            left = [other for other in left if other is not match]
+            del left[match]
     return count

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Mapping
+from collections import Counter
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
+from sdfcheck.convert.nearby import Nearby
 from sdfcheck.robot.motion.mass import default_mass
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
@@ -26,18 +29,18 @@ class Names:
         """Pair what has one name; of the rest, pair what is alike if nothing else is."""
         links = same_names(a.links, b.links)
 
-        def alike(name: str, other: str) -> bool:
-            return _same_link(a, a.links[name], b, b.links[other], links, tolerance)
-
-        # A renamed link is known by its parent, which may have been renamed as well.
-        while found := _unique_pairs(list(a.links), list(b.links), links, alike):
-            links.update(found)
+        _pair_links(a, b, links, tolerance)
         joints = same_names(a.joints, b.joints)
-
-        def between_same_links(name: str, other: str) -> bool:
-            return _ends(a.joints[name], links) == _ends(b.joints[other], {})
-
-        joints.update(_unique_pairs(list(a.joints), list(b.joints), joints, between_same_links))
+        there: dict[tuple[str, str], list[str]] = {}
+        for other, joint in b.joints.items():
+            there.setdefault(_ends(joint, {}), []).append(other)
+        taken = set(joints.values())
+        joints.update(
+            _unique_pairs(
+                [name for name in a.joints if name not in joints],
+                lambda name: (x for x in there.get(_ends(a.joints[name], links), ()) if x not in taken),
+            )
+        )
         return cls(
             {name: links[name] for name in a.links if name in links},
             {name: joints[name] for name in a.joints if name in joints},
@@ -56,14 +59,19 @@ def same_names(a: Iterable[str], b: Container[str]) -> dict[str, str]:
     return same
 
 
-def seat(robot: Mechanism, name: str) -> tuple[str, Array]:
-    """The link that carries a link, empty for none, and the 4×4 pose in it or in the model."""
-    pose = robot.links[name].pose
+def carriers(robot: Mechanism) -> dict[str, str]:
+    """Link → the link that carries it, by the first joint that says so."""
+    found: dict[str, str] = {}
     for joint in robot.joints.values():
-        parent = robot.links.get(joint.parent)
-        if joint.child == name and parent is not None and joint.parent != name:
-            return parent.name, inverse(parent.pose) @ pose
-    return "", pose
+        if joint.parent != joint.child and joint.parent in robot.links:
+            found.setdefault(joint.child, joint.parent)
+    return found
+
+
+def seat(robot: Mechanism, name: str, carried_by: Mapping[str, str]) -> tuple[str, Array]:
+    """The link that carries a link, empty for none, and the 4×4 pose in it or in the model."""
+    pose, parent = robot.links[name].pose, carried_by.get(name, "")
+    return parent, inverse(robot.links[parent].pose) @ pose if parent else pose
 
 
 def meant_body(link: Link, other: Link) -> MassProperties | None:
@@ -92,25 +100,50 @@ def same_geometry(a: Geometry, b: Geometry, tolerance: float) -> bool:
     return is_alike and same_pose(a.pose, b.pose, tolerance)
 
 
-def _unique_pairs(
-    before: list[str], after: list[str], known: dict[str, str], alike: Callable[[str, str], bool]
-) -> dict[str, str]:
-    taken = set(known.values())
-    gone = [name for name in before if name not in known]
-    new = [name for name in after if name not in taken]
-    candidates = {name: [other for other in new if alike(name, other)] for name in gone}
-    found = {name: others[0] for name, others in candidates.items() if len(others) == 1}
-    chosen = [other for others in candidates.values() for other in others]
-    return {name: other for name, other in found.items() if chosen.count(other) == 1}
+def _pair_links(a: Mechanism, b: Mechanism, links: dict[str, str], tolerance: float) -> None:
+    """Add the links that have another name and are alike, from parents to children, to those that are known."""
+    seats = [
+        {name: seat(robot, name, up) for name in robot.links} for robot in (a, b) for up in [carriers(robot)]
+    ]
+    taken = set(links.values())
+    below: tuple[dict[str, list[str]], ...] = ({}, {})
+    for number, known in enumerate((links, taken)):
+        for name, (parent, _) in seats[number].items():
+            if name not in known:
+                below[number].setdefault(parent, []).append(name)
+
+    def alike(name: str, other: str) -> bool:
+        if not same_pose(seats[0][name][1], seats[1][other][1], tolerance):
+            return False
+        return _same_link(a.links[name], b.links[other], tolerance)
+
+    # A renamed link is known by its parent, which may have been renamed as well.
+    waiting = [("", ""), *links.items()]
+    while waiting:
+        mine, theirs = waiting.pop()
+        gone = [name for name in below[0].get(mine, ()) if name not in links]
+        new = [name for name in below[1].get(theirs, ()) if name not in taken] if gone else []
+        places = Nearby((seats[1][other][1][:3].ravel().tolist(), other) for other in new)
+
+        def candidates(name: str, places: Nearby[str] = places) -> Iterator[str]:
+            pose = seats[0][name][1]
+            margin = tolerance * max(1.0, float(np.abs(pose[:3, 3]).max()))
+            return (x for x in places.near(pose[:3].ravel().tolist(), 2 * margin) if alike(name, x))
+
+        if found := _unique_pairs(gone, candidates):
+            links.update(found)
+            taken.update(found.values())
+            waiting += [(mine, theirs), *found.items()]
 
 
-def _same_link(
-    a: Mechanism, link: Link, b: Mechanism, other: Link, links: dict[str, str], tolerance: float
-) -> bool:
-    parent, here = seat(a, link.name)
-    other_parent, there = seat(b, other.name)
-    if (links.get(parent) if parent else "") != other_parent or not same_pose(here, there, tolerance):
-        return False
+def _unique_pairs(gone: list[str], candidates: Callable[[str], Iterable[str]]) -> dict[str, str]:
+    """Those that have one candidate, which is nobody else's; more than a few candidates are not counted."""
+    few = {name: list(islice(candidates(name), 3)) for name in gone}
+    chosen = Counter(other for others in few.values() for other in others)
+    return {name: others[0] for name, others in few.items() if len(others) == 1 and chosen[others[0]] == 1}
+
+
+def _same_link(link: Link, other: Link, tolerance: float) -> bool:
     if len(link.geometries) != len(other.geometries) or not _same_body(
         meant_body(link, other), meant_body(other, link)
     ):

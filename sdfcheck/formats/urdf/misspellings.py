@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.formats.urdf.table import UrdfElement, urdf
+from sdfcheck.formats.urdf.table import UrdfElement, known_parents, urdf
 from sdfcheck.source.element import Element
 
 
@@ -53,7 +53,12 @@ def meant_child(child: Element, place: UrdfElement) -> str | None:
     if name in place.children or child.parent is None:
         return None
     siblings = {sibling.name for sibling in child.parent.children()}
-    return suggest(name, [n for n, each in place.children.items() if n not in siblings or not each.single])
+    near = suggest(name, [n for n, each in place.children.items() if n not in siblings or not each.single])
+    if near is None or not known_parents(name):
+        return near
+    # An element that has its place elsewhere, and holds what it holds there, is misplaced.
+    content = {each.name for each in child.children()}
+    return near if not content or content & place.children[near].children.keys() else None
 
 
 def meant_attribute(element: Element, name: str, place: UrdfElement) -> str | None:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from bisect import bisect_left, insort
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
 from pathlib import Path
 
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.lint.config.configuration import Settings
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Edit, Fix
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
+from sdfcheck.lint.suppress.comments import comments, touched
+from sdfcheck.lint.wording import named
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
@@ -21,6 +25,11 @@ from sdfcheck.source.splice import Unwritable, replaced, splice
 
 ROUNDS = 10
 """So many times a file is linted again without fewer fixes to apply before it counts as endless."""
+TRIALS = 64
+"""So many times a file is linted at most to find out which of its fixes do harm."""
+
+Lint = Callable[[Selected], tuple[Sequence[Diagnostic], int]]
+"""The diagnostics of a file, and how many were silenced."""
 
 
 class MadeFix(NamedTuple):
@@ -32,7 +41,7 @@ class MadeFix(NamedTuple):
 
 
 class FixedFile(NamedTuple):
-    """A file before and after its fixes; where it was refused to apply them, why."""
+    """A file before and after its fixes; where some of them or all were left out, why."""
 
     path: Path
     before: bytes
@@ -63,34 +72,50 @@ def fix_files(done: Run, paths: Sequence[Path], options: Options, *, unsafe: boo
         for file in selected(found, options, []):
             settings = options.settings_for(file.path)
 
-            def lint(file: Selected, settings: Settings = settings) -> Sequence[Diagnostic]:
-                return lint_file(file, book, settings, caches)[0]
+            def lint(file: Selected, settings: Settings = settings) -> tuple[Sequence[Diagnostic], int]:
+                return lint_file(file, book, settings, caches)
 
             yield fix_file(file, lint, unsafe=unsafe)
 
 
-def fix_file(file: Selected, lint: Callable[[Selected], Sequence[Diagnostic]], *, unsafe: bool) -> FixedFile:
-    """Apply the fixes of one file: lint, edit, and lint again until it is stable."""
-    now, left, fewest = file, ROUNDS, -1
+def fix_file(file: Selected, lint: Lint, *, unsafe: bool) -> FixedFile:
+    """Apply the fixes of one file: lint, edit, and lint again until it is stable.
+
+    A fix that does harm is left out: one that brings in a problem of the text or an error that was
+    not there, or that ends the effect of a comment that silences something.
+    """
+    trials = _Trials(lint)
+    now, left, fewest = _Linted.of(file, lint), ROUNDS, -1
     made: list[MadeFix] = []
     seen = {file.data}
-    try:
-        while fixes := applicable(found := lint(now), file.path, unsafe=unsafe):
-            if 0 <= fewest <= len(fixes):
-                left -= 1
-            else:
-                left, fewest = ROUNDS, len(fixes)
-            edits, applied = together(fixes)
-            now = now._replace(data=edited(now, edits))
-            if now.kind is Kind.MISSPELT_ROOT:
-                now = now._replace(kind=sniff(now.data, now.path))
-            if now.data in seen or not left:
-                raise Refused("its fixes undo one another")
-            seen.add(now.data)
-            made += _made(found, applied)
-    except Refused as refusal:
-        return FixedFile(file.path, file.data, file.data, 0, str(refusal))
-    return FixedFile(file.path, file.data, now.data, len(made), made=tuple(made))
+    while fixes := trials.next(now.found, file.path, unsafe=unsafe):
+        if 0 <= fewest <= len(fixes):
+            left -= 1
+        else:
+            left, fewest = ROUNDS, len(fixes)
+        after, applied = trials.apply(now, together(fixes)[1])
+        if not applied and not trials.are_over:
+            continue  # those that were in the way of others are left out
+        if not applied:
+            break
+        if after.file.data in seen or not left:
+            return FixedFile(file.path, file.data, file.data, 0, "its fixes undo one another")
+        seen.add(after.file.data)
+        made += _made(now.found, applied)
+        now = after
+    return FixedFile(file.path, file.data, now.file.data, len(made), trials.refusal, tuple(made))
+
+
+def harmless(file: Selected, fixes: Sequence[Fix], lint: Lint) -> list[Fix]:
+    """Those of some fixes that do no harm; of very many that are in each other's way, not all are tried."""
+    trials, kept, left = _Trials(lint), list[Fix](), list(fixes)
+    now = _Linted.of(file, lint) if fixes else None
+    while now is not None and left and not trials.are_over:
+        group = together(left)[1]
+        kept += trials.apply(now, group)[1]
+        tried = set(group)
+        left = [fix for fix in left if fix not in tried]
+    return kept
 
 
 def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -> list[Fix]:
@@ -106,12 +131,116 @@ def applicable(diagnostics: Sequence[Diagnostic], path: Path, *, unsafe: bool) -
     return sorted(fixes, key=lambda fix: min(_range(edit) for edit in fix.edits))
 
 
+class _Linted(NamedTuple):
+    """A text, and what was found in it."""
+
+    file: Selected
+    document: Document
+    found: Sequence[Diagnostic]
+    silenced: int
+
+    @classmethod
+    def of(cls, file: Selected, lint: Lint) -> _Linted:
+        return cls(file, _read(file), *lint(file))
+
+
+class _Trials:
+    """Applies fixes on trial, and keeps those that do no harm."""
+
+    def __init__(self, lint: Lint) -> None:
+        self._lint = lint
+        self._left = TRIALS
+        self._refused: set[tuple[str, ...]] = set()
+        self.refusal = ""
+        """Why the first of the fixes that were left out was; empty for none."""
+
+    def next(self, found: Sequence[Diagnostic], path: Path, *, unsafe: bool) -> list[Fix]:
+        """The fixes to try: those of errors that stop every consumer come first, the others are judged by a robot."""
+        stopping = _stopping(found)
+        for each in (stopping, found) if stopping else (found,):
+            fixes = applicable(each, path, unsafe=unsafe)
+            if left := [fix for fix in fixes if _words(fix) not in self._refused]:
+                return left
+        return []
+
+    @property
+    def are_over(self) -> bool:
+        return self._left <= 0
+
+    def apply(self, before: _Linted, fixes: Sequence[Fix]) -> tuple[_Linted, list[Fix]]:
+        """The text after those fixes that do no harm, together, and these; they are apart from each other."""
+        now, kept = before, list[Fix]()
+        groups = [list(fixes)]
+        while groups:
+            group = groups.pop()
+            try:
+                now, kept = self._after(before, [*kept, *group]), [*kept, *group]
+            except Refused as refusal:
+                half = len(group) // 2
+                if half and not self.are_over:
+                    groups += [group[half:], group[:half]]
+                else:
+                    self._refused.update(map(_words, group))
+                    self.refusal = self.refusal or str(refusal)
+        return now, kept
+
+    def _after(self, before: _Linted, fixes: Sequence[Fix]) -> _Linted:
+        """The text after the fixes; raises Refused where that is worse."""
+        file, data = before.file, edited(before.file, together(fixes)[0])
+        self._left -= 1
+        kind = sniff(data, file.path) if file.kind is Kind.MISSPELT_ROOT else file.kind
+        after = _Linted.of(file._replace(data=data, kind=kind), self._lint)
+        if _lost_directives(before, after, fixes):
+            raise Refused("the edits would take away a comment for sdfcheck")
+        if brought := _brought(before, after):
+            raise Refused(f"the edits would bring in {named(brought)}")
+        return after
+
+
+def _words(fix: Fix) -> tuple[str, ...]:
+    """What a fix replaces and writes, wherever it is."""
+    return (fix.title, *(word for edit in fix.edits for word in (edit.span.text, edit.text)))
+
+
+def _lost_directives(before: _Linted, after: _Linted, fixes: Sequence[Fix]) -> Counter[str]:
+    """The comments for sdfcheck that are there no more, but for those that the fixes are about."""
+    old, new = (comments(each.document.source, each.document.scan) for each in (before, after))
+    meant = {each.span.start for fix in fixes for edit in fix.edits for each in touched(old, edit.span)}
+    kept = Counter(comment.span.text for comment in old if comment.span.start not in meant)
+    return kept - Counter(comment.span.text for comment in new)
+
+
+def _stopping(found: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """The errors for which no consumer gets a robot."""
+    every = {consumer.value for consumer in Consumer}
+    return [
+        each
+        for each in found
+        if each.severity is Severity.ERROR
+        and every <= {consumer for consumer, reaction in each.affects if reaction.is_refusal}
+    ]
+
+
+def _brought(before: _Linted, after: _Linted) -> list[str]:
+    """The rules of which there are more errors than before; of all diagnostics, where fewer are silenced."""
+    if _stopping(before.found) and not _stopping(after.found):
+        return []  # it is a robot only now, and all of it can be judged
+    errors_only = after.silenced >= before.silenced
+    counts = [
+        Counter(each.name for each in found if not errors_only or each.severity is Severity.ERROR)
+        for found in (before.found, after.found)
+    ]
+    return sorted(counts[1] - counts[0])
+
+
 def _made(found: Sequence[Diagnostic], applied: Sequence[Fix]) -> Iterator[MadeFix]:
     """The note on applied fixes; each is for one of the diagnostics."""
-    left = list(found)
+    left: dict[Fix, list[Diagnostic]] = {}
+    for diagnostic in reversed(found):
+        if diagnostic.fix is not None:
+            left.setdefault(diagnostic.fix, []).append(diagnostic)
     for fix in applied:
-        at = next(at for at, diagnostic in enumerate(left) if diagnostic.fix == fix)
-        diagnostic = left.pop(at)
+        diagnostic = left[fix].pop()
         yield MadeFix(diagnostic.code, diagnostic.name, fix.title)
 
 
@@ -181,8 +310,9 @@ def _read(file: Selected) -> Document:
 
 
 def _is_worse(before: Document, after: Document) -> bool:
-    """Is there more wrong with the text than there was?"""
+    """Is there something wrong with the text that was not?"""
     if before.root is None or after.root is None:
         return before.root is not None
     is_other = after.root.name != before.root.name and before.kind is not Kind.MISSPELT_ROOT
-    return is_other or len(after.problems) > len(before.problems)
+    known, found = (Counter(type(problem) for problem in each.problems) for each in (before, after))
+    return is_other or bool(found - known)

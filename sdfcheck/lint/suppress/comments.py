@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
+from itertools import islice
 
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.scan import Scan
@@ -29,6 +31,14 @@ def comments(source: Source, scan: Scan) -> list[Comment]:
         target = source.span(*reach(source, scan, number)) if number < len(scan.starts) else None
         found.append(Comment(source.span(start, end), target))
     return found
+
+
+def touched(comments: Sequence[Comment], span: Span) -> Iterator[Comment]:
+    """Those of the comments of one text, in its order, of which a change of a place changes something."""
+    for comment in islice(comments, bisect_right(comments, span.start, key=lambda each: each.span.end), None):
+        if comment.span.start >= span.end:
+            break
+        yield comment
 
 
 def reach(source: Source, scan: Scan, number: int) -> tuple[int, int]:

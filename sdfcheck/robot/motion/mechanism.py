@@ -116,16 +116,17 @@ class Mechanism:
         for joint in self.joints.values():
             if joint.parent != joint.child and joint.child in self.links:
                 carriers.setdefault(joint.child, joint)
+        carried: dict[str, list[tuple[int, Joint]]] = {}
+        for number, joint in enumerate(carriers.values()):
+            carried.setdefault(joint.parent, []).append((number, joint))
         ordered: list[Joint] = []
-        placed = {"world", *(name for name in self.links if name not in carriers)}
-        waiting = dict(carriers)
-        while waiting:
-            ready = [child for child, joint in waiting.items() if joint.parent in placed]
-            if not ready:
-                break
-            for child in ready:
-                ordered.append(waiting.pop(child))
-                placed.add(child)
+        placed = ["world", *(name for name in self.links if name not in carriers)]
+        while placed:
+            ready = sorted(
+                (each for name in placed for each in carried.pop(name, ())), key=lambda each: each[0]
+            )
+            ordered += (joint for _, joint in ready)
+            placed = [joint.child for _, joint in ready]
         return ordered
 
     def spanning(self) -> list[Joint]:

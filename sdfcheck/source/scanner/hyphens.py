@@ -12,11 +12,14 @@ _RUN = re.compile(r"-{2,}")
 
 def hyphens(source: Source, at: int, end: int) -> CommentHyphens | None:
     """The fault of the hyphens in the comment from ``at`` to ``end``; None if they are allowed."""
-    text = source.text
-    runs = tuple(source.span(match.start(), match.end()) for match in _RUN.finditer(text, at + 4, end - 3))
-    if not runs and text[end - 4] == "-" and end - 4 >= at + 4:
-        runs = (source.span(end - 4, end - 1),)
-    return CommentHyphens(runs[0], runs) if runs else None
+    begin, close = at + 4, end - 3
+    runs = [source.span(*match.span()) for match in _RUN.finditer(source.text, begin, close)]
+    if begin < close and source.text[close - 1] == "-" and not (runs and runs[-1].end == close):
+        runs.append(source.span(close - 1, close))
+    if not runs:
+        return None
+    first = runs[0]
+    return CommentHyphens(source.span(first.start, max(first.end, first.start + 2)), tuple(runs))
 
 
 def without_hyphens(source: Source) -> tuple[str, list[CommentHyphens]] | None:
@@ -38,12 +41,8 @@ def without_hyphens(source: Source) -> tuple[str, list[CommentHyphens]] | None:
         problem = hyphens(source, at, end + 3)
         if problem is not None:
             found.append(problem)
-            pieces += text[done : at + 4], _spaced(text[at + 4 : end])
-            done = end
+            for run in problem.runs:
+                pieces += text[done : run.start], " ".join(run.text) + " " * (run.end == end)
+                done = run.end
         at = text.find("<!--", end)
     return ("".join((*pieces, text[done:])), found) if found else None
-
-
-def _spaced(content: str) -> str:
-    spaced = _RUN.sub(lambda run: " ".join(run[0]), content)
-    return f"{spaced} " if spaced.endswith("-") else spaced

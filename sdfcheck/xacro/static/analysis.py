@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from sdfcheck.files.library import library_of
-from sdfcheck.formats.near_names import nearest
+from sdfcheck.formats.near_names import guess, nearest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
@@ -31,7 +31,6 @@ from sdfcheck.xacro.static.oversights import oversights, parameter_place
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.static.project import is_included, project_names
 from sdfcheck.xacro.static.reading import Call, Macro, place, reading
-from sdfcheck.xacro.static.suggestions import guess
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 from keyword import iskeyword
 
-from sdfcheck.formats.near_names import nearest
+from sdfcheck.formats.near_names import guess, nearest
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
@@ -24,7 +24,6 @@ from sdfcheck.xacro.static.elements import is_conditional, keyword, own_attribut
 from sdfcheck.xacro.static.names import free_names
 from sdfcheck.xacro.static.project import project_names
 from sdfcheck.xacro.static.reading import Include, place, reading, texts
-from sdfcheck.xacro.static.suggestions import guess
 
 _BRACES = re.compile(r"\{([^{}$\"':,]+)\}")
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")

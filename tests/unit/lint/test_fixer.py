@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Applicability, Edit, Fix
-from sdfcheck.lint.fix.fixer import FixedFile, Refused, edited, fix_file, together
+from sdfcheck.lint.fix.fixer import TRIALS, FixedFile, Refused, edited, fix_file, harmless, together
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.source.decode import decode
 from sdfcheck.source.sniff import Kind
@@ -34,9 +34,9 @@ def swap(pattern: str, new: str) -> Changes:
 def fixed_file(
     data: bytes | str, *rules: Changes, unsafe: bool = False, applicability: str = "safe"
 ) -> FixedFile:
-    def lint(file: Selected) -> list[Diagnostic]:
+    def lint(file: Selected) -> tuple[list[Diagnostic], int]:
         source, _ = decode(file.data, file.path)
-        return [
+        found = [
             Diagnostic(
                 "A1",
                 "a",
@@ -48,6 +48,7 @@ def fixed_file(
             for rule in rules
             for edits in rule(source)
         ]
+        return found, 0
 
     given = data.encode() if isinstance(data, str) else data
     return fix_file(Selected(PATH, given, Kind.SDF), lint, unsafe=unsafe)
@@ -155,3 +156,91 @@ def test_edits_that_leave_nothing_are_refused() -> None:
     file = Selected(Path("a.sdf"), text.encode(), Kind.SDF)
     with pytest.raises(Refused):
         edited(file, [Edit(source.span(0, len(text)), "")])
+
+
+def found_in(text: str, rules: tuple[Changes, ...], bad: str) -> tuple[list[Diagnostic], int]:
+    """The fixes of the rules, and an error for each of some words."""
+    source = Source(PATH, text)
+    fixes = [
+        Diagnostic("A1", "a", Severity.INFO, "m", edits[0].span, fix=Fix("t", edits))
+        for rule in rules
+        for edits in rule(source)
+    ]
+    errors = [
+        Diagnostic("B1", "bad-word", Severity.ERROR, "m", source.span(*m.span()))
+        for m in re.finditer(bad, text)
+    ]
+    return fixes + errors, text.count("sdfcheck:")
+
+
+def on_trial(text: str, *rules: Changes, bad: str) -> FixedFile:
+    file = Selected(PATH, text.encode(), Kind.SDF)
+    return fix_file(file, lambda now: found_in(now.data.decode(), rules, bad), unsafe=False)
+
+
+def test_a_fix_that_brings_in_an_error_is_left_out_and_the_others_are_made() -> None:
+    result = on_trial(
+        TEXT.format("P Q R S T U V W"), *(swap(f"{x}(?!!)", f"{x}!") for x in "PQRSTUVW"), bad="S!"
+    )
+    assert body(result) == "P! Q! R! S T! U! V! W!"
+    assert (result.fixed, result.refusal) == (7, "the edits would bring in `bad-word`")
+
+
+def test_two_fixes_that_only_together_do_harm() -> None:
+    result = on_trial(TEXT.format("p q"), swap("p(?!!)", "p!"), swap("q(?!!)", "q!"), bad="p! q!")
+    assert (body(result), result.fixed) == ("p! q", 1)
+    assert result.refusal == "the edits would bring in `bad-word`"
+
+
+def test_an_error_that_was_there_before_stops_no_fix() -> None:
+    result = on_trial(TEXT.format("x p"), swap("p", "q"), bad="x")
+    assert (body(result), result.refusal) == ("x q", "")
+
+
+def test_a_comment_for_the_linter_is_not_taken_away() -> None:
+    text = TEXT.format("<!-- sdfcheck: ignore[A1] -->P")
+
+    def hides(source: Source) -> list[tuple[Edit, ...]]:
+        start, end = source.text.find("<!--"), source.text.find("P")
+        return [(Edit(source.span(start, start), "<![CDATA["), Edit(source.span(end, end), "]]>"))]
+
+    result = on_trial(text, hides, swap("P", "Q"), bad="nothing")
+    assert result.refusal == "the edits would take away a comment for sdfcheck"
+    assert body(result) == "<!-- sdfcheck: ignore[A1] -->Q"
+
+
+def test_a_fix_that_ends_a_suppression_is_left_out() -> None:
+    def lint(file: Selected) -> tuple[list[Diagnostic], int]:
+        text = file.data.decode()
+        source = Source(PATH, text)
+        place = source.span(22, 23)
+        note = Diagnostic("A1", "a", Severity.INFO, "m", place, fix=Fix("t", (Edit(place, "b"),)))
+        shown = Diagnostic("B1", "shown", Severity.INFO, "m", place)
+        return ([shown], 0) if ">b<" in text else ([note], 1)
+
+    text = '<sdf version="1.9"><x>a</x></sdf>'
+    result = fix_file(Selected(PATH, text.encode(), Kind.SDF), lint, unsafe=False)
+    assert (result.fixed, result.refusal) == (0, "the edits would bring in `shown`")
+
+
+def test_trials_end() -> None:
+    runs = 0
+
+    def lint(file: Selected) -> tuple[list[Diagnostic], int]:
+        nonlocal runs
+        runs += 1
+        return found_in(file.data.decode(), (swap("p", "q"),), "q")
+
+    text = TEXT.format("p" * 500)
+    result = fix_file(Selected(PATH, text.encode(), Kind.SDF), lint, unsafe=False)
+    assert result.fixed == 0
+    assert runs <= 2 * TRIALS
+
+
+def test_harmless_fixes_are_offered() -> None:
+    text = TEXT.format("p s")
+    rules = (swap("p", "p!"), swap("s", "s!"))
+    file = Selected(PATH, text.encode(), Kind.SDF)
+    fixes = [each.fix for each in found_in(text, rules, "s!")[0] if each.fix is not None]
+    found = harmless(file, fixes, lambda now: found_in(now.data.decode(), rules, "s!"))
+    assert [fix.edits[0].span.text for fix in found] == ["p"]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.xacro.static.suggestions import misspelling_of
+from sdfcheck.formats.near_names import misspelling_of
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
 

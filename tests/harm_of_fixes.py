@@ -1,0 +1,53 @@
+"""Whether fixes have done harm: a second opinion, by linting the text before and after them."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from pathlib import Path
+
+from sdfcheck import Consumer, Run, Severity, lint
+
+_DIRECTIVE = re.compile(r"sdfcheck:\s*(?:ignore-file|ignore|disable|enable)\b(?:\[[^\]]*\])?")
+
+
+def harm(before: bytes, after: bytes, path: Path) -> str:
+    """The harm, in words; empty for none. The texts are linted as if they were in the folder of the path."""
+    runs = [lint(text, name=path, isolated=True) for text in (before, after)]
+    if brought := _errors(runs[1]) - _errors(runs[0]):
+        was_nothing = _stops(runs[0]) and not _stops(runs[1])
+        if not was_nothing:
+            return f"new errors: {sorted(brought)}"
+    if lost := _directives(before) - _directives(after) - _reported(runs[0]):
+        return f"comments for sdfcheck are gone: {sorted(lost)}"
+    return ""
+
+
+def _errors(run: Run) -> Counter[str]:
+    return Counter(each.code for each in run.diagnostics if each.severity is Severity.ERROR)
+
+
+def _stops(run: Run) -> bool:
+    """Does no consumer get a robot?"""
+    return any(
+        each.severity is Severity.ERROR
+        and all(
+            any(name == consumer.value and how.is_refusal for name, how in each.affects)
+            for consumer in Consumer
+        )
+        for each in run.diagnostics
+    )
+
+
+def _directives(data: bytes) -> Counter[str]:
+    return Counter(_DIRECTIVE.findall(data.decode("utf-8", "replace")))
+
+
+def _reported(run: Run) -> Counter[str]:
+    """The directives that are reported as useless or misspelled themselves: every one on these lines."""
+    lines = (
+        each.span.source.text.splitlines()[each.span.begin.line - 1]
+        for each in run.diagnostics
+        if each.code.startswith("SUP")
+    )
+    return Counter(found for line in lines for found in _DIRECTIVE.findall(line))
