@@ -72,9 +72,7 @@ def _counterpart(source: Document, result: Document, error: Diagnostic) -> Eleme
     assert source.root is not None
     around = None if result.root is None else _named_around(result.root, error.span.start)
     for name, kind in reversed(around or []):
-        same = [
-            e for e in source.root.iter("{*}*") if isinstance(e, Element) and e.attributes.get("name") == name
-        ]
+        same = [e for e in source.root.walk() if e.attributes.get("name") == name]
         exact = [element for element in same if element.name == kind]
         if exact or same:
             return (exact or same)[0]

@@ -200,7 +200,7 @@ def _mass(inertial: Element) -> float:
 
 def _of_moving_models(page: Page, name: str) -> Iterator[Element]:
     static = {each.parent for each in page.named("static") if each.content in {"1", "true"}}
-    return (each for each in page.named(name) if static.isdisjoint(each.iterancestors()))
+    return (each for each in page.named(name) if static.isdisjoint(each.around))
 
 
 def _references(page: Page) -> Iterator[Value]:

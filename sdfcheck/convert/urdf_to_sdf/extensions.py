@@ -21,11 +21,11 @@ from sdfcheck.convert.urdf_to_sdf.settings import (
     merge,
     value_of,
 )
-from sdfcheck.convert.writer import Node, comment_of, copied
+from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.sdf.values import number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
 _PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
@@ -77,11 +77,11 @@ class Extensions:
         put: Callable[[Element, Node], None],
         only: Container[str] | None = None,
     ) -> None:
-        for entry in block:
-            if (comment := comment_of(entry)) is not None:
+        for entry in block.nodes:
+            if isinstance(entry, Comment):
                 if only is not OF_JOINTS and self.context.ledger.take_comment(entry):
-                    node.children.append(comment)
-            elif isinstance(entry.tag, str) and (only is None or entry.name in only):
+                    node.children.append(entry)
+            elif isinstance(entry, Element) and (only is None or entry.name in only):
                 put(entry, node)
 
     def _unknown(self, block: Element, reason: str) -> None:

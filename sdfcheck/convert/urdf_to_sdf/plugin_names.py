@@ -32,11 +32,11 @@ class PluginNames:
         """Look at the plugins in a ``<gazebo>`` block."""
         if not self.gone:
             return
-        for plugin in block.iter():
-            if not isinstance(plugin, Element) or plugin.name != "plugin":
+        for plugin in block.walk():
+            if plugin.name != "plugin":
                 continue
-            for part in plugin.iter():
-                if isinstance(part, Element) and (found := self.gone.get(part.content)) is not None:
+            for part in plugin.walk():
+                if (found := self.gone.get(part.content)) is not None:
                     kind, what = found
                     self.context.note(
                         part, kind, f"<{part.name}> of {plugin.title} stays as it is, but {what}"

@@ -98,11 +98,11 @@ def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:
 def _scope(root: Root, element: Element) -> Scope | None:
     """The model or world in which a reference is looked up."""
     at: Part | None = root.part_of(element)
-    if isinstance(at, Scope) and element.tag == "model":
+    if isinstance(at, Scope) and element.name == "model":
         return at  # its canonical link and placement frame are its own
-    if element.tag == "placement_frame" and at is not None and isinstance(at.holder, Include):
+    if element.name == "placement_frame" and at is not None and isinstance(at.holder, Include):
         return at.holder.model
-    if element.tag == "pose" and at is not None and isinstance(at.holder, Scope):
+    if element.name == "pose" and at is not None and isinstance(at.holder, Scope):
         at = at.holder  # the pose of a model is written where the model is
     while at is not None:
         at = at.holder
@@ -114,7 +114,7 @@ def _scope(root: Root, element: Element) -> Scope | None:
 def _nodes(scope: Scope, element: Element, text: str) -> tuple[Node, ...]:
     """The part that a reference names; in URDF a joint may have the name of a link."""
     joints = scope.joints_by_name if isinstance(scope, Model) and scope.is_urdf else {}
-    if element.tag in _OF_JOINTS and text in joints:
+    if element.name in _OF_JOINTS and text in joints:
         return (joints[text],)
     return _path(scope, text)
 

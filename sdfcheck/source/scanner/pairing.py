@@ -18,8 +18,8 @@ from sdfcheck.source.scanner.evidence import Evidence, Repair, alike
 from sdfcheck.source.scanner.steps import Act, Pairs, Step
 from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens, first_line, name_range
 from sdfcheck.source.text import Source, Span
+from sdfcheck.source.tree import DEPTH_LIMIT
 
-DEPTH_LIMIT = 256
 """Deeper than this libxml2 refuses to read; tinyxml2, which libsdformat uses, ends at 500."""
 
 

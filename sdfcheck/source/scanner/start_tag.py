@@ -7,8 +7,8 @@ from itertools import islice
 
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT
 from sdfcheck.source.text import Source
+from sdfcheck.source.tree import ATTRIBUTE_LIMIT
 
 BLANK = r"[ \t\r\n]"
 # Not quite XML's: those that differ are not ASCII, and compiling XML's own takes 10 ms.
