@@ -173,7 +173,7 @@ def _carry(node: Node, carrier: str, text: str) -> None:
 
 def uses(root: Element, prefix: str) -> bool:
     """Is a description written for the consumers of a prefix: does it declare or use it?"""
-    if prefix in root.declared:
+    if prefix in root.namespaces:
         return True
     return any(name.startswith(f"{prefix}:") for name in root.document.names)
 

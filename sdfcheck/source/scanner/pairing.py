@@ -20,8 +20,6 @@ from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Token
 from sdfcheck.source.text import Source, Span
 from sdfcheck.source.tree import DEPTH_LIMIT
 
-"""Deeper than this libxml2 refuses to read; tinyxml2, which libsdformat uses, ends at 500."""
-
 
 def pair(source: Source, text: str, tokens: Tokens) -> Pairs:
     """Join start and end tags. ``text`` is what the tokens were cut from."""
