@@ -73,7 +73,7 @@ class Value:
 
 
 class Aside:
-    """A node that is no element, a comment or a processing instruction, and the text after it.
+    """A comment or a processing instruction, and the text after it.
 
     ``index`` is the number of the next element.
     """

@@ -8,24 +8,20 @@ from pyexpat import ExpatError, ParserCreate
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.source.element import Aside, Comment, Element, Instruction, Node
+from sdfcheck.source.limits import ATTRIBUTE_LIMIT, DEPTH_LIMIT, LENGTH_LIMIT
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
-DEPTH_LIMIT = 256
-"""How deep elements may be nested. libxml2 stops there; tinyxml2, which libsdformat uses, ends at 500."""
-
-ATTRIBUTE_LIMIT = 1000
-"""The most attributes of an element that are read."""
-
-LENGTH_LIMIT = 10_000_000
-"""The longest text or value: libxml2's bound, which Python's consumers have."""
-
 _LONG_TAG = re.compile(rf"<[^<]{{{5 * ATTRIBUTE_LIMIT}}}")
 """A tag in which there is room for so many attributes."""
 _DECLARATION = "xmlns"
-_AtStart = Callable[[str, dict[str, str]], None]
-_AtText = Callable[[str], None]
+_Handlers = tuple[
+    Callable[[str, dict[str, str]], None],
+    Callable[[str], None],
+    Callable[[str], None],
+    Callable[[Aside], None],
+]
 
 
 class Refused(Exception):
@@ -101,10 +97,8 @@ def _translate(document: Document, table: Mapping[int, int]) -> None:
     document.names = {name.translate(table) for name in document.names}
 
 
-def _handlers(  # noqa: C901 - four that share where they are
-    document: Document,
-) -> tuple[_AtStart, _AtText, _AtText, Callable[[Aside], None]]:
-    """What to do at a start tag, an end tag, a text, and a comment or instruction."""
+def _handlers(document: Document) -> _Handlers:
+    """The handlers of a start tag, an end tag, a text, and a comment or instruction."""
     at: Element | None = None
     last: Node | None = None
     depth = 0
@@ -135,17 +129,22 @@ def _handlers(  # noqa: C901 - four that share where they are
 
     def aside(node: Aside) -> None:
         nonlocal last
-        node.parent, node.index = at, len(elements)
-        if at is None:
-            (document.epilog if elements else document.prolog).append(node)
-            return
-        if last is not None:
-            at.nodes.append(node)
-        else:
-            at.nodes = [node]
-        last = node
+        last = _put(document, node, at, last)
 
     return start, end, characters, aside
+
+
+def _put(document: Document, node: Aside, at: Element | None, last: Node | None) -> Node | None:
+    """Put a comment or instruction after the last node of an element; returns the last one now."""
+    node.parent, node.index = at, len(document.elements)
+    if at is None:
+        (document.epilog if document.elements else document.prolog).append(node)
+        return last
+    if last is None:
+        at.nodes = [node]
+    else:
+        at.nodes.append(node)
+    return node
 
 
 def _take_declarations(document: Document, names: list[str]) -> None:

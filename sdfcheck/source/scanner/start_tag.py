@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from itertools import islice
 
+from sdfcheck.source.limits import ATTRIBUTE_LIMIT
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
-from sdfcheck.source.tree import ATTRIBUTE_LIMIT
 
 BLANK = r"[ \t\r\n]"
 # Not quite XML's: those that differ are not ASCII, and compiling XML's own takes 10 ms.

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 
+from sdfcheck.source.limits import ATTRIBUTE_LIMIT, LENGTH_LIMIT
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind, UnknownEntity
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.scanner.start_tag import BLANK, NAME, START, StartTag, repeated_attributes, tag_of
@@ -15,7 +16,6 @@ from sdfcheck.source.scanner.steps import Act, Step
 from sdfcheck.source.scanner.tokens import Token, TokenKind
 from sdfcheck.source.scanner.xml_names import made_name
 from sdfcheck.source.text import Source
-from sdfcheck.source.tree import ATTRIBUTE_LIMIT, LENGTH_LIMIT
 
 REFERENCE_LIMIT = 1_000
 """How many undefined references of one file are worth a list."""
