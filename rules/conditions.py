@@ -114,13 +114,13 @@ def frm_degrees_as_radians___is_whole_degrees(word):
     return abs(angle) > frm_degrees_as_radians___WHOLE_TURN and angle % frm_degrees_as_radians___STEP == 0
 
 def frm_degrees_as_radians___value(element):
-    return element.attribute('rpy') if element.tag == 'origin' else element.own_value
+    return element.attribute('rpy') if element.name == 'origin' else element.own_value
 
 def frm_degrees_as_radians___says_otherwise(pose):
     holder = pose.parent
-    if holder is not None and 'degrees' in holder.keys():
+    if holder is not None and 'degrees' in holder.attributes:
         return True
-    if not pose.keys():
+    if not pose.attributes:
         return False
     given = pose.attributes
     is_quaternion = given.get('rotation_format', '').strip() == 'quat_xyzw'
@@ -137,7 +137,7 @@ def frm_degrees_as_radians___angles(element):
     value = frm_degrees_as_radians___value(element)
     words = value.text.split() if value is not None else []
     first = 0
-    if element.tag == 'pose':
+    if element.name == 'pose':
         first = 3
         if len(words) != 6 or frm_degrees_as_radians___says_otherwise(element):
             return []
@@ -165,7 +165,7 @@ def frm_non_unit_quaternion___quaternion(pose):
 frm_non_unit_quaternion___ROUNDING = 0.001
 
 def FRM007_applies(pose):
-    if not pose.keys():
+    if not pose.attributes:
         return False
     length = math_.hypot(*frm_non_unit_quaternion___quaternion(pose))
     return abs(length - 1) > frm_non_unit_quaternion___ROUNDING
@@ -177,7 +177,7 @@ def FRM008_applies(joint):
     return any((end.carrier is not None and end.carrier.kind == 'model' for end in (parent, child)))
 
 def FRM009_applies(reference):
-    return reference.scope is None and reference.owner_element.tag in {'model', 'include'}
+    return reference.scope is None and reference.owner_element.name in {'model', 'include'}
 
 gaz_ignition_name__PREFIX = 'ignition:'
 
@@ -1060,7 +1060,7 @@ def R2C029_applies(block):
     return block.is_simulated and (not any(('ros2_control' in plugin.filename for plugin in block.model.plugins)))
 
 def R2C030_applies(component):
-    return not component.interfaces and (not any((child.tag != 'param' for child in component.children())))
+    return not component.interfaces and (not any((child.name != 'param' for child in component.children())))
 
 def R2C031_applies(interface):
     if interface.component.what != 'joint' or interface.is_limited:
@@ -1270,7 +1270,7 @@ def SCH002_applies(root):
 def sch_missing_shape__is_of_link(element):
     if element.parent is None or element.parent.name != 'link':
         return False
-    return not any((ancestor.tag == 'state' for ancestor in element.iterancestors()))
+    return not any((ancestor.name == 'state' for ancestor in element.around))
 
 def sch_missing_shape__without_shape(root):
     if root.is_urdf:
@@ -1282,7 +1282,7 @@ def sch_missing_shape__without_shape(root):
             if element not in shaped and sch_missing_shape__is_of_link(element) and (not root.part_of(element).misspells('geometry')):
                 yield element
     for geometry in geometries:
-        is_empty = len(geometry) == 0 or next(geometry.children(), None) is None
+        is_empty = next(geometry.children(), None) is None
         if is_empty and geometry.parent is not None and (geometry.parent.name != 'sonar'):
             yield geometry
 
@@ -1321,9 +1321,9 @@ def SCH021_applies(light):
 def sch_zero_direction__zero_directions(root):
     for element in (*root.elements.get('normal', ()), *root.elements.get('direction', ())):
         holder = element.parent
-        if holder is None or holder.tag not in {'plane', 'light'}:
+        if holder is None or holder.name not in {'plane', 'light'}:
             continue
-        if holder.tag == 'light' and holder.text_of('type', 'point').strip() == 'point':
+        if holder.name == 'light' and holder.text_of('type', 'point').strip() == 'point':
             continue
         words = element.content.split()
         if len(words) == 3 and all((word.strip('0.+-') == '' and '0' in word for word in words)):
@@ -1553,7 +1553,7 @@ def URD016_applies(origin):
     return not origin.is_quaternion and urd_singular_pitch__error(origin) > urd_singular_pitch__NOTABLE
 
 def urd_delimiter_in_extension___is_in_plugin(element):
-    return element.name == 'plugin' or any((around.tag == 'plugin' for around in element.iterancestors()))
+    return element.name == 'plugin' or any((around.name == 'plugin' for around in element.around))
 
 def urd_delimiter_in_extension__delimited(block):
     named = (element.attribute('name') for element in block.all_elements() if not urd_delimiter_in_extension___is_in_plugin(element))

@@ -40,7 +40,12 @@ BELOW = {
 """Layer → the layers that it may import in addition to itself."""
 
 CIRCLES = {
-    ("sdfcheck.source.document", "sdfcheck.source.element"): "a document and its elements are one type",
+    (
+        "sdfcheck.source.document",
+        "sdfcheck.source.element",
+        "sdfcheck.source.spans",
+        "sdfcheck.source.tree",
+    ): "a document, its elements and their places are one type",
 }
 """Modules that name one another's types → why they may."""
 

@@ -12,6 +12,7 @@ ROBOTS = Path(__file__).parents[1] / "fixtures" / "robots"
 HEAVY = (
     "dataclasses",
     "difflib",
+    "lxml",
     "numpy",
     "pathspec",
     "rich",

@@ -100,7 +100,7 @@ class DegreesAsRadians(Rule):
 
 def _value(element: Element) -> Value | None:
     """The text with the angles."""
-    return element.attribute("rpy") if element.tag == "origin" else element.own_value
+    return element.attribute("rpy") if element.name == "origin" else element.own_value
 
 
 def _angles(element: Element) -> list[tuple[int, str, str]]:
@@ -108,7 +108,7 @@ def _angles(element: Element) -> list[tuple[int, str, str]]:
     value = _value(element)
     words = value.text.split() if value is not None else []
     first = 0
-    if element.tag == "pose":
+    if element.name == "pose":
         first = 3
         if len(words) != 6 or _says_otherwise(element):
             return []
@@ -120,9 +120,9 @@ def _angles(element: Element) -> list[tuple[int, str, str]]:
 def _says_otherwise(pose: Element) -> bool:
     """Does it say that it is in degrees, or a quaternion?"""
     holder = pose.parent
-    if holder is not None and "degrees" in holder.keys():  # noqa: SIM118 - the business of misplaced-degrees
+    if holder is not None and "degrees" in holder.attributes:  # the business of misplaced-degrees
         return True
-    if not pose.keys():
+    if not pose.attributes:
         return False
     given = pose.attributes
     is_quaternion = given.get("rotation_format", "").strip() == "quat_xyzw"

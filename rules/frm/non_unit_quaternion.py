@@ -70,7 +70,7 @@ class NonUnitQuaternion(Rule):
 
     @staticmethod
     def applies(pose: Element) -> bool:
-        if not pose.keys():
+        if not pose.attributes:
             return False
         length = math.hypot(*_quaternion(pose))
         return abs(length - 1) > _ROUNDING

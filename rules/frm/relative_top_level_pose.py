@@ -46,7 +46,7 @@ class RelativeTopLevelPose(Rule):
 
     @staticmethod
     def applies(reference: FrameReference) -> bool:
-        return reference.scope is None and reference.owner_element.tag in {"model", "include"}
+        return reference.scope is None and reference.owner_element.name in {"model", "include"}
 
     def check(self, reference: FrameReference) -> Iterator[Diagnostic]:
         pose, attribute = reference.value.element, reference.value.attribute or ""

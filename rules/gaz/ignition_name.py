@@ -171,7 +171,7 @@ def _declarations(root: Root) -> Iterator[Edit]:
         given = {attribute.name for attribute in spans.start_tag(element).attributes}
         if old not in given:
             continue
-        if new in given or NEW_PREFIX[:-1] in element.nsmap:
+        if new in given or NEW_PREFIX[:-1] in element.namespaces:
             yield Edit(spans.attribute_whole(element, old), "")
             continue
         yield Edit(spans.attribute_name(element, old), new)

@@ -57,7 +57,7 @@ class ReservedName(Rule):
                 yield self.diagnostic(name.value, f"the name `{name.name}` is reserved", help=known)
         if _ROOT in root.document.source.text:
             for value in root.names.references:
-                if value.text.strip() == _ROOT and value.element.tag in _REFUSED:
+                if value.text.strip() == _ROOT and value.element.name in _REFUSED:
                     yield self.diagnostic(value, f"`{_ROOT}` cannot be referred to")
 
 

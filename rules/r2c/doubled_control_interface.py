@@ -34,6 +34,6 @@ class DoubledControlInterface(Rule):
         assert twin.name_value is not None
         assert name is not None
         message = (
-            f"`{interface.element.tag}` `{interface.name}` is listed twice in {interface.component.title}"
+            f"`{interface.element.name}` `{interface.name}` is listed twice in {interface.component.title}"
         )
         yield self.diagnostic(name, message, labels={twin.name_value: "first listed here"})

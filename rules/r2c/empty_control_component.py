@@ -25,7 +25,7 @@ class EmptyControlComponent(Rule):
 
     @staticmethod
     def applies(component: ControlComponent) -> bool:
-        return not component.interfaces and not any(child.tag != "param" for child in component.children())
+        return not component.interfaces and not any(child.name != "param" for child in component.children())
 
     def check(self, component: ControlComponent) -> Iterator[Diagnostic]:
         yield self.diagnostic(component, f"{component.title} has no interface in {component.block.title}")

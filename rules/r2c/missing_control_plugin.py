@@ -55,7 +55,7 @@ class MissingControlPlugin(Rule):
                 if not any(block.nearest(child.name, ("hardware",)) for child in block.children()):
                     yield self.diagnostic(element, f"{block.title} has no `<hardware>` with a `<plugin>`")
                 continue
-            if element.tag == "plugin":
+            if element.name == "plugin":
                 yield self.diagnostic(element, f"`plugin` of {block.title} is empty")
                 continue
             message = f"{element.title} of {block.title} has no `<plugin>`"

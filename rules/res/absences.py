@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 
-from sdfcheck import Consumer, Element, Reaction, Resource, accepts
+from sdfcheck import Consumer, Reaction, Resource, accepts
 from sdfcheck_rules.res.places import expected
 
 
@@ -36,7 +36,7 @@ class Absences:
 
 def reactions(resource: Resource, missing: Reaction) -> dict[Consumer, Reaction]:
     """Drake looks for the meshes of links, MuJoCo for those of collisions that are paths."""
-    roles = {each.name for each in resource.element.iterancestors() if isinstance(each, Element)}
+    roles = {each.name for each in resource.element.around}
     is_mesh = (resource.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
     opened = is_mesh and "collision" in roles and ":/" not in resource.uri
     unread = accepts("does not look for it")

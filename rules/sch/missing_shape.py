@@ -66,7 +66,7 @@ def without_shape(root: Root) -> Iterator[Element]:
             ):
                 yield element
     for geometry in geometries:
-        is_empty = len(geometry) == 0 or next(geometry.children(), None) is None
+        is_empty = next(geometry.children(), None) is None
         # In a sonar it is the name of a shape.
         if is_empty and geometry.parent is not None and geometry.parent.name != "sonar":
             yield geometry
@@ -76,4 +76,4 @@ def is_of_link(element: Element) -> bool:
     """Elsewhere a collision is a reference, which holds its name; up to 1.11 states go by the names of parts, too."""
     if element.parent is None or element.parent.name != "link":
         return False
-    return not any(ancestor.tag == "state" for ancestor in element.iterancestors())
+    return not any(ancestor.name == "state" for ancestor in element.around)

@@ -61,9 +61,9 @@ def zero_directions(root: Root) -> Iterator[Value]:
     """The directions that are written as zero; a point light needs none."""
     for element in (*root.elements.get("normal", ()), *root.elements.get("direction", ())):
         holder = element.parent
-        if holder is None or holder.tag not in {"plane", "light"}:
+        if holder is None or holder.name not in {"plane", "light"}:
             continue
-        if holder.tag == "light" and holder.text_of("type", "point").strip() == "point":
+        if holder.name == "light" and holder.text_of("type", "point").strip() == "point":
             continue
         words = element.content.split()
         if len(words) == 3 and all(word.strip("0.+-") == "" and "0" in word for word in words):

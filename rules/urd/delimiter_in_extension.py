@@ -62,4 +62,4 @@ def delimited(block: GazeboBlock) -> list[Value]:
 
 def _is_in_plugin(element: Element) -> bool:
     """Is it a plugin, or inside one?"""
-    return element.name == "plugin" or any(around.tag == "plugin" for around in element.iterancestors())
+    return element.name == "plugin" or any(around.name == "plugin" for around in element.around)

@@ -39,7 +39,7 @@ def belongs(element: Element) -> bool:
 
 def texts(element: Element) -> Iterator[str]:
     """The texts right in an element that are not blank."""
-    found = (element.text, *(node.tail for node in element))
+    found = (element.text, *(node.tail for node in element.nodes))
     return (text for text in found if text and not text.isspace())
 
 

@@ -12,12 +12,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from lxml import etree
-
 from sdfcheck.convert.items import belongs, is_namesake, other_shapes, part_names, shortened, shown, texts
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Aside, Comment, Element, Node
 from sdfcheck.source.text import Span
 
 TEXT = "#text"
@@ -46,11 +44,11 @@ class Ledger:
         self.losses: list[Loss] = []
         self._words = words
         self._target = target
-        self._taken: dict[etree._Element, frozenset[str]] = {}
+        self._taken: dict[Node, frozenset[str]] = {}
         """Elements and comments, with the attributes that are entered."""
-        self._whole: set[etree._Element] = set()
-        self._lost: set[etree._Element] = set()
-        self._copied: set[etree._Element] = set()
+        self._whole: set[Node] = set()
+        self._lost: set[Node] = set()
+        self._copied: set[Node] = set()
         self._copies: list[tuple[Element, str]] = []
         """Custom elements and attributes that are said to be in the result."""
         self._reported: set[tuple[LossKind, Span, str]] = set()
@@ -94,7 +92,7 @@ class Ledger:
         """An element is in the result, as it is or translated, with everything in it."""
         self._whole.add(element)
 
-    def take_comment(self, comment: etree._Element) -> bool:
+    def take_comment(self, comment: Aside) -> bool:
         """A comment is in the result; False if it was before."""
         is_new = comment not in self._taken and not self._is_within(comment, self._whole)
         self._taken[comment] = frozenset()
@@ -106,8 +104,7 @@ class Ledger:
             return
         self.take_whole(element)
         self._copied.add(element)
-        for part in element.iter(etree.Element):
-            assert isinstance(part, Element)
+        for part in element.walk():
             self._copies += [(part, name) for name in (part.name, *part.attributes) if ":" in name]
 
     def copy_attribute(self, element: Element, name: str) -> None:
@@ -174,12 +171,12 @@ class Ledger:
         """Is there an outcome for an element?"""
         return element in self._taken or self._is_within(element, self._whole | self._lost)
 
-    def _is_within(self, node: etree._Element, covered: set[etree._Element]) -> bool:
-        at: etree._Element | None = node
+    def _is_within(self, node: Node, covered: set[Node]) -> bool:
+        at: Node | None = node
         while at is not None:
             if at in covered:
                 return True
-            at = at.getparent()
+            at = at.parent
         return False
 
     def close(self, root: Element) -> None:
@@ -210,8 +207,7 @@ class Ledger:
         if not self._copies:
             return
         found: Counter[str] = Counter()
-        for element in result.iter(etree.Element):
-            assert isinstance(element, Element)
+        for element in result.walk():
             found.update(name for name in (element.name, *element.attributes) if ":" in name)
         for element, name in self._copies:
             found[name] -= 1
@@ -226,7 +222,7 @@ class Ledger:
         elif self._words is not None and element.name not in self._words:
             kind = _KINDS.get(element.name, LossKind.DROPPED_ELEMENT)
             self.lose(kind, element, f"{self._target} has no {shown(element)}")
-        elif any(True for _ in element.itersiblings(element.tag, preceding=True)):
+        elif any(each.name == element.name for each in element.before):
             text = f"{shown(element)} is left out: there is another one before it"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif not belongs(element):
@@ -280,7 +276,7 @@ class Ledger:
     def _close_texts(self, element: Element, known: frozenset[str]) -> None:
         """Words between elements, and comments."""
         entered = self._taken[element]
-        if EVERYTHING in entered or (element.text is None and not len(element)):
+        if EVERYTHING in entered or not (element.text or element.nodes):
             return
         has_value = TEXT in entered or TEXT in known
         for text in texts(element):
@@ -289,8 +285,8 @@ class Ledger:
                 continue
             message = f"the text `{shortened(text)}` in {element.title} is left out: it has no place in {self._target}"
             self._report(loss_at(element, LossKind.DROPPED_ELEMENT, message))
-        for node in element:
-            if not isinstance(node.tag, str) and node not in self._taken:
-                what = "a comment" if isinstance(node, etree._Comment) else "an instruction"
-                message = f"{what} in {element.title} is left out: `{shortened(node.text or '')}`"
+        for node in element.nodes:
+            if isinstance(node, Aside) and node not in self._taken:
+                what = "a comment" if isinstance(node, Comment) else "an instruction"
+                message = f"{what} in {element.title} is left out: `{shortened(node.text)}`"
                 self._report(loss_at(element, LossKind.DROPPED_COMMENT, message, Severity.INFO))

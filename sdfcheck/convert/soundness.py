@@ -117,13 +117,12 @@ class _Counterparts:
     def __init__(self, source: Document, result: Document) -> None:
         assert source.root is not None
         self._root, self._named = source.root, dict[tuple[str, str], Element]()
-        for element in source.root.iter("{*}*"):
-            if isinstance(element, Element) and (name := element.attributes.get("name")) is not None:
+        for element in source.root.walk():
+            if (name := element.attributes.get("name")) is not None:
                 self._named.setdefault((name, element.name), element)
                 self._named.setdefault((name, ""), element)
         self._spans = result.spans
-        there = [] if result.root is None else result.root.iter("{*}*")
-        self._elements = [element for element in there if isinstance(element, Element)]
+        self._elements = [] if result.root is None else list(result.root.walk())
         self._starts = [result.spans.place(element).start for element in self._elements]
 
     def of(self, error: Diagnostic) -> Element:

@@ -6,25 +6,13 @@ import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from pathlib import Path
 
-from lxml import etree
-
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 from sdfcheck.source.references import IN_ATTRIBUTE, escape
-from sdfcheck.source.rewritten import written_name
 from sdfcheck.source.wrong_usage import WrongUsage
 
 INDENT = "  "
 _NOISE = 1e-15
 """Smaller numbers in a computed vector, or beside numbers of its scale, come from rounding."""
-
-
-class Comment:
-    """A comment; ``text`` is what is between its delimiters."""
-
-    __slots__ = ("text",)
-
-    def __init__(self, text: str) -> None:
-        self.text = text
 
 
 class Words:
@@ -149,22 +137,22 @@ def copied(element: Element, *, verbatim: bool = False) -> Node:
         node.children.append(Words(element.text))
     elif not verbatim:
         node.text = element.content or None
-    for child in element:
-        if (comment := comment_of(child)) is not None:
-            node.children.append(comment)
-        elif isinstance(child.tag, str):
+    for child in element.nodes:
+        if isinstance(child, Comment):
+            node.children.append(child)
+        elif isinstance(child, Element):
             node.children.append(copied(child, verbatim=verbatim))
         if verbatim and child.tail:
             node.children.append(Words(child.tail))
     return node
 
 
-_SPACE = "{http://www.w3.org/XML/1998/namespace}space"
+_SPACE = "xml:space"
 
 
 def keeps_blanks(element: Element) -> bool:
     """Does an element say itself that its spaces matter?"""
-    return element.attrib.get(_SPACE) == "preserve"
+    return element.attributes.get(_SPACE) == "preserve"
 
 
 def has_mixed_content(element: Element) -> bool:
@@ -172,28 +160,23 @@ def has_mixed_content(element: Element) -> bool:
     if keeps_blanks(element):
         return True
     words = sum(
-        bool(text and not text.isspace()) for text in (element.text, *(node.tail for node in element))
+        bool(text and not text.isspace()) for text in (element.text, *(node.tail for node in element.nodes))
     )
     return words > 1 or (words == 1 and any(True for _ in element.children()))
 
 
 def _gives_up_blanks(element: Element) -> bool:
-    return element.attrib.get(_SPACE) == "default" and not has_mixed_content(element)
-
-
-def comment_of(node: object) -> Comment | None:
-    """The comment to write for a comment of lxml; None for any other node."""
-    return Comment(node.text or "") if isinstance(node, etree._Comment) else None
+    return element.attributes.get(_SPACE) == "default" and not has_mixed_content(element)
 
 
 def declared_prefixes(element: Element) -> dict[str, str]:
     """The prefixes that an element itself declares, as attributes."""
     parent = element.parent
-    known = parent.nsmap if parent is not None else {}
+    known = parent.namespaces if element.declared and parent is not None else {}
     return {
         f"xmlns:{prefix}" if prefix else "xmlns": uri
-        for prefix, uri in element.nsmap.items()
-        if known.get(prefix) != uri and not written_name(uri, None).startswith("http://www.w3.org/XML/")
+        for prefix, uri in element.declared.items()
+        if known.get(prefix) != uri and not uri.startswith("http://www.w3.org/XML/")
     }
 
 
@@ -202,11 +185,11 @@ def declare(node: Node, element: Element, prefix: str, top: dict[str, str]) -> N
 
     ``top`` is prefix → URI; a prefix that is not in it gets what the root of the source says.
     """
-    uri = element.nsmap.get(prefix)
+    uri = element.namespaces.get(prefix)
     root = element.document.root
     if uri is None or prefix == "xml" or root is None:
         return
-    if top.setdefault(prefix, root.nsmap.get(prefix) or uri) != uri:
+    if top.setdefault(prefix, root.declared.get(prefix) or uri) != uri:
         node.attributes.setdefault(f"xmlns:{prefix}", uri)
     elif node.attributes.get(f"xmlns:{prefix}") == uri:
         del node.attributes[f"xmlns:{prefix}"]

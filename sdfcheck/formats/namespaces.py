@@ -6,12 +6,10 @@ which the custom-elements proposal of SDFormat 1.7 asks users to comply with.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
@@ -19,8 +17,6 @@ if TYPE_CHECKING:
 
 _RESERVED = frozenset(("xml", "xmlns"))
 _RESERVED_NAMES = frozenset(("http://www.w3.org/XML/1998/namespace", "http://www.w3.org/2000/xmlns/"))
-_COLON = re.compile(r":[\w.\-:]*([\s=/>])?")
-_NAME_BEFORE = re.compile(r"[<\s/][\w.\-]*\Z")
 
 
 class PrefixDeclaration:
@@ -135,11 +131,9 @@ class Namespaces:
         self._ends: list[int] = []
         if document.root is None or not document.is_recognized or document.is_expanded:
             return
-        used = _plain_uses(document)
-        if used is not None:
-            if document.root.nsmap:
-                self._take_root(document.root.nsmap, used)
-        elif _has_prefixes(document.source.text):
+        if _is_plain(document):
+            self._take_root(document.root.declared, document.names)
+        else:
             self._read()
         for prefix in self.prefixes.values():
             for declaration in prefix.declarations if prefix.undeclared else ():
@@ -172,12 +166,12 @@ class Namespaces:
                 self._use(tag.name, tag.name_start, plugin_end)
                 self._use_attributes(tag, plugin_end)
 
-    def _take_root(self, spaces: Mapping[str | None, str], used: set[str]) -> None:
-        """The declarations of a root that declares all prefixes, of which these namespaces are used."""
-        for prefix, space in spaces.items():
-            assert prefix is not None, "a default namespace is not plain"
+    def _take_root(self, declared: Mapping[str, str], names: Iterable[str]) -> None:
+        """The declarations of a root that declares all prefixes, those of the names of the document."""
+        used = {name.partition(":")[0] for name in names if ":" in name}
+        for prefix, space in declared.items():
             new = PrefixDeclaration(self, f"xmlns:{prefix}", space)
-            new.is_used = space in used
+            new.is_used = prefix in used
             new.beside = self.declarations
             self.declarations.append(new)
             self._prefix(prefix).declarations.append(new)
@@ -275,33 +269,20 @@ def _is_qualified(name: str) -> bool:
     return bool(prefix and local) and ":" not in local
 
 
-def _plain_uses(document: Document) -> set[str] | None:
-    """The namespaces in use, where that is all there is to know: prefixes are declared on the root only, and unlike.
-
-    None, to be safe, for everything else.
-    """
+def _is_plain(document: Document) -> bool:
+    """Are all prefixes declared on the root, and unlike? Then there is nothing to know but which are used."""
     root = document.root
-    if root is None or not document.is_wellformed or document.source.text.count("xmlns") != len(root.nsmap):
-        return None
-    spaces = {space for space in root.nsmap.values() if space.strip()}
-    if len(spaces) < len(root.nsmap) or None in root.nsmap:
-        return None
-    if not _RESERVED.isdisjoint(root.nsmap) or not _RESERVED_NAMES.isdisjoint(spaces):
-        return None
-    return {space for prefix, space in root.nsmap.items() if _is_used(root, f"{prefix}:", space)}
-
-
-def _is_used(root: Element, head: str, space: str) -> bool:
-    if head not in root.document.source.text:
+    if root is None or not document.is_wellformed or document.declared.keys() - {root}:
         return False
-    if next(root.iter(f"{{{space}}}*"), None) is not None:
-        return True
-    return bool(root.xpath("boolean(//@*[namespace-uri() = $space])", space=space))
-
-
-def _has_prefixes(text: str) -> bool:
-    """A quick look, wrong only to the safe side: is there a colon in what may be a name?"""
-    if "xmlns" in text:
-        return True
-    ends = (match.start() for match in _COLON.finditer(text) if match[1])
-    return any(_NAME_BEFORE.search(text, max(0, end - 80), end) for end in ends)
+    if "<xmlns:" in document.source.text:
+        return False
+    declared = root.declared
+    spaces = {space for space in declared.values() if space.strip()}
+    if len(spaces) < len(declared) or "" in declared:
+        return False
+    if not _RESERVED.isdisjoint(declared) or not _RESERVED_NAMES.isdisjoint(spaces):
+        return False
+    names = [name for name in document.names if ":" in name]
+    return all(
+        _is_qualified(name) and name.partition(":")[0] in _RESERVED | declared.keys() for name in names
+    )

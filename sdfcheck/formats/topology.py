@@ -71,7 +71,7 @@ def _is_part(element: Element, definition: Place) -> bool:
 def _refers(element: Element, parent: Element) -> bool:
     """An empty element that names a sibling of its kind is a reference to it."""
     name = element.attributes.get("name")
-    return len(element) == 0 and any(
+    return not element.nodes and any(
         sibling.attributes.get("name") == name for sibling in parent.children(element.name)
     )
 
@@ -107,7 +107,7 @@ def _is_sound(element: Element, definition: Place) -> bool:
         if ":" not in name and (known is None or not known.accepts(text)):
             return False
     if (accepts := _accepts(definition)) is not None:
-        return len(element) == 0 and bool(accepts(element.content))
+        return not element.nodes and bool(accepts(element.content))
     if element.content:
         return False
     return all(

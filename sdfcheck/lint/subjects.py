@@ -8,8 +8,6 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from lxml import etree
-
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.sniff import Kind
@@ -114,7 +112,7 @@ def is_extension(subject: object, document: Document) -> bool:
         at = getattr(at, "element", at)
     if not isinstance(at, Element):
         return False
-    return any(around.tag == "gazebo" for around in at.iterancestors())
+    return any(around.name == "gazebo" for around in at.around)
 
 
 def _elements(document: Document) -> Mapping[str, Sequence[Element]]:
@@ -128,10 +126,8 @@ def _elements(document: Document) -> Mapping[str, Sequence[Element]]:
 
         return urdf_survey.survey(document).index
     found: dict[str, list[Element]] = {}
-    assert document.root is not None
-    for node in document.root.iter(etree.Element):
-        if isinstance(node, Element):
-            found.setdefault(node.name, []).append(node)
+    for element in document.elements:
+        found.setdefault(element.name, []).append(element)
     return found
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from enum import Enum
 
-from lxml import etree
-
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -43,8 +41,7 @@ class Elements:
 
     def __init__(self, document: Document) -> None:
         self.document = document
-        root = document.root
-        self.all: list[Element] = [] if root is None else list(root.iter(etree.Element))  # type: ignore[arg-type]
+        self.all = document.elements
 
     def around(self, offset: int) -> Element | None:
         """The innermost element whose tags or content are at a place."""

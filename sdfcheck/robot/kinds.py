@@ -113,7 +113,7 @@ for _element, _home in _HOMES.items():
 
 def part_class(holder: Part, element: Element) -> type[Part]:
     """The class of the part that an element in a holder makes."""
-    return _class_of(holder.element.tag, holder.kind, element.tag) or _class_in(
+    return _class_of(holder.element.name, holder.kind, element.name) or _class_in(
         _place(holder), holder.kind, element.name
     )
 

@@ -146,7 +146,7 @@ class Part:
 
     def all_elements(self) -> Iterator[Element]:
         """All elements in it, those of plugins as well, in the order of the file."""
-        return self.element.iterdescendants("*") if self.is_given else iter(())  # type: ignore[return-value]
+        return self.element.below if self.is_given else iter(())
 
     def lacks(self, name: str) -> bool:
         """Is there neither an attribute nor a child element of a name, not even a misspelled one?"""

@@ -109,7 +109,7 @@ class Root(Part):
         if self.is_urdf:
             return (cast("Scope", self.part(self.element)),)
         return tuple(
-            cast("Scope", self.part(top)) for top in self.children() if top.tag in {"world", "model"}
+            cast("Scope", self.part(top)) for top in self.children() if top.name in {"world", "model"}
         )
 
     def all_scopes(self) -> Iterator[Scope]:

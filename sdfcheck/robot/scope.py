@@ -182,9 +182,9 @@ class Scope(Node):
         return tuple(self._in_order([*own, *(node for node in named if node not in known)]))
 
     def _in_order(self, nodes: list[N]) -> list[N]:
-        if all(node.place.tag != "include" for node in nodes):
+        if all(node.place.name != "include" for node in nodes):
             return nodes
-        order = {child: number for number, child in enumerate(self.element)}
+        order = {child: number for number, child in enumerate(self.children())}
         return sorted(nodes, key=lambda node: order.get(node.place, len(order)))
 
     # Parts by name

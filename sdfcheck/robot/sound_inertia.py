@@ -35,8 +35,8 @@ def is_sound(link: Element) -> bool:
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
-    for child in link:
-        tag = child.tag
+    for child in link.children():
+        tag = child.name
         if tag == "collision":
             collisions.append(child)
         elif tag == "visual":
@@ -51,12 +51,12 @@ def is_sound(link: Element) -> bool:
 
 
 def _read(inertial: Element | None) -> tuple[float, tuple[float, ...], list[float]]:
-    if inertial is None or "auto" in inertial.keys():  # noqa: SIM118 - of lxml
+    if inertial is None or "auto" in inertial.attributes:
         raise ValueError
     mass, center = "", _ORIGIN
     moments: list[str | None] = []
-    for child in inertial:
-        tag = child.tag
+    for child in inertial.children():
+        tag = child.name
         if tag == "mass":
             mass = child.text_of("value") or child.text or ""
         elif tag == "inertia":
@@ -70,16 +70,16 @@ def _read(inertial: Element | None) -> tuple[float, tuple[float, ...], list[floa
 
 def _texts(element: Element) -> dict[str, str | None]:
     """The attributes of an element and the texts of its children, by name."""
-    texts: dict[str, str | None] = dict(element.items())
-    for child in element:
-        texts[child.tag] = child.text
+    texts: dict[str, str | None] = dict(element.attributes)
+    for child in element.children():
+        texts[child.name] = child.text
     return texts
 
 
 def _position(origin: Element) -> list[float]:
-    if origin.tag == "origin":
-        return _three(dict(origin.items()).get("xyz", "0 0 0"))
-    if origin.items():
+    if origin.name == "origin":
+        return _three(origin.attributes.get("xyz", "0 0 0"))
+    if origin.attributes:
         raise ValueError
     return _three(" ".join((origin.text or "0 0 0").split()[:3]))
 
@@ -107,8 +107,8 @@ def _is_plausible(
     volume = total = 0.0
     for shape in shapes:
         at, geometry = _ORIGIN, None
-        for child in shape:
-            tag = child.tag
+        for child in shape.children():
+            tag = child.name
             if tag == "geometry":
                 geometry = child
             elif tag in {"pose", "origin"}:
@@ -126,9 +126,9 @@ def _is_plausible(
 
 def _solid_of(geometry: Element | None) -> solids.Solid | None:
     if geometry is not None:
-        for shape in geometry:
-            if shape.tag in _MAKERS:
-                return _solid(shape.tag, *_texts(shape).items())
+        for shape in geometry.children():
+            if shape.name in _MAKERS:
+                return _solid(shape.name, *_texts(shape).items())
             return None
     return None
 

@@ -30,7 +30,9 @@ def _customs(root: Root) -> list[Element]:
 def _contacts(root: Root) -> Iterator[Part]:
     """The contacts of sensors and sounds; surfaces have contacts of their own, and are many."""
     given = root.elements.get("contact", ())
-    return (root.part_of(each) for each in given if each.parent is not None and each.parent.tag in _LISTENERS)
+    return (
+        root.part_of(each) for each in given if each.parent is not None and each.parent.name in _LISTENERS
+    )
 
 
 def _control(root: Root) -> Sequence[Ros2Control]:

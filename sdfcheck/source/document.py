@@ -2,30 +2,23 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from lxml import etree
-
 from sdfcheck.source.decode import decode
-from sdfcheck.source.element import Element, Value
-from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT, COLON
+from sdfcheck.source.element import Aside, Element, Value
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step
+from sdfcheck.source.tree import fill
 
 if TYPE_CHECKING:
-    from sdfcheck.source.problems import Problem, SyntaxDefect
+    from sdfcheck.source.problems import Problem
     from sdfcheck.source.scanner.scan import Scan
     from sdfcheck.source.spans import Spans
 
 T = TypeVar("T")
 
-_TAIL = re.compile(r"\s*>(?:\s|<!--(?:(?!-->)[\s\S])*-->)*")
-_LONG_TAG = re.compile(rf"<[^<]{{{5 * ATTRIBUTE_LIMIT}}}")
-"""A tag in which there is room for so many attributes."""
-_DEFAULT_NAMESPACE = re.compile(r"xmlns\s*=")
 
 LONG, LONGEST = 200_000, 20_000_000
 """Of texts of such a length that are broken, only the place of the fault is scanned, if that is enough."""
@@ -47,12 +40,17 @@ class Document:
         "_scan",
         "_spans",
         "_views",
+        "declared",
+        "elements",
+        "epilog",
         "included_by",
         "is_referred_to",
         "is_wellformed",
         "kind",
         "library",
+        "names",
         "problems",
+        "prolog",
         "root",
         "source",
     )
@@ -70,8 +68,19 @@ class Document:
         self.is_referred_to = False
         """Was another document reached through an include in it?"""
         self.is_wellformed = False
-        """Did a strict parser, aware of namespaces, take the text as it is?"""
-        self.root: Element | None = self._parse()
+        """Did a strict parser take the text as it is?"""
+        self.root: Element | None
+        self.elements: list[Element] = []
+        """All elements, in the order of their start tags."""
+        self.names: Collection[str] = ()
+        """The names of elements and attributes."""
+        self.declared: dict[Element, dict[str, str]] = {}
+        """Element → the prefixes that it declares, with their namespaces."""
+        self.prolog: list[Aside] = []
+        """The comments and instructions before the root."""
+        self.epilog: list[Aside] = []
+        """Those after it."""
+        self._parse()
         name = self.root.name if self.root is not None else ""
         self.kind = kind or _KINDS.get(name) or sniff(_encoded(source.text[:HEAD]), source.path)
         """The dialect; worked out from the text where the caller does not say."""
@@ -117,8 +126,7 @@ class Document:
         if self._spans is None:
             from sdfcheck.source.spans import Spans
 
-            assert self.root is not None, "a document without elements has no spans"
-            self._spans = Spans(self.source, self.scan, self.root)
+            self._spans = Spans(self.source, self.scan)
         return self._spans
 
     @property
@@ -146,102 +154,63 @@ class Document:
             if (release := getattr(view, "release", None)) is not None:
                 release()
         self._views.clear()
-        if self.root is not None and not self.is_referred_to:
-            del type(self.root).document
+        if not self.is_referred_to:
+            for element in self.elements:
+                if element.nodes:
+                    element.nodes.clear()
         self.root = self._spans = self._scan = self.library = None
+        self.elements, self.declared = [], {}
         self.problems, self.included_by = [], ()
 
-    def _parse(self) -> Element | None:
-        text = self.source.text
-        fault: etree._LogEntry | None = None
-        # A text that a strict parser accepts but reads otherwise than simulators is rewritten.
-        if "<!DOCTYPE" not in text and COLON not in text and not _DEFAULT_NAMESPACE.search(text):
-            root, fault = self._parse_strictly(text)
-            if root is not None:
-                return root
-            if fault is not None and fault.type == etree.ErrorTypes.ERR_HYPHEN_IN_COMMENT:
-                root = self._parse_without_hyphens()
-                if root is not None:
-                    return root
-        if (
-            fault is not None
-            and LONG <= len(text) <= LONGEST
-            and (root := self._parse_locally(fault)) is not None
-        ):
-            return root
+    def _parse(self) -> None:
+        """Fill the tree from the text; from a repaired one where it is broken."""
+        fault = fill(self, self.source.text)
+        if fault is None:
+            self.is_wellformed = True
+            return
+        if self._parse_without_hyphens(fault) or self._parse_locally(fault):
+            return
         from sdfcheck.source.scanner.full_scan import scan
 
         self._scan = scan(self.source)
         found = self._scan.problems
         self.problems = [*self.problems, *found]
-        if fault is not None and not found:
-            self.problems.append(self._unexplained(fault))
-        if not self._scan.starts:
-            return None
-        return etree.fromstring(_encoded(self._scan.wellformed), self._parser(recover=True))  # type: ignore[return-value]
+        if not found:
+            self.problems += (unexplained := _unexplained(self.source))
+            if not unexplained:
+                self._scan.doubtful.clear()
+        fill(self, self._scan.wellformed)
 
-    def _parse_strictly(self, text: str) -> tuple[Element | None, etree._LogEntry | None]:
-        """The root of a text that is well formed, perhaps but for undeclared prefixes; or the error."""
-        parser = self._parser(recover=False)
-        try:
-            root: Element = etree.fromstring(_encoded(text), parser)  # type: ignore[assignment]
-        except etree.XMLSyntaxError:
-            if _lacks_only_prefixes(parser):
-                # Then names are kept as they are written, colon and all.
-                found: Element = etree.fromstring(_encoded(text), self._parser(recover=True))  # type: ignore[assignment]
-                return (found if _is_all(found, text) and not _is_overloaded(found, text) else None), None
-            return None, _first_fault(parser)
-        if _is_overloaded(root, text):
-            return None, None
-        self.is_wellformed = text is self.source.text
-        return root, None
-
-    def _parse_locally(self, fault: etree._LogEntry) -> Element | None:
-        """The root of a long text that is broken in one place."""
-        from sdfcheck.source.scanner.local_scan import local_scan
-
-        found = local_scan(self.source, self.source.offset(fault.line, max(fault.column, 1)))
-        if found is None:
-            return None
-        try:
-            root: Element = etree.fromstring(_encoded(found.wellformed), self._parser(recover=False))  # type: ignore[assignment]
-        except etree.XMLSyntaxError:
-            return None
-        if root.xpath("count(//*)") != len(found.starts) or _is_overloaded(root, found.wellformed):
-            return None
-        self._scan = found
-        self.problems = [*self.problems, *found.problems]
-        return root
-
-    def _parse_without_hyphens(self) -> Element | None:
+    def _parse_without_hyphens(self, fault: int) -> bool:
         """Try it with the hyphens of comments spaced out, of which there are too many."""
+        text = self.source.text
+        if text.rfind("<!--", 0, fault) <= text.rfind("-->", 0, fault):
+            return False
         from sdfcheck.source.scanner.hyphens import without_hyphens
 
         spaced = without_hyphens(self.source)
         if spaced is None:
-            return None
+            return False
         text, found = spaced
-        root, _ = self._parse_strictly(text)
-        if root is not None:
-            self.problems = [*self.problems, *found]
-        return root
+        if fill(self, text) is not None:
+            return False
+        self.problems = [*self.problems, *found]
+        return True
 
-    def _parser(self, *, recover: bool) -> etree.XMLParser:
-        """A parser whose elements know this document; it loads nothing from anywhere."""
-        own_class = type("Element", (Element,), {"document": self, "__slots__": ()})
-        parser = etree.XMLParser(
-            encoding="utf-8", resolve_entities=False, no_network=True, load_dtd=False, recover=recover
-        )
-        parser.set_element_class_lookup(etree.ElementDefaultClassLookup(element=own_class))
-        return parser
+    def _parse_locally(self, fault: int) -> bool:
+        """Try it with a repair of the one place in which a long text is broken."""
+        if not LONG <= len(self.source.text) <= LONGEST:
+            return False
+        from sdfcheck.source.scanner.local_scan import local_scan
 
-    def _unexplained(self, fault: etree._LogEntry) -> SyntaxDefect:
-        """The message of the parser, for a fault that the scan does not know."""
-        from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
-
-        at = self.source.offset(fault.line, max(fault.column, 1))
-        words = fault.message.rstrip(". ")
-        return SyntaxDefect(self.source.span(at, at), SyntaxKind.OTHER, None, words[:1].lower() + words[1:])
+        found = local_scan(self.source, fault)
+        if found is None or fill(self, found.wellformed) is not None:
+            return False
+        if len(self.elements) != len(found.starts):
+            return False
+        self._scan = found
+        self.problems = [*self.problems, *found.problems]
+        return True
 
 
 def read(data: bytes, path: Path, kind: Kind | None = None) -> Document:
@@ -265,25 +234,22 @@ def _encoded(text: str) -> bytes:
     return text.encode("utf-8", "surrogatepass")
 
 
-def _lacks_only_prefixes(parser: etree.XMLParser) -> bool:
-    return all(entry.type == etree.ErrorTypes.NS_ERR_UNDEFINED_NAMESPACE for entry in parser.error_log)
+def _unexplained(source: Source) -> list[Problem]:
+    """The fault that another parser finds in a text where the scan knows none; it may take the text, too."""
+    from lxml import etree
 
+    from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
 
-def _is_all(root: Element, text: str) -> bool:
-    """Does nothing but comments follow the root? Past a prefix that lacks, the parser does not look."""
-    end = f"</{root.name}"
-    return text.count(end) == 1 and _TAIL.fullmatch(text, text.index(end) + len(end)) is not None
-
-
-def _is_overloaded(root: Element, text: str) -> bool:
-    """Has an element more attributes than are looked at?"""
-    if text.count("=") <= ATTRIBUTE_LIMIT or _LONG_TAG.search(text) is None:
-        return False
-    overloaded = root.xpath(f"boolean(descendant-or-self::*[count(@*) > {ATTRIBUTE_LIMIT}])")
-    return bool(overloaded) or text.count("xmlns:") > ATTRIBUTE_LIMIT
-
-
-def _first_fault(parser: etree.XMLParser) -> etree._LogEntry | None:
-    """The cause of the parser's error, unless another analysis reports it: prefixes, repeated attributes."""
-    fatal = (entry for entry in parser.error_log if entry.level == etree.ErrorLevels.FATAL)
-    return next((entry for entry in fatal if entry.type != etree.ErrorTypes.ERR_ATTRIBUTE_REDEFINED), None)
+    parser = etree.XMLParser(encoding="utf-8", resolve_entities=False, no_network=True, load_dtd=False)
+    try:
+        etree.fromstring(_encoded(source.text), parser)
+    except etree.XMLSyntaxError:
+        fatal = (entry for entry in parser.error_log if entry.level == etree.ErrorLevels.FATAL)
+        for entry in fatal:
+            if entry.type == etree.ErrorTypes.ERR_ATTRIBUTE_REDEFINED:
+                continue  # reported as such
+            at = source.offset(entry.line, max(entry.column, 1))
+            words = entry.message.rstrip(". ")
+            words = words[:1].lower() + words[1:]
+            return [SyntaxDefect(source.span(at, at), SyntaxKind.OTHER, None, words)]
+    return []

@@ -1,13 +1,12 @@
-"""Elements: lxml's, with the names, values and places that robot descriptions need."""
+"""The tree of a document: plain objects, with the names, values and places that robot descriptions need."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
+from bisect import bisect_left
+from collections.abc import Iterator, Mapping, Sequence
+from operator import attrgetter
+from typing import TYPE_CHECKING, Literal, TypeAlias, TypeVar, cast, overload
 
-from lxml import etree
-
-from sdfcheck.source.rewritten import COLON, written_name
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
@@ -73,35 +72,70 @@ class Value:
         return self.element.span
 
 
-class Element(etree.ElementBase):
+class Aside:
+    """A comment or a processing instruction, and the text after it.
+
+    ``index`` is the number of the next element.
+    """
+
+    __slots__ = ("index", "parent", "tail", "text")
+    name: Literal[""] = ""
+    parent: Element | None
+    index: int
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.tail = ""
+
+
+class Comment(Aside):
+    """A comment."""
+
+    __slots__ = ()
+
+
+class Instruction(Aside):
+    """A processing instruction, ``<?target text?>``."""
+
+    __slots__ = ("target",)
+
+    def __init__(self, target: str, text: str) -> None:
+        super().__init__(text)
+        self.target = target
+
+
+class Element:
     """An element of a document.
 
     Names are *as written*: ``link``, ``drake:joint``. Whether a prefix is declared
     does not matter, as it does not to libsdformat and Drake, which read text.
-    Nothing here modifies the document.
+    ``text`` is what is before its first node, ``tail`` what is after it before the next node
+    of its parent; ``attributes`` do not hold the declarations of prefixes. ``index`` is its
+    number in the document, in the order of start tags.
     """
 
-    # Each document has a subclass of its own that carries it: lxml makes and drops element proxies at
-    # any time, so they cannot hold anything themselves.
-    document: ClassVar[Document]
+    __slots__ = ("attributes", "document", "index", "name", "nodes", "parent", "tail", "text")
+    nodes: list[Node]
+    """The child elements, and the comments and instructions between them."""
 
-    if TYPE_CHECKING:
-        # A parser makes all elements of a document of this class; comments have a function for a tag.
-        tag: Any
+    def __init__(
+        self, name: str, attributes: dict[str, str], parent: Element | None, document: Document, index: int
+    ) -> None:
+        self.name = name
+        self.attributes = attributes
+        self.parent = parent
+        self.document = document
+        self.index = index
+        self.text = self.tail = ""
+        self.nodes = _NO_NODES
 
-        def __iter__(self) -> Iterator[Element]: ...  # type: ignore[override]
-        def iterchildren(self, *tags: Any) -> Iterator[Any]: ...  # type: ignore[override]
-        def items(self) -> list[tuple[str, str]]: ...
-
-    @property
-    def name(self) -> str:
-        tag: str = self.tag
-        return written_name(tag, self.prefix) if tag[0] == "{" or COLON in tag else tag
+    def __repr__(self) -> str:
+        return f"<Element {self.name} {self.attributes}>"
 
     @property
     def title(self) -> str:
         """The element in a sentence: ``joint `elbow```, or ```axis``` without a name of its own."""
-        own = self.text_of("name", "").strip()
+        own = self.attributes.get("name", "").strip()
         return f"{self.name} `{own}`" if own else f"`{self.name}`"
 
     @property
@@ -115,56 +149,86 @@ class Element(etree.ElementBase):
         return self.document.spans.name(self)
 
     @property
-    def parent(self) -> Element | None:
-        return self.getparent()  # type: ignore[return-value]
-
-    @property
     def around(self) -> Iterator[Element]:
         """The elements around it, the innermost first."""
-        return self.iterancestors()  # type: ignore[return-value]
+        at = self.parent
+        while at is not None:
+            yield at
+            at = at.parent
+
+    @property
+    def below(self) -> Iterator[Element]:
+        """All elements in it, in the order of the document."""
+        waiting = [node for node in reversed(self.nodes) if node.name]
+        while waiting:
+            element = cast("Element", waiting.pop())
+            yield element
+            if element.nodes:
+                waiting += [node for node in reversed(element.nodes) if node.name]
+
+    def walk(self) -> Iterator[Element]:
+        """Itself and all elements in it, in the order of the document."""
+        yield self
+        yield from self.below
+
+    @property
+    def before(self) -> Sequence[Node]:
+        """The nodes before it in its parent; those of the root are before the description."""
+        return self.document.prolog if self.parent is None else self.parent.nodes[: self._place]
+
+    @property
+    def after(self) -> Sequence[Node]:
+        """The nodes after it in its parent."""
+        return self.document.epilog if self.parent is None else self.parent.nodes[self._place + 1 :]
+
+    @property
+    def _place(self) -> int:
+        """Its place among the nodes of its parent."""
+        assert self.parent is not None
+        nodes = self.parent.nodes
+        place = bisect_left(nodes, self.index, key=attrgetter("index"))
+        while nodes[place] is not self:
+            place += 1
+        return place
+
+    @property
+    def declared(self) -> Mapping[str, str]:
+        """The prefixes that the element itself declares, with their namespaces; the default one has no name."""
+        return self.document.declared.get(self, {})
+
+    @property
+    def namespaces(self) -> dict[str, str]:
+        """The prefixes that are declared on it or around it, with their namespaces."""
+        found = dict(self.declared)
+        if self.document.declared:
+            for element in self.around:
+                found = {**element.declared, **found}
+        return found
 
     @property
     def content(self) -> str:
         """The text as simulators read it: the first text that is not blank, before any child element."""
-        text = self.text
-        if text and (text := text.strip()):
+        if text := self.text.strip():
             return text
-        for node in self:
-            if isinstance(node.tag, str):
+        for node in self.nodes:
+            if node.name:
                 break
-            if node.tail and (text := node.tail.strip()):
+            if text := node.tail.strip():
                 return text
         return ""
 
-    @property
-    def attributes(self) -> dict[str, str]:
-        """All attributes by their names as written; declarations of prefixes are not among them."""
-        items = self.items()
-        for key, _ in items:
-            if key[0] == "{" or COLON in key:
-                return self._as_written(items)
-        return dict(items)
-
-    def _as_written(self, items: list[tuple[str, str]]) -> dict[str, str]:
-        prefixes = {uri: prefix for prefix, uri in self.nsmap.items() if prefix}
-        prefixes["http://www.w3.org/XML/1998/namespace"] = "xml"
-        names: dict[str, str] = {}
-        for key, text in items:
-            prefix = prefixes.get(key[1 : key.index("}")]) if key[0] == "{" else None
-            names[written_name(key, prefix)] = text
-        return names
-
     def children(self, name: str | None = None) -> Iterator[Element]:
         """The child elements, or those of one name; comments are ignored."""
-        if name is None or ":" not in name:
-            # A name without a colon is in no namespace: lxml compares such names itself.
-            return self.iterchildren(name or "*")
-        return (child for child in self.children() if child.name == name)
+        if name is None:
+            return iter([node for node in self.nodes if node.name])  # type: ignore[misc]
+        return iter([node for node in self.nodes if node.name == name])  # type: ignore[misc]
 
-    def find(self, name: str) -> Element | None:  # type: ignore[override]
+    def find(self, name: str) -> Element | None:
         """The first child element of that name (as written, prefix included)."""
-        children = self.children(name) if ":" in name else self.iterchildren(name)
-        return next(children, None)
+        for node in self.nodes:
+            if node.name == name:
+                return node  # type: ignore[return-value]
+        return None
 
     def has(self, name: str) -> bool:
         """Is there a child element of that name?"""
@@ -172,7 +236,7 @@ class Element(etree.ElementBase):
 
     def next(self, name: str | None = None) -> Element | None:
         """The next sibling element, of that name if one is given."""
-        for node in self.itersiblings():
+        for node in self.after:
             if isinstance(node, Element) and (name is None or node.name == name):
                 return node
         return None
@@ -183,11 +247,11 @@ class Element(etree.ElementBase):
     def text_of(self, name: str, default: str) -> str: ...
     def text_of(self, name: str, default: str | None = None) -> str | None:
         """The text of the attribute of that name (as written, prefix included)."""
-        return super().get(name, default) if ":" not in name else self.attributes.get(name, default)
+        return self.attributes.get(name, default)
 
     def attribute(self, name: str) -> Value | None:
         """The attribute of that name (as written, prefix included)."""
-        text = super().get(name) if ":" not in name else self.attributes.get(name)
+        text = self.attributes.get(name)
         return None if text is None else Value(self, name, text)
 
     def value(self, name: str) -> Value | None:
@@ -207,7 +271,7 @@ class Element(etree.ElementBase):
         """The text of this element as a value."""
         return Value(self, None, self.content)
 
-    @overload  # type: ignore[override]
+    @overload
     def get(self, name: str) -> str | None: ...
     @overload
     def get(self, name: str, type: type[T]) -> T | None: ...
@@ -222,3 +286,6 @@ class Element(etree.ElementBase):
 
 
 _BOOLEANS = {"true": True, "1": True, "false": False, "0": False}
+
+Node: TypeAlias = Element | Aside
+_NO_NODES = cast("list[Node]", ())

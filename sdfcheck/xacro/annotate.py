@@ -5,8 +5,6 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from lxml import etree
-
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.origins import ExpandedDocument
@@ -26,9 +24,7 @@ def annotated(document: ExpandedDocument) -> str:
         return text
     pieces, at = [], 0
     starts = document.scan.starts
-    for number, element in enumerate(root.iter(etree.Element)):
-        assert isinstance(element, Element)
-        start = starts[number]
+    for start, element in zip(starts, document.elements, strict=True):
         line = text.rfind("\n", 0, start) + 1
         if text[line:start].strip() or not _is_news(element, document):
             continue

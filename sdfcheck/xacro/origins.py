@@ -8,8 +8,6 @@ from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from lxml import etree
-
 from sdfcheck.files.regular import read_regular
 from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document
@@ -186,29 +184,29 @@ class OriginSpans(Spans):
 
     __slots__ = ("_indices", "provenance")
 
-    def __init__(self, provenance: Provenance, source: Source, scan: Scan, root: Element) -> None:
-        super().__init__(source, scan, root)
+    def __init__(self, provenance: Provenance, source: Source, scan: Scan) -> None:
+        super().__init__(source, scan)
         self.provenance = provenance
         self._indices: dict[int, int] = {}
 
-    def home(self, element: etree.ElementBase) -> Source:
-        return self.provenance.source(self._numbers[element])
+    def home(self, element: Element) -> Source:
+        return self.provenance.source(element.index)
 
-    def span(self, element: etree.ElementBase, start: int, end: int) -> Span:
-        number = self._numbers[element]
+    def span(self, element: Element, start: int, end: int) -> Span:
+        number = element.index
         return OriginSpan.of(self.provenance.source(number).span(start, end), self.provenance.chain(number))
 
     def origins(self, element: Element) -> tuple[Step, ...]:
-        return self.provenance.chain(self._numbers[element])
+        return self.provenance.chain(element.index)
 
-    def attribute_value(self, element: etree.ElementBase, name: str) -> Span:
-        return OriginSpan.with_value(super().attribute_value(element, name), element.get(name))
+    def attribute_value(self, element: Element, name: str) -> Span:
+        return OriginSpan.with_value(super().attribute_value(element, name), element.text_of(name))
 
-    def text(self, element: etree.ElementBase) -> Span:
-        return OriginSpan.with_value(super().text(element), (element.text or "").strip())
+    def text(self, element: Element) -> Span:
+        return OriginSpan.with_value(super().text(element), element.text.strip())
 
-    def found(self, element: etree.ElementBase) -> tuple[Scan, int]:
-        number = self._numbers[element]
+    def found(self, element: Element) -> tuple[Scan, int]:
+        number = element.index
         scan = self.provenance.sources.scan(self.provenance.source(number))
         index = self._indices.get(number)
         if index is None:
@@ -216,7 +214,7 @@ class OriginSpans(Spans):
             self._indices[number] = index
         return scan, index
 
-    def start_tag(self, element: etree.ElementBase) -> StartTag:
+    def start_tag(self, element: Element) -> StartTag:
         scan, index = self.found(element)
         return parse_start_tag(self.home(element), scan.starts[index])[0]
 
@@ -232,12 +230,6 @@ class OriginSpans(Spans):
         return OriginSpan.with_value(OriginSpan.of(part, getattr(span, "origins", ())), value)
 
 
-def _elements(document: Document) -> list[Element]:
-    """All elements, by their numbers."""
-    assert document.root is not None
-    return list(document.root.iter(etree.Element))  # type: ignore[arg-type]
-
-
 class ExpandedDocument(Document):
     """The expansion of a xacro file; its places are in the files that were expanded."""
 
@@ -250,8 +242,7 @@ class ExpandedDocument(Document):
     @property
     def spans(self) -> OriginSpans:
         if self._spans is None:
-            assert self.root is not None, "a document without elements has no spans"
-            self._spans = OriginSpans(self.provenance, self.source, self.scan, self.root)
+            self._spans = OriginSpans(self.provenance, self.source, self.scan)
         assert isinstance(self._spans, OriginSpans)
         return self._spans
 
@@ -283,7 +274,7 @@ class ExpandedDocument(Document):
         if span.source is not self.source or self.root is None:
             return span
         number = max(bisect_right(self.scan.starts, span.start) - 1, 0)
-        element = self.view(_elements)[number]
+        element = self.elements[number]
         tag = parse_start_tag(self.source, self.scan.starts[number])[0]
         for attribute in tag.attributes:
             if attribute.value_start <= span.start and span.end <= attribute.value_end:

@@ -74,7 +74,7 @@ def other_numbers(page: Page, chance: random.Random) -> str:
     edits: list[Replacement] = []
     for each in page.known:
         values = [each.attribute(name) for name in NUMBERS.intersection(each.attributes)]
-        if each.name in NUMBERS and not len(each):
+        if each.name in NUMBERS and not each.nodes:
             values.append(each.own_value)
         for value in values:
             parts = words(value) if value is not None and literal(value) else []

@@ -38,7 +38,7 @@ def misspelled_type(page: Page) -> Iterator[Change]:
 
 def flag_in_words(page: Page) -> Iterator[Change]:
     for each in page.known:
-        if not len(each) and each.content in {"true", "false"} and page.is_robot:
+        if not each.nodes and each.content in {"true", "false"} and page.is_robot:
             yield write(each.own_value, "yes" if each.content == "true" else "no")
 
 
@@ -156,7 +156,7 @@ def wrong_extension_reference(page: Page) -> Iterator[Change]:
 
 def undefined_material(page: Page) -> Iterator[Change]:
     for each in page.named("material"):
-        if page.document.kind is Kind.URDF and not len(each) and (name := each.attribute("name")):
+        if page.document.kind is Kind.URDF and not each.nodes and (name := each.attribute("name")):
             yield write(name, f"{name.text}_x")
 
 
@@ -165,7 +165,7 @@ def wrong_name_in_plugin(page: Page) -> Iterator[Change]:
     names = {each.get("name", str) for each in page.named("joint", "link")}
     for each in page.all if page.is_robot else ():
         plugin = each.parent
-        if plugin is None or plugin.name != "plugin" or each.content not in names or len(each):
+        if plugin is None or plugin.name != "plugin" or each.content not in names or each.nodes:
             continue
         if each.name in {one.path for facts in known(plugin.get("filename") or "") for one in facts.namings}:
             yield write(each.own_value, f"{each.content}_x")
@@ -200,7 +200,7 @@ def _mass(inertial: Element) -> float:
 
 def _of_moving_models(page: Page, name: str) -> Iterator[Element]:
     static = {each.parent for each in page.named("static") if each.content in {"1", "true"}}
-    return (each for each in page.named(name) if static.isdisjoint(each.iterancestors()))
+    return (each for each in page.named(name) if static.isdisjoint(each.around))
 
 
 def _references(page: Page) -> Iterator[Value]:

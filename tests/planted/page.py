@@ -49,8 +49,7 @@ class Page:
 
     @cached_property
     def all(self) -> list[Element]:
-        root = self.document.root
-        return [] if root is None else [each for each in root.iter() if isinstance(each, Element)]
+        return self.document.elements
 
     @cached_property
     def known(self) -> list[Element]:

@@ -159,7 +159,7 @@ def _numeric(page: Page, names: set[str]) -> Iterator[Value]:
     for each in page.known:
         found = [each.attribute(name) for name in names.intersection(each.attributes)]
         if each.name in names:
-            found += [each.attribute("value") or (None if len(each) else each.own_value)]
+            found += [each.attribute("value") or (None if each.nodes else each.own_value)]
         for value in found:
             if value is not None and literal(value) and all(is_number(text) for _, _, text in words(value)):
                 yield value

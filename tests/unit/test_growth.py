@@ -74,7 +74,7 @@ def test_children_are_looked_through_as_often(name: str, monkeypatch: pytest.Mon
     def note(element: Element, name: str) -> Element | None:
         nonlocal looked
         found = find(element, name)
-        looked += len(element) if found is None else element.index(found)
+        looked += len(element.nodes) if found is None else element.nodes.index(found)
         return found
 
     monkeypatch.setattr(Element, "find", note)

@@ -77,7 +77,7 @@ def _is_read(element: Element, kind: Kind) -> bool:
     tag, parent = tag_of(element.name, kind), element.parent
     if tag is None or parent is None:
         return False
-    if any(above.tag == "gazebo" for above in element.iterancestors()):
+    if any(above.name == "gazebo" for above in element.around):
         return True  # it is kept there for SDFormat
     return any(place.encloses(parent) and place.holds(parent) for place in tag.places)
 

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-
-from lxml import etree
 
 from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.migrate.node import Node
@@ -54,9 +51,8 @@ class Draft:
     def _pair(self) -> None:
         root = self.document.root
         assert root is not None
-        elements: Iterator[Element] = root.iter(etree.Element)  # type: ignore[assignment]
         try:
-            pairs = list(zip(self.root.walk(), elements, strict=True))
+            pairs = list(zip(self.root.walk(), root.walk(), strict=True))
         except ValueError:
             # A parser guesses otherwise at broken text once something around it has changed.
             raise refusal(root, "the text is broken, so that it cannot be changed and read again") from None

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from lxml import etree
-
 from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.migrate.draft import Draft
@@ -13,7 +11,7 @@ from sdfcheck.convert.verify import Counterpart
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 
 
 class Migration:
@@ -85,8 +83,9 @@ class Migration:
         """A node is going to be said elsewhere, and its comments; what is in it is entered apart."""
         if node.source is not None and node.source.document is self.draft.source:
             self.ledger.take(node.source)
-            for part in node.source.iterchildren(etree.Comment):
-                self.ledger.take_comment(part)
+            for part in node.source.nodes:
+                if isinstance(part, Comment):
+                    self.ledger.take_comment(part)
 
     def enter(self, node: Node) -> None:
         """A node is going to be said elsewhere."""

@@ -77,7 +77,7 @@ def _translated(migration: Migration) -> frozenset[Element]:
         if parent.source is not None and parent.source.document is not element.document:
             continue  # the top of what is included
         if node.name != element.name or parent.source is not element.parent:
-            found.update(each for each in element.iter("{*}*") if isinstance(each, Element))
+            found.update(element.walk())
     return frozenset(found)
 
 

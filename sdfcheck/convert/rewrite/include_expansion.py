@@ -277,9 +277,10 @@ def _relocate(brought: Branch, found: Included, document: Document) -> None:
 
 def _declare(brought: Branch, model: Element, include: Element) -> None:
     """Declare the prefixes that the model uses and only its own file declares."""
+    there, here = model.namespaces, include.namespaces
     for prefix in sorted(_prefixes(brought)):
-        uri = model.nsmap.get(prefix)
-        if uri is not None and include.nsmap.get(prefix) != uri:
+        uri = there.get(prefix)
+        if uri is not None and here.get(prefix) != uri:
             brought.attributes.setdefault(f"xmlns:{prefix}", uri)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from sdfcheck.convert.writer import INDENT, declared_prefixes, has_mixed_content, keeps_blanks
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Aside, Element, Instruction
 from sdfcheck.source.references import IN_ATTRIBUTE, escape
 
 
@@ -104,16 +104,18 @@ def branch_of(element: Element, *, is_free: bool = False) -> Branch:
     is_free = is_free or element.is_custom or element.name == "plugin"
     if keeps_blanks(element) or (is_free and has_mixed_content(element)):
         return _verbatim(branch, element)
-    before = element.text or ""
-    for child in element:
+    before = element.text
+    for child in element.nodes:
         if before.strip():
             branch.parts.append(before.strip())
         blanks = before[len(before.rstrip()) :]
-        part = _part(child, "\n" not in blanks, is_free=is_free)
-        if part is not None:
-            part.after_gap = blanks.count("\n") > 1
-            branch.parts.append(part)
-        before = child.tail or ""
+        beside = "\n" not in blanks
+        part = (
+            branch_of(child, is_free=is_free) if isinstance(child, Element) else _remark(child, beside=beside)
+        )
+        part.after_gap = blanks.count("\n") > 1
+        branch.parts.append(part)
+        before = child.tail
     if before.strip():
         branch.parts.append(before.strip())
     return branch
@@ -122,14 +124,14 @@ def branch_of(element: Element, *, is_free: bool = False) -> Branch:
 def _verbatim(branch: Branch, element: Element) -> Branch:
     branch.verbatim = True
     branch.parts += [element.text] if element.text else []
-    for child in element:
-        if isinstance(child.tag, str):
+    for child in element.nodes:
+        if isinstance(child, Element):
             inner = Branch(child.name)
             inner.origin = child
             inner.attributes = {**child.attributes, **declared_prefixes(child)}
             branch.parts.append(_verbatim(inner, child))
-        elif (part := _part(child, False)) is not None:
-            branch.parts.append(part)
+        else:
+            branch.parts.append(_remark(child))
         branch.parts += [child.tail] if child.tail else []
     return branch
 
@@ -138,11 +140,9 @@ def render(root: Branch, document: Document) -> str:
     """The whole file: declaration, what is before the root, the root, what is after it."""
     assert document.root is not None
     lines = ['<?xml version="1.0"?>']
-    before = [_part(node, False) for node in document.root.itersiblings(preceding=True)]
-    lines += [str(part) for part in reversed(before) if part is not None]
+    lines += [str(_remark(node)) for node in document.prolog]
     _write(root, "", lines)
-    after = (_part(node, False) for node in document.root.itersiblings())
-    lines += [str(part) for part in after if part is not None]
+    lines += [str(_remark(node)) for node in document.epilog]
     return "\n".join(lines) + "\n"
 
 
@@ -153,14 +153,8 @@ def text_of(branch: Branch) -> str:
     return "\n".join(lines)
 
 
-def _part(node: object, beside: bool, *, is_free: bool = False) -> Branch | Remark | None:
-    from lxml import etree
-
-    if isinstance(node, Element):
-        return branch_of(node, is_free=is_free)
-    if isinstance(node, etree._ProcessingInstruction):
-        return Remark(node.text or "", target=str(node.target), beside=beside)
-    return Remark(node.text or "", beside=beside) if isinstance(node, etree._Comment) else None
+def _remark(node: Aside, *, beside: bool = False) -> Remark:
+    return Remark(node.text, target=node.target if isinstance(node, Instruction) else "", beside=beside)
 
 
 def _write(branch: Branch, indent: str, lines: list[str]) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from lxml import etree
-
 from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.rewrite.include_expansion import expanded
 from sdfcheck.convert.rewrite.tidy_tree import Branch, render
@@ -29,7 +27,6 @@ class WrittenOut(Document):
     @property
     def spans(self) -> Spans:
         if self._spans is None:
-            assert self.root is not None
             self._spans = _Borrowed(self, self._sources)
         return self._spans
 
@@ -42,12 +39,10 @@ class _Borrowed(Spans):
     """Every place in an element is the name of the element that it was read from."""
 
     def __init__(self, document: WrittenOut, sources: list[Element]) -> None:
-        assert document.root is not None
-        super().__init__(document.source, document.scan, document.root)
-        elements = document.root.iter(etree.Element)
-        self._of = dict(zip(elements, sources, strict=True))
+        super().__init__(document.source, document.scan)
+        self._of = dict(zip(document.elements, sources, strict=True))
 
-    def span(self, element: etree.ElementBase, start: int, end: int) -> Span:
+    def span(self, element: Element, start: int, end: int) -> Span:
         return self._of[element].span
 
 

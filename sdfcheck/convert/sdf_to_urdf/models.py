@@ -30,7 +30,7 @@ def enter_models(context: Context) -> list[Element]:
             brought, scope = frame.model.element, name.rpartition("::")[0]
         else:
             continue
-        if frame.place.tag == "include":
+        if frame.place.name == "include":
             _enter_include(context, frame.place, scope)
         elements.append(brought)
         _enter(context, brought, scope)

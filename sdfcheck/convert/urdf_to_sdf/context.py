@@ -5,22 +5,20 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from lxml import etree
-
 from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
 from sdfcheck.convert.urdf_to_sdf.words import WORDS
-from sdfcheck.convert.writer import Node, comment_of, copied, declare, numbers, spaced, undeclared_prefixes
+from sdfcheck.convert.writer import Node, copied, declare, numbers, spaced, undeclared_prefixes
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.urdf.table import UrdfElement
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 
 KEPT = "urdf"
 """The prefix of what only URDF has."""
@@ -115,13 +113,11 @@ class Context:
 
     def carry_comments(self, element: Element, node: Node) -> None:
         """Write the comments in an element, but those in what is kept as it is."""
-        if next(element.iter(etree.Comment), None) is None:
-            return
-        for part in element:
-            if (comment := comment_of(part)) is not None:
+        for part in element.nodes:
+            if isinstance(part, Comment):
                 if self.ledger.take_comment(part):
-                    node.children.append(comment)
-            elif isinstance(part.tag, str) and part.name in WORDS:
+                    node.children.append(part)
+            elif isinstance(part, Element) and part.name in WORDS:
                 self.carry_comments(part, node)
 
     def allows(self, place: str) -> bool:

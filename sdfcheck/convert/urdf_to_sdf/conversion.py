@@ -21,15 +21,7 @@ from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_
 from sdfcheck.convert.urdf_to_sdf.plan import plan
 from sdfcheck.convert.urdf_to_sdf.vendor_frictions import keep_frictions_of_drake
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
-from sdfcheck.convert.writer import (
-    Comment,
-    Node,
-    Words,
-    comment_of,
-    render,
-    undeclared_prefixes,
-    with_line_ends,
-)
+from sdfcheck.convert.writer import Node, Words, render, undeclared_prefixes, with_line_ends
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
@@ -38,7 +30,7 @@ from sdfcheck.robot.motion.poses import PoseError, origin_of
 from sdfcheck.robot.parts.actuation import Transmission
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 from sdfcheck.source.sniff import Kind
 
 _NAMESPACES = {KEPT: "http://ros.org/wiki/urdf/XML", "drake": "http://drake.mit.edu"}
@@ -133,11 +125,11 @@ class _Writer:
                 context.carry(origin, self.model.add("pose", pose or "0 0 0 0 0 0"))
         self._make_links()
         later: list[Element] = []
-        for entry in self.root:
-            if (comment := comment_of(entry)) is not None:
+        for entry in self.root.nodes:
+            if isinstance(entry, Comment):
                 self.context.ledger.take_comment(entry)
-                self.model.children.append(comment)
-            elif not isinstance(entry.tag, str):
+                self.model.children.append(entry)
+            elif not isinstance(entry, Element):
                 continue
             elif entry.name == "gazebo":
                 later.append(entry)
@@ -153,11 +145,11 @@ class _Writer:
         keep_frictions_of_drake(self.context, self.root)
         self.materials.close()
         self._declare()
-        before = [c for c in map(comment_of, self.root.itersiblings(preceding=True)) if c is not None]
+        before = [node for node in self.root.document.prolog if isinstance(node, Comment)]
         if self.root.document.is_expanded:
             before = [comment for comment in before if not _is_of_xacro(comment.text)]
-        after = [c for c in map(comment_of, self.root.itersiblings()) if c is not None]
-        return render(self.sdf, before[::-1], after)
+        after = [node for node in self.root.document.epilog if isinstance(node, Comment)]
+        return render(self.sdf, before, after)
 
     def _make_links(self) -> None:
         """Empty links for all that survive, so that merged ones have where to go."""
@@ -254,7 +246,7 @@ class _Writer:
     def _declare(self) -> None:
         """Declare the prefixes that the text uses, as the source does."""
         for prefix in sorted(undeclared_prefixes(self.model)):
-            given = self.context.namespaces.get(prefix) or self.root.nsmap.get(prefix)
+            given = self.context.namespaces.get(prefix) or self.root.declared.get(prefix)
             uri = given or _NAMESPACES.get(prefix) or f"urn:{prefix}"
             self.sdf.attributes[f"xmlns:{prefix}"] = uri
 

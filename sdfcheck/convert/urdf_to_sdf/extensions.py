@@ -11,13 +11,13 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.blocks import copied_entry
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS
-from sdfcheck.convert.writer import Node, comment_of, copied
+from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.sdf.values import number
 from sdfcheck.formats.urdf.table import TRUE, UrdfElement, extension, settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
 from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
 _PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
@@ -70,11 +70,11 @@ class Extensions:
         put: Callable[[Element, Node], None],
         only: Container[str] | None = None,
     ) -> None:
-        for entry in block:
-            if (comment := comment_of(entry)) is not None:
+        for entry in block.nodes:
+            if isinstance(entry, Comment):
                 if only is not OF_JOINTS and self.context.ledger.take_comment(entry):
-                    node.children.append(comment)
-            elif isinstance(entry.tag, str) and (only is None or entry.name in only):
+                    node.children.append(entry)
+            elif isinstance(entry, Element) and (only is None or entry.name in only):
                 put(entry, node)
 
     def _unknown(self, block: Element, reason: str) -> None:

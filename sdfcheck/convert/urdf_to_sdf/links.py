@@ -9,13 +9,13 @@ from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quatern
 from sdfcheck.convert.urdf_to_sdf.materials import Materials
 from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
-from sdfcheck.convert.writer import Node, comment_of, number, numbers, settled, spaced
+from sdfcheck.convert.writer import Node, number, numbers, settled, spaced
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 _SHAPES = {
@@ -44,17 +44,17 @@ class Links:
         if not merged:
             context.carry_attributes(element, node)
         inertial = element.find("inertial")
-        for child in element:
-            if (comment := comment_of(child)) is not None:
+        for child in element.nodes:
+            if isinstance(child, Comment):
                 if context.ledger.take_comment(child):
-                    node.children.append(comment)
+                    node.children.append(child)
             elif child is inertial:
                 self._enter_inertial(child, node)
                 if not merged and survivor not in plan.supplied and plan.bodies.get(survivor) is None:
                     self._inertial(child, node.add("inertial"))
-            elif isinstance(child.tag, str) and child.name in {"visual", "collision"}:
+            elif isinstance(child, Element) and child.name in {"visual", "collision"}:
                 self._shape(child, node, survivor, offset)
-            elif isinstance(child.tag, str) and child.name != "inertial":
+            elif isinstance(child, Element) and child.name != "inertial":
                 context.keep(child, node)
         if not merged:
             self._weigh(inertial, survivor, node)

@@ -7,14 +7,14 @@ from typing import Protocol
 
 import numpy as np
 
-from sdfcheck.convert.writer import Node, comment_of, declared_prefixes, numbers
+from sdfcheck.convert.writer import Node, declared_prefixes, numbers
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.carriers import value_at
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Comment, Element
 from sdfcheck.source.sniff import Kind
 
 
@@ -81,10 +81,10 @@ class Spelling:
             if value is not None:
                 text = self.value(value.text, here.slot, there.slot)
                 _carry(node, there.carrier, self._seen(tag, element, text))
-        for child in element:
-            if (comment := comment_of(child)) is not None:
-                node.children.append(comment)
-            elif isinstance(child.tag, str) and not (here is not None and here.carrier == f"/{child.name}"):
+        for child in element.nodes:
+            if isinstance(child, Comment):
+                node.children.append(child)
+            elif isinstance(child, Element) and not (here is not None and here.carrier == f"/{child.name}"):
                 self._child(child, node, tag, other)
         return node
 
@@ -173,13 +173,9 @@ def _carry(node: Node, carrier: str, text: str) -> None:
 
 def uses(root: Element, prefix: str) -> bool:
     """Is a description written for the consumers of a prefix: does it declare or use it?"""
-    if prefix in root.nsmap:
+    if prefix in root.namespaces:
         return True
-    mark = f"{prefix}:"
-    if not root.document.source.contains(mark):
-        return False
-    elements = (element for element in root.iter() if isinstance(element, Element))
-    return any(e.name.startswith(mark) or any(n.startswith(mark) for n in e.attributes) for e in elements)
+    return any(name.startswith(f"{prefix}:") for name in root.document.names)
 
 
 def spellings(

@@ -91,8 +91,6 @@ class Findings:
 
     def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
         """A child that the table does not list; returns its definition if only the version is too old."""
-        if callable(child.tag):
-            return None  # a comment or an instruction
         name = child.name
         if ":" in name:
             self.custom(child, parent, place)
@@ -147,7 +145,7 @@ class Findings:
     def replacement(self, parent: Element, place: Definition, name: str) -> Element | None:
         """The custom sibling that may have been put in the place of a required child that is not there."""
         child = place.children[name]
-        customs = [custom for custom, owner, _ in self.customs if owner is parent and len(custom) == 0]
+        customs = [custom for custom, owner, _ in self.customs if owner is parent and not custom.nodes]
         customs.sort(key=lambda custom: custom.name.partition(":")[2] != name)
         fitting = (custom for custom in customs if custom.content and child.accepts(custom.content))
         return next(fitting, None) if child.type is not None else None
@@ -188,8 +186,8 @@ class Findings:
         if known is not None:
             self.attribute_value(element, definition, known, text)
             return
-        name = key if key[0] != "{" else ""
-        if not name or ":" in name or "\ua4fd" in name:
+        name = key
+        if ":" in name:
             return  # prefixed: free
         newest = history.in_version(definition, NEWEST)
         if newest is not None and name in newest.attributes:

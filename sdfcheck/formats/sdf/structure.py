@@ -69,7 +69,7 @@ def _root(document: Document) -> Iterator[object]:
 
 def _shapes(surveyed: Survey) -> Iterator[object]:
     for geometry in surveyed.index.get("geometry", ()):
-        if len(geometry) < 2:
+        if len(geometry.nodes) < 2:
             continue
         # In a sonar it is the name of a shape.
         if not _is_in(geometry, "sonar"):
@@ -95,7 +95,7 @@ def _parents(surveyed: Survey, name: str) -> set[Element | None]:
 
 def _is_state(element: Element) -> bool:
     """Is it the state of something? Up to 1.11 states have the names of their subjects."""
-    return any(ancestor.tag == "state" for ancestor in element.iterancestors())
+    return any(ancestor.name == "state" for ancestor in element.around)
 
 
 def _is_in(element: Element, parent: str) -> bool:

@@ -18,7 +18,7 @@ from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Aside, Element
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
@@ -142,9 +142,8 @@ class _Walk:
     def run(self, root: Element) -> list[object]:
         definition = schema(self.version).root
         version = definition.attributes["version"]
-        self.index[root.tag].append(root)
-        items = root.items()
-        if len(items) != 1 or items[0][0] != "version" or not version.accepts(items[0][1]):
+        self.index[root.name].append(root)
+        if root.attributes.keys() != {"version"} or not version.accepts(root.attributes["version"]):
             self.findings.root(root, definition)
         self.children(root, definition)
         return self.explained.conclude() if self.explained else []
@@ -161,7 +160,7 @@ class _Walk:
     def part(self, element: Element, definition: Definition) -> list[object]:
         parent = element.parent
         assert parent is not None
-        self.attributes(element, parent, definition, element.items())
+        self.attributes(element, parent, definition)
         if definition.type is not None:
             self.findings.value(element, parent, definition)
         elif not definition.open:
@@ -175,26 +174,28 @@ class _Walk:
         seen: dict[str, Element] = {}
         if (text := parent.text) and not text.isspace():
             self.findings.stray_text(parent)
-        for child in parent:
-            tag = child.tag
+        for child in parent.nodes:
+            tag = child.name
             if (text := child.tail) and not text.isspace():
                 self.findings.stray_text(parent)
+            if isinstance(child, Aside):
+                continue
             definition = allowed.get(tag)
             if definition is None:
                 definition = self.findings.unexpected(child, parent, place)
                 if definition is None:
                     continue
             index[tag].append(child)
-            items = child.items()
-            if items or definition.required_attributes:
-                self.attributes(child, parent, definition, items)
+            attributes = child.attributes
+            if attributes or definition.required_attributes:
+                self.attributes(child, parent, definition)
             if tag not in seen:
                 seen[tag] = child
             elif definition.single:
                 self.findings.repeated(child, seen[tag], parent)
             if definition.type is not None:
-                if items or child.text not in definition.sound or len(child):
-                    self.leaf(child, parent, definition, items)
+                if attributes or child.text not in definition.sound or child.nodes:
+                    self.leaf(child, parent, definition)
             elif not definition.open:
                 self.children(child, definition)
             if definition.deprecated:
@@ -203,35 +204,25 @@ class _Walk:
             if name not in seen:
                 self.findings.missing(parent, place, name)
 
-    def leaf(
-        self, element: Element, parent: Element, definition: Definition, items: list[tuple[str, str]]
-    ) -> None:
+    def leaf(self, element: Element, parent: Element, definition: Definition) -> None:
         """Check a value that was not met before."""
         text = element.text
-        if not text and definition.type == "pose" and not len(element) and not _is_rotated(items):
+        is_odd = element.nodes or "rotation_format" in element.attributes
+        if not text and definition.type == "pose" and not is_odd:
             return  # <pose relative_to="…"/>: no displacement
-        if len(element) or not definition.accepts(text or "") or _is_rotated(items):
+        if is_odd or not definition.accepts(text):
             self.findings.value(element, parent, definition)
         elif len(definition.sound) < _REMEMBERED:
             definition.sound.add(text)
 
-    def attributes(
-        self, element: Element, parent: Element, definition: Definition, items: list[tuple[str, str]]
-    ) -> None:
-        allowed = definition.attributes
-        given = set()
-        for key, text in items:
-            given.add(key)
+    def attributes(self, element: Element, parent: Element, definition: Definition) -> None:
+        allowed, given = definition.attributes, element.attributes
+        for key, text in given.items():
             if key == "name":
-                self.named[parent].append((element.tag, text, element))
+                self.named[parent].append((element.name, text, element))
             attribute = allowed.get(key)
             if attribute is None or not attribute.accepts(text):
                 self.findings.attribute(element, parent, definition, key, text)
         for name in definition.required_attributes:
             if name not in given:
                 self.findings.missing_attribute(element, definition, name)
-
-
-def _is_rotated(items: list[tuple[str, str]]) -> bool:
-    """A pose whose attributes change how its numbers are read."""
-    return bool(items) and any(key == "rotation_format" for key, _ in items)

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import re
 
-from lxml import etree
-
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.element import Aside, Element, Value
 from sdfcheck.source.text import Span
 
 _PIECE = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|([^<]+)|<", re.DOTALL)
@@ -27,9 +25,8 @@ def blanks_as_spaces(text: str) -> str:
 
 def cut_text(element: Element) -> Span | None:
     """The text after a comment in the middle of a value, which no consumer sees."""
-    others = element.iterchildren(etree.Comment, etree.ProcessingInstruction)
-    pieces = [element.text, *(other.tail for other in others)]
-    filled = [piece for piece in pieces if piece and piece.strip()]
+    pieces = [element.text, *(node.tail for node in element.nodes if isinstance(node, Aside))]
+    filled = [piece for piece in pieces if piece.strip()]
     if len(filled) < 2:
         return None
     spans = element.document.spans

@@ -14,12 +14,10 @@ from typing import TYPE_CHECKING
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, is_expression, urdf
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.element import Aside, Element
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from sdfcheck.formats.topology import Displaced
     from sdfcheck.formats.urdf.findings import UrdfFindings
 
@@ -109,7 +107,7 @@ class UrdfWalk:
     def conclude(self) -> list[object]:
         """All problems, once every element is walked over."""
         for dynamics in self.index.get("dynamics", ()):
-            if not {"damping", "friction"}.intersection(dynamics.keys()):
+            if not {"damping", "friction"}.intersection(dynamics.attributes):
                 self.findings.dynamics(dynamics)
         if "<gazebo" in self.source.text:
             self.extensions()
@@ -121,14 +119,15 @@ class UrdfWalk:
         seen: dict[str, Element] = {}
         if (text := parent.text) and not text.isspace():
             self.findings.stray_text(parent)
-        for child in parent:
-            tag = child.tag
+        for child in parent.nodes:
+            tag = child.name
             if (text := child.tail) and not text.isspace():
                 self.findings.stray_text(parent)
+            if isinstance(child, Aside):
+                continue
             definition = allowed.get(tag)
             if definition is None:
-                if not callable(tag):  # no comment or instruction
-                    self.findings.unexpected(child, parent, place)
+                self.findings.unexpected(child, parent, place)
                 continue
             if tag not in seen:
                 seen[tag] = child
@@ -139,23 +138,22 @@ class UrdfWalk:
         for name in place.required_children:
             if name not in seen:
                 self.findings.missing_child(parent, name)
-        if parent.tag == "geometry" and not (len(seen) == len(parent) == 1):
+        if parent.name == "geometry" and not (len(seen) == len(parent.nodes) == 1):
             self.findings.shape(parent, place, seen)
 
     def element(self, element: Element, definition: UrdfElement) -> None:
         """Check an element that is where it may, and all that is in it."""
-        self.index[element.tag].append(element)
+        self.index[element.name].append(element)
         self.attributes(element, definition)
         if definition.since > self.version:
             self.findings.too_new(element, definition.since)
-        if not definition.open and (definition.children or len(element) or element.text):
+        if not definition.open and (definition.children or element.nodes or element.text):
             self.children(element, definition)
 
     def attributes(self, element: Element, definition: UrdfElement) -> None:
         allowed = definition.attributes
         required = 0
-        items = element.items()
-        for key, text in items:
+        for key, text in element.attributes.items():
             attribute = allowed.get(key)
             if attribute is not None and attribute.required:
                 required += 1
@@ -171,8 +169,7 @@ class UrdfWalk:
             if self.is_wrapped and attribute.is_number:
                 self.findings.attribute_value(element, attribute, text)
         if required < len(definition.required_attributes):
-            given = {key for key, _ in items}
-            missing = tuple(name for name in definition.required_attributes if name not in given)
+            missing = tuple(name for name in definition.required_attributes if name not in element.attributes)
             self.findings.missing_attributes(element, missing)
 
     def extensions(self) -> None:
@@ -193,5 +190,4 @@ def _is_unexpanded(document: Document) -> bool:
     """Are there elements that xacro is to replace? In what is read as URDF they are elements that nobody knows."""
     if document.kind is not Kind.XACRO or document.root is None or "<xacro:" not in document.source.text:
         return False
-    below: Iterable[Element] = document.root.iterdescendants("*")  # type: ignore[assignment]
-    return any(element.name.startswith("xacro:") for element in below)
+    return any(element.name.startswith("xacro:") for element in document.elements[1:])

@@ -75,7 +75,7 @@ class _Known:
         if name == "xacro:arg":
             self.arguments.setdefault(value.text, _symbol("argument", value.text, value))
         elif (name in {"link", "joint"} and not _is_reference(element)) or (
-            name == "material" and len(element)
+            name == "material" and bool(element.nodes)
         ):
             self.robot.setdefault((name, value.text), _symbol(name, value.text, value))
 

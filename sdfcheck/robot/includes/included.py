@@ -79,7 +79,7 @@ def includes_of(document: Document) -> list[Element]:
     misplaced = [
         problem.element
         for problem in surveyed.problems
-        if isinstance(problem, MisplacedElement) and problem.element.tag == "include"
+        if isinstance(problem, MisplacedElement) and problem.element.name == "include"
     ]
     return [*surveyed.index.get("include", ()), *misplaced]
 

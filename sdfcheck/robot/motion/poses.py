@@ -105,7 +105,7 @@ class Poses:
 
     def of_part(self, part: Element, holder: Node) -> Array:
         """The pose of a visual, collision, sensor, light or inertial in the frame of its link or joint."""
-        if holder.is_urdf and part.tag != "sensor":
+        if holder.is_urdf and part.name != "sensor":
             return origin_of(part)
         pose = part.find("pose")
         reference = reference_of(pose)

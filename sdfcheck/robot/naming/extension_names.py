@@ -23,7 +23,7 @@ def extension_names(root: Root) -> dict[Element, list[Name]]:
     found: dict[Element, list[Name]] = {}
     for parent, children in survey(root.document).named.items():
         at, free = parent, frozenset({"plugin"})
-        if parent.tag == "gazebo":
+        if parent.name == "gazebo":
             at, free = _subject(root, parent), _MERGED
         found.setdefault(at, []).extend(
             Name(kind, text.strip(), Value(element, "name", text), at, is_extension=True)

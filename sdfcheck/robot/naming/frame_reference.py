@@ -52,7 +52,7 @@ class FrameReference:
     def owner_element(self) -> Element:
         """The element that it is about: what has the pose, the frame, or the ``xyz`` of the axis."""
         element = self.value.element
-        parent = element.parent if element.tag == "pose" else None
+        parent = element.parent if element.name == "pose" else None
         return element if parent is None else parent
 
     @property
@@ -85,11 +85,11 @@ def frame_references(root: Root) -> Iterator[FrameReference]:
     """The references to frames in SDFormat, also in ``<gazebo>`` blocks; those that nobody reads are left out."""
     surveyed = survey(root.document)
     for pose in surveyed.index.get("pose", ()):
-        for name, text in pose.items():
+        for name, text in pose.attributes.items():
             is_read = name == "relative_to" or (name == "frame" and surveyed.version < _SEVEN)
             if is_read and text.strip():
                 reference = FrameReference(root, "relative_to", Value(pose, name, text))
-                if reference.owner_element.tag != "inertial" and not _is_in_state(pose):
+                if reference.owner_element.name != "inertial" and not _is_in_state(pose):
                     yield reference
     for kind, role in (("xyz", "expressed_in"), ("frame", "attached_to")):
         for element in surveyed.index.get(kind, ()):
@@ -100,4 +100,4 @@ def frame_references(root: Root) -> Iterator[FrameReference]:
 
 def _is_in_state(element: Element) -> bool:
     """Is it in a ``<state>``, whose frames libsdformat does not read?"""
-    return any(around.tag == "state" for around in element.iterancestors())
+    return any(around.name == "state" for around in element.around)

@@ -62,7 +62,7 @@ def references(root: Root) -> Iterator[Reference]:
 def _in_state(holder: Element, scope: Scope) -> Iterator[Reference]:
     """The models, links and joints that a state of a world or model names."""
     for part in holder.children():
-        name = part.attribute("name") if part.tag in _IN_STATES else None
+        name = part.attribute("name") if part.name in _IN_STATES else None
         nodes = () if name is None else _path(scope, name.text.strip())
         if name is not None and nodes:
             yield Reference(name, nodes)
@@ -114,11 +114,11 @@ def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:
 def _scope(root: Root, element: Element) -> Scope | None:
     """The model or world in which a reference is looked up."""
     at: Part | None = root.part_of(element)
-    if isinstance(at, Scope) and element.tag == "model":
+    if isinstance(at, Scope) and element.name == "model":
         return at  # its canonical link and placement frame are its own
-    if element.tag == "placement_frame" and at is not None and isinstance(at.holder, Include):
+    if element.name == "placement_frame" and at is not None and isinstance(at.holder, Include):
         return at.holder.model
-    if element.tag == "pose" and at is not None and isinstance(at.holder, Scope):
+    if element.name == "pose" and at is not None and isinstance(at.holder, Scope):
         at = at.holder  # the pose of a model is written where the model is
     while at is not None:
         at = at.holder
@@ -130,9 +130,9 @@ def _scope(root: Root, element: Element) -> Scope | None:
 def _nodes(scope: Scope, element: Element, text: str) -> tuple[Node, ...]:
     """The part that a reference names; in URDF a joint may have the name of a link."""
     joints = scope.joints_by_name if isinstance(scope, Model) and scope.is_urdf else {}
-    if element.tag in _OF_JOINTS and text in joints:
+    if element.name in _OF_JOINTS and text in joints:
         return (joints[text],)
-    return _of_plugin(scope, text) if element.tag == "plugin" else _path(scope, text)
+    return _of_plugin(scope, text) if element.name == "plugin" else _path(scope, text)
 
 
 def _of_plugin(scope: Scope, text: str) -> tuple[Node, ...]:

@@ -66,7 +66,9 @@ class Ros2Control(JointNames):
     def components(self) -> tuple[ControlComponent, ...]:
         """Its joints, sensors and other signals, in the order of the file."""
         return tuple(
-            cast("ControlComponent", self.part(child)) for child in self.children() if child.tag in COMPONENTS
+            cast("ControlComponent", self.part(child))
+            for child in self.children()
+            if child.name in COMPONENTS
         )
 
     @lazy
@@ -105,7 +107,7 @@ class Ros2Control(JointNames):
         """The elements that ros2_control does not know, each with the one that it is in."""
         for element, definition in self.known:
             for child in element.children():
-                if child.tag not in definition.children:
+                if child.name not in definition.children:
                     yield child, element, definition
 
     @property
@@ -114,7 +116,7 @@ class Ros2Control(JointNames):
         if self.hardware is None:
             yield self.element
         for holder in self.children():
-            if holder.tag in {"hardware", "transmission"}:
+            if holder.name in {"hardware", "transmission"}:
                 plugin = holder.find("plugin")
                 if plugin is None or not plugin.content:
                     yield holder if plugin is None else plugin
@@ -162,7 +164,7 @@ class ControlTransmission(JointNames):
 def _known(element: Element, definition: UrdfElement) -> Iterator[tuple[Element, UrdfElement]]:
     yield element, definition
     for child in element.children():
-        inner = definition.children.get(child.tag)
+        inner = definition.children.get(child.name)
         if inner is not None:
             yield from _known(child, inner)
 

@@ -31,7 +31,7 @@ class ControlComponent(Part):
     @property
     def what(self) -> str:
         """``joint``, ``sensor`` or ``gpio``."""
-        return cast(str, self.element.tag)
+        return self.element.name
 
     @property
     def block(self) -> Ros2Control:
@@ -61,7 +61,7 @@ class ControlComponent(Part):
         """Its interfaces, in the order of the file."""
         names = ("command_interface", "state_interface")
         return tuple(
-            cast("ControlInterface", self.part(child)) for child in self.children() if child.tag in names
+            cast("ControlInterface", self.part(child)) for child in self.children() if child.name in names
         )
 
     @property
@@ -121,7 +121,7 @@ class ControlInterface(Part):
     @property
     def is_command(self) -> bool:
         """Does it take commands?"""
-        return bool(self.element.tag == "command_interface")
+        return bool(self.element.name == "command_interface")
 
     @property
     def component(self) -> ControlComponent:

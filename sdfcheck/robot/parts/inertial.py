@@ -101,7 +101,7 @@ class Inertial(Part):
         if inertia is None or not self.is_urdf:
             return ()
         part = self.part(inertia)
-        return tuple(name for name in _BY_ROWS if name not in inertia.keys() and part.lacks(name))  # noqa: SIM118
+        return tuple(name for name in _BY_ROWS if name not in inertia.attributes and part.lacks(name))
 
     @lazy
     def tensor(self) -> Moments:

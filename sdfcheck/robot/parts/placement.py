@@ -66,7 +66,7 @@ def reference_of(pose: Element | None) -> str:
 
 def reference_value(pose: Element | None) -> Value | None:
     """The reference of a pose with its place: until 1.6 it was called ``frame``."""
-    if pose is None or pose.tag != "pose":
+    if pose is None or pose.name != "pose":
         return None
     old = pose.attribute("frame")
     if old is not None:

@@ -73,7 +73,7 @@ class Plugin(Part):
         parent, own = other.parent, self.element.parent
         if parent is own or parent is None or own is None:
             return parent is own
-        is_block = parent.tag == own.tag == "gazebo"
+        is_block = parent.name == own.name == "gazebo"
         return is_block and parent.attributes.get("reference", "") == own.attributes.get("reference", "")
 
     @lazy

@@ -144,7 +144,7 @@ class Resource(FileUse):
         """Its kind: ``mesh``, ``texture``, ``material script`` …"""
         if self.is_urdf:
             return self.element.name
-        holder, name = self.holder.element.tag if self.holder is not None else "", self.element.tag
+        holder, name = self.holder.element.name if self.holder is not None else "", self.element.name
         if name in _MAPS or holder in _TEXTURED:
             return "texture"
         return _WHAT.get(holder, holder)
@@ -200,9 +200,9 @@ def _named_in_urdf(index: Index) -> Iterator[Value]:
 def _named_by(elements: Iterable[Element]) -> Iterator[Value]:
     for element in elements:
         parent = element.parent
-        if parent is not None and parent.tag in _PLACES[element.tag]:
+        if parent is not None and parent.name in _PLACES[element.name]:
             yield element.own_value
 
 
 def _is_for_gazebo(element: Element) -> bool:
-    return any(ancestor.tag == "gazebo" for ancestor in element.iterancestors())
+    return any(ancestor.name == "gazebo" for ancestor in element.around)

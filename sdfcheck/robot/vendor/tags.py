@@ -17,7 +17,6 @@ from sdfcheck.robot.vendor.tag import MirroredTag, VendorTag
 from sdfcheck.robot.vendor.value import VendorValue
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
-from sdfcheck.source.rewritten import COLON
 from sdfcheck.source.sniff import Kind
 
 _CLOSED = frozenset(("plugin", "gazebo"))
@@ -54,11 +53,11 @@ class VendorTags:
             seen: dict[str, Element] = {}
             below: list[Element] = []
             for child in element.children():
-                tag = child.tag
-                if tag[0] != "{" and ":" not in tag and COLON not in tag:
-                    if tag not in _CLOSED and (has_attributes or len(child)):
+                name = child.name
+                if ":" not in name:
+                    if name not in _CLOSED and (has_attributes or child.nodes):
                         below.append(child)
-                elif child.name.startswith(self._mark):
+                elif name.startswith(self._mark):
                     use = self._element(child, element, seen)
                     yield use
                     if not use.is_read:
@@ -89,8 +88,6 @@ class VendorTags:
                 yield self._element(child, element, seen)
 
     def _attributes(self, element: Element) -> Iterator[VendorTag]:
-        if not any(key[0] == "{" or COLON in key for key in element.keys()):  # noqa: SIM118 - lxml has no `in`
-            return
         for name, text in element.attributes.items():
             if name.startswith(self._mark):
                 value = Value(element, name, text)

@@ -7,13 +7,11 @@ is wrong elsewhere, the whole text is scanned.
 
 from __future__ import annotations
 
-import re
 import sys
 from bisect import bisect_left
 
 from sdfcheck.source.problems import Problem
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.rewritten import COLON
 from sdfcheck.source.scanner.full_scan import assemble
 from sdfcheck.source.scanner.prepare import prepare
 from sdfcheck.source.scanner.quick_scan import MARKUP
@@ -25,8 +23,6 @@ WINDOW = 16_384
 """So many characters before and after the place are never hidden."""
 _WORTHWHILE = 256
 """Shorter text is not hidden."""
-_REWRITTEN = re.compile(rf"<!DOCTYPE|xmlns|\sxml:|{COLON}")
-"""Text that the tolerant scan rewrites even where it is well formed."""
 
 
 class _Stretch(NamedTuple):
@@ -44,7 +40,7 @@ def local_scan(source: Source, fault: int) -> Scan | None:
     """
     text, prepared = source.text, prepare(source)
     first, last = fault - WINDOW, fault + WINDOW
-    if prepared.problems or _REWRITTEN.search(text, 0, max(first, 0)) or _REWRITTEN.search(text, last):
+    if prepared.problems or "<!DOCTYPE" in text:
         return None
     hidden = [*_before(text, first), *_after(text, last)]
     if not hidden:

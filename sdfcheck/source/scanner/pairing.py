@@ -6,6 +6,7 @@ Here the text ahead and the indentation count as evidence, and one mistake makes
 
 from __future__ import annotations
 
+from sdfcheck.source.limits import DEPTH_LIMIT
 from sdfcheck.source.problems import (
     ContentAfterRoot,
     LateDeclaration,
@@ -18,9 +19,6 @@ from sdfcheck.source.scanner.evidence import Evidence, Repair, alike
 from sdfcheck.source.scanner.steps import Act, Pairs, Step
 from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens, first_line, name_range
 from sdfcheck.source.text import Source, Span
-
-DEPTH_LIMIT = 256
-"""Deeper than this libxml2 refuses to read; tinyxml2, which libsdformat uses, ends at 500."""
 
 
 def pair(source: Source, text: str, tokens: Tokens) -> Pairs:

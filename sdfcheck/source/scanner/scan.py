@@ -1,6 +1,6 @@
 """The places of a text's elements and comments.
 
-lxml keeps the tree; a scan keeps the places. Both number elements in document order,
+The tree keeps what a text says, a scan keeps the places. Both number elements in document order,
 which is how they find each other.
 """
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from itertools import islice
 
+from sdfcheck.source.limits import ATTRIBUTE_LIMIT
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT
 from sdfcheck.source.text import Source
 
 BLANK = r"[ \t\r\n]"

@@ -1,26 +1,21 @@
 """Writing a faulty text anew so that an XML parser accepts it.
 
 Well-formed text is copied. Start tags keep their number and order, which is all that the
-mapping between tree and text needs. Namespace processing is kept out: colons in names
-are written as :mod:`sdfcheck.source.rewritten` says, and declarations are left to the
-textual namespace analysis.
+mapping between tree and text needs.
 """
 
 from __future__ import annotations
 
 import re
 
+from sdfcheck.source.limits import ATTRIBUTE_LIMIT, LENGTH_LIMIT
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind, UnknownEntity
-from sdfcheck.source.rewritten import ATTRIBUTE_LIMIT, COLON, rewritten_name
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.scanner.start_tag import BLANK, NAME, START, StartTag, repeated_attributes, tag_of
 from sdfcheck.source.scanner.steps import Act, Step
 from sdfcheck.source.scanner.tokens import Token, TokenKind
 from sdfcheck.source.scanner.xml_names import made_name
 from sdfcheck.source.text import Source
-
-LENGTH_LIMIT = 10_000_000
-"""libxml2's bound on one text or attribute value."""
 
 REFERENCE_LIMIT = 1_000
 """How many undefined references of one file are worth a list."""
@@ -29,8 +24,6 @@ _AMPERSAND = re.compile(r"&(?:([\w.\-:]+);|(#[0-9]{1,8}|#x[0-9a-fA-F]{1,7});)?")
 _OPENING = re.compile(r"\A<!?\[?[A-Za-z]+\[?")
 _CUT_REFERENCE = re.compile(r"&#?[\w.\-:]*\Z")
 _PREDEFINED = frozenset({"amp", "lt", "gt", "quot", "apos"})
-_PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.\-]*")
-_REWRITTEN = re.compile(rf"[:&{COLON}]|xmlns")
 _INSTRUCTION = re.compile(rf"<\?(?!xml){NAME}(?:{BLANK}|\?>)", re.IGNORECASE)
 
 
@@ -79,11 +72,11 @@ class Writer:
         if tag is not None or whole != self.source.text[token.start : token.end]:
             tag = tag or self.parse(token)
             scan.odd[index] = tag
-        elif _REWRITTEN.search(whole) or whole.count("=") > 1 or len(whole) > LENGTH_LIMIT:
+        elif "&" in whole or whole.count("=") > 1 or len(whole) > LENGTH_LIMIT:
             tag = self.parse(token)
             self.problems += repeated_attributes(self.source, tag)
-        is_sound = tag is None or (not self.value_problems(tag) and not _REWRITTEN.search(whole))
-        written = _safe_name(name)
+        is_sound = tag is None or (not self.value_problems(tag) and "&" not in whole)
+        written = made_name(name)
         if index in scan.odd or not is_sound or name != token.name:
             self.replace(token, self.rewritten(tag or self.parse(token), written))
         if token.kind is TokenKind.START:
@@ -119,8 +112,8 @@ class Writer:
             start, end = attribute.value_start, attribute.value_end
             if end - start > LENGTH_LIMIT:
                 end = start
-            safe = _safe_name(attribute.name)
-            if safe in seen or attribute.name.partition(":")[0] == "xmlns":
+            safe = made_name(attribute.name)
+            if safe in seen:
                 continue
             seen.add(safe)
             pieces.append(f' {safe}="{_escape(self.text[start:end])}"')
@@ -202,7 +195,3 @@ def _escape(text: str) -> str:
     if "&" in text:
         text = _AMPERSAND.sub(lambda m: m[0] if _is_defined(m) else "&amp;" + m[0][1:], text)
     return text.replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
-
-
-def _safe_name(name: str) -> str:
-    return name if _PLAIN_NAME.fullmatch(name) else made_name(rewritten_name(name))

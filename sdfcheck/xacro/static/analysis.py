@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.near_names import guess, nearest
 from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX
 from sdfcheck.xacro.problems import (
@@ -62,7 +61,7 @@ def _undeclared(document: Document) -> Iterator[Problem]:
     if _DECLARED.search(document.source.text):
         return
     assert document.root is not None
-    uses = [e for e in document.root.iter("*") if isinstance(e, Element) and e.name.startswith(PREFIX)]
+    uses = [each for each in document.elements if each.name.startswith(PREFIX)]
     if uses:
         name = document.spans.name(uses[0])
         span = name.source.span(name.start, name.start + len(PREFIX) - 1)

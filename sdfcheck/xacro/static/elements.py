@@ -65,9 +65,8 @@ Found = WrongXacroAttribute | IgnoredIncludeContent
 
 def element_problems(document: Document) -> Iterator[Found]:
     """Problems of the elements of the language in a document: their attributes, and what is not read."""
-    assert document.root is not None
-    for element in document.root.iterdescendants("*"):
-        if not isinstance(element, Element) or is_in_include(element):
+    for element in document.elements[1:]:
+        if is_in_include(element):
             continue
         if element.name == _INCLUDE:
             yield from (IgnoredIncludeContent(child.span, child.name) for child in element.children())

@@ -320,7 +320,7 @@ def _blocks(read: Reading, visible: Definitions) -> Iterator[Oversight]:
             continue
         blocks = [parameter for parameter in macros[0].parameters if parameter.is_block]
         for parameter, child in zip(blocks, children, strict=False):
-            if parameter.name.startswith("**") and child.attributes and not len(child) and not child.content:
+            if parameter.name.startswith("**") and child.attributes and not child.nodes and not child.content:
                 other = parameter_place(macros[0], parameter)
                 yield EmptiedBlock(child.span, child.name, other, parameter.name)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.urdf import table
@@ -25,12 +25,10 @@ def missing_prefixes(document: Document) -> list[MissingXacroPrefix]:
 
 
 def _missing(document: Document) -> list[MissingXacroPrefix]:
-    assert document.root is not None
     problems: list[MissingXacroPrefix] = []
     visible = visible_definitions(document)
     found: dict[str, list[Element]] = {}
-    elements: Iterable[Element] = document.root.iterdescendants("*")  # type: ignore[assignment]
-    for element in elements:
+    for element in document.elements[1:]:
         if (lacks_prefix(element) or is_plain_call(element, visible)) and not is_in_include(element):
             found.setdefault(element.name, []).append(element)
     for name, alike in found.items():

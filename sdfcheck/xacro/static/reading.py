@@ -121,8 +121,8 @@ class Reading:
         words = _words_in_text(element)
         calls: list[str] = []
         has_includes = False
-        for node in element.iterdescendants("*"):
-            if node.name == "xacro:macro" or not isinstance(node, Element):  # type: ignore[attr-defined]
+        for node in element.below:
+            if node.name == "xacro:macro":
                 continue
             words |= _words_of(node)
             has_includes |= keyword(node) == "include"
@@ -176,7 +176,7 @@ def texts(element: Element, signs: str = "$") -> Iterator[tuple[str | None, str]
     for attribute, value in element.attributes.items():
         if any(sign in value for sign in signs):
             yield attribute, value
-    for text in (element.text, *(child.tail for child in element)):
+    for text in (element.text, *(child.tail for child in element.nodes)):
         if text and any(sign in text for sign in signs):
             yield None, str(text)
 

@@ -91,7 +91,7 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
         words = f'it is gone at the end of macro `{macro}`, unless it has scope="parent" or scope="global"'
         return Reason(words, place, "known in the macro only")
     outside = next(each for each in found if each.macro is None)
-    if outside.value is None and not len(outside.element):
+    if outside.value is None and not outside.element.nodes:
         return Reason("it has no value", _name(outside.element), "no `value` here")
     return _late(problem.span, _name(outside.element))
 

@@ -41,9 +41,7 @@ def included(folder: Path, parameters: str = "", file: str = "part.sdf") -> Docu
 
 def below(document: Document, name: str) -> Element:
     """The only element of a name."""
-    assert document.root is not None
-    (element,) = (element for element in document.root.iter() if element.tag == name)
-    assert isinstance(element, Element)
+    (element,) = (element for element in document.elements if element.name == name)
     return element
 
 

@@ -54,9 +54,8 @@ class Root:
         self.document = document
 
     def each(self, kind: str) -> Iterable[object]:
-        assert self.document.root is not None
-        for element in self.document.root.iter():
-            if isinstance(element, Element) and element.name.title() == kind:
+        for element in self.document.elements:
+            if element.name.title() == kind:
                 yield KINDS[kind](element, str(element.attributes["name"]))
 
     def made_of(self, elements: Iterable[Element], kind: str) -> Iterable[object]:
@@ -227,6 +226,6 @@ def test_elements_in_gazebo_blocks_are_extensions() -> None:
     document = read(text, Path("r.urdf"))
     root = document.root
     assert root is not None
-    of_robot, of_gazebo = root.find("link"), next(root.iterdescendants("mu1"))
+    of_robot, of_gazebo = root.find("link"), next(each for each in root.below if each.name == "mu1")
     assert is_extension(of_gazebo, document)
     assert not is_extension(of_robot, document)

@@ -42,8 +42,8 @@ def at(x: float, y: float, z: float, roll: float = 0, pitch: float = 0, yaw: flo
 )
 def test_written_poses(text: str, expected: Array) -> None:
     parsed = document(f'<model name="m"><link name="a">{text}</link></model>')
-    assert parsed.root is not None
-    assert written_pose(next(parsed.root.iter("pose"))) == pytest.approx(expected)  # type: ignore[arg-type]
+    (pose,) = (element for element in parsed.elements if element.name == "pose")
+    assert written_pose(pose) == pytest.approx(expected)
     assert written_pose(None) == pytest.approx(np.eye(4))
 
 

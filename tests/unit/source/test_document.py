@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from lxml import etree
 
 import sdfcheck
-from sdfcheck.source.document import Document, problems, read
+from sdfcheck.source.document import Document, _unexplained, problems, read
 from sdfcheck.source.problems import ContentAfterRoot, SyntaxDefect, UnknownEntity, UnrecognizedDocument
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Source
 
 PATH = Path("example.sdf")
 SMALL = (
@@ -33,15 +33,15 @@ def check(found: Document) -> None:
     if found.root is None:
         assert problems(found)
         return
-    elements = list(found.root.iter(etree.Element))
-    assert len(elements) == len(found.scan.starts)
-    for element in elements:
-        found.spans.whole(element)  # type: ignore[arg-type]
-        assert 0 <= element.span.start < element.span.end <= size  # type: ignore[attr-defined]
-        if not found.is_doubtful(element.span):  # type: ignore[attr-defined]
-            assert element.span.text == element.name  # type: ignore[attr-defined]
-        for name in element.attributes:  # type: ignore[attr-defined]
-            assert found.spans.attribute_value(element, name).end <= size  # type: ignore[arg-type]
+    assert len(found.elements) == len(found.scan.starts)
+    assert list(found.root.walk()) == found.elements
+    for element in found.elements:
+        found.spans.whole(element)
+        assert 0 <= element.span.start < element.span.end <= size
+        if not found.is_doubtful(element.span):
+            assert element.span.text == element.name
+        for name in element.attributes:
+            assert found.spans.attribute_value(element, name).end <= size
 
 
 def test_a_sound_text_is_not_scanned() -> None:
@@ -152,8 +152,9 @@ def test_rewritten_text_is_well_formed(text: str) -> None:
     found = document(f"<sdf>{text}</sdf>")
     written = found.scan.wellformed
     if written:
-        root = etree.fromstring(written.encode())
-        assert sum(1 for _ in root.iter(etree.Element)) == len(found.scan.starts)
+        again = read(written.encode(), PATH)
+        assert again.is_wellformed
+        assert len(again.elements) == len(found.scan.starts)
 
 
 @pytest.mark.parametrize("size", range(len(SMALL) - 1))
@@ -176,13 +177,10 @@ def test_a_file_of_nul_bytes() -> None:
 
 
 def test_a_fault_that_only_the_parser_knows_is_reported_in_its_words() -> None:
-    found = document("<sdf/>")
-    parser = etree.XMLParser()
-    with pytest.raises(etree.XMLSyntaxError):
-        etree.fromstring(b"<sdf>\n<a></sdf>", parser)
-    problem = found._unexplained(parser.error_log[0])
+    (problem,) = _unexplained(Source(PATH, "<sdf>\n<a></sdf>"))
     assert isinstance(problem, SyntaxDefect)
     assert problem.detail.startswith("opening and ending tag mismatch")
+    assert _unexplained(Source(PATH, "<sdf>\n<a/></sdf>")) == []
 
 
 @pytest.mark.parametrize(

@@ -84,7 +84,7 @@ def test_no_other_file_is_loaded(text: str, tmp_path: Path) -> None:
     secret.write_text('<!ENTITY y "hunter2">', encoding="utf-8")
     found = read(text.replace("{uri}", secret.as_uri()).encode(), tmp_path / "a.sdf")
     assert found.root is not None
-    assert b"hunter2" not in etree.tostring(found.root)
+    assert "hunter2" not in str([(e.attributes, e.text, e.tail) for e in found.elements])
 
 
 def test_fifty_megabytes_in_one_value() -> None:
@@ -148,4 +148,4 @@ def test_attributes_past_the_limit_are_reported_once_and_left_out(
     assert problem.kind is SyntaxKind.TOO_MANY
     assert problem.span.text == attributes[1000].partition("=")[0]
     assert found.root is not None
-    assert len(found.root[0].items()) <= 1000
+    assert len(found.elements[1].attributes) <= 1000

@@ -1,8 +1,7 @@
-"""On well-formed texts the quick scan finds what the tolerant one finds, and lxml what both find."""
+"""On well-formed texts the quick scan finds what the tolerant one finds, and lxml reads the same tree."""
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import pytest
@@ -10,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from lxml import etree
 
-from sdfcheck.source.rewritten import written_name
+from sdfcheck.source.document import read
 from sdfcheck.source.scanner.full_scan import scan
 from sdfcheck.source.scanner.quick_scan import quick_scan
 from sdfcheck.source.text import Source
@@ -60,27 +59,29 @@ def test_both_scans_agree_and_so_does_lxml(text: str) -> None:
     assert thorough.problems == []
     for field in ("starts", "ends", "closes", "close_ends", "comments"):
         assert getattr(quick, field) == getattr(thorough, field), field
-    tree = etree.fromstring(text.encode(), etree.XMLParser(recover=True))
-    written = [re.match(r"[^\s/>]+", text[start + 1 :])[0] for start in quick.starts]  # type: ignore[index]
-    assert [element.tag for element in tree.iter(etree.Element)] == written
+    document = read(text.encode(), Path("t.sdf"))
+    assert document.is_wellformed
+    assert len(document.elements) == len(quick.starts)
+    # Without declarations lxml leaves prefixes in the names, too.
+    theirs = etree.fromstring(text.encode(), etree.XMLParser(recover=True)).iter(etree.Element)
+    written = [(each.tag, dict(each.items()), each.text or "", each.tail or "") for each in theirs]
+    assert [(e.name, e.attributes, e.text, e.tail) for e in document.elements] == written
 
 
 @given(DOCUMENTS)
 def test_rewritten_text_means_the_same(text: str) -> None:
-    def content(tree: etree._Element) -> list[tuple[str, dict[str, str], str | None, str | None]]:
-        return [
-            (
-                written_name(str(e.tag), None),
-                {written_name(str(k), None): str(v) for k, v in e.items()},
-                e.text,
-                e.tail,
-            )
-            for e in tree.iter(etree.Element)
-        ]
-
     written = scan(Source(Path("t"), text)).wellformed
-    before = etree.fromstring(text.encode(), etree.XMLParser(recover=True))
-    assert content(etree.fromstring(written.encode())) == content(before)
+    before, after = (read(each.encode(), Path("t.sdf")).elements for each in (text, written))
+    assert [e.name for e in before] == [e.name for e in after] or not text.isascii()
+    assert [(e.text, e.tail, len(e.nodes)) for e in before] == [(e.text, e.tail, len(e.nodes)) for e in after]
+
+
+def test_letters_of_the_world_are_kept() -> None:
+    text = '<sdf><größe 変数="1"/><😀:a \ua4fd="2">x</😀:a></sdf>'
+    document = read(text.encode(), Path("t.sdf"))
+    assert document.problems == []
+    assert [e.name for e in document.elements] == ["sdf", "größe", "😀:a"]
+    assert [e.attributes for e in document.elements] == [{}, {"変数": "1"}, {"\ua4fd": "2"}]
 
 
 @pytest.mark.parametrize("text", ["<a", "<a b='", "<!-- ", "<a><b>", "", "< >", '<a b="><c>'])

@@ -8,8 +8,8 @@ import pytest
 from lxml import etree
 
 from sdfcheck.lint.example import unmark
+from sdfcheck.source.document import read
 from sdfcheck.source.problems import ContentAfterRoot, LateDeclaration, SyntaxDefect, SyntaxKind
-from sdfcheck.source.rewritten import written_name
 from sdfcheck.source.scanner.full_scan import scan
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.text import Source
@@ -275,10 +275,13 @@ def test_a_late_declaration_knows_the_text_before_it() -> None:
     assert problem.declaration.text == '<?xml version="1.0"?>'
 
 
-def test_whatever_a_text_holds_names_keep_their_colons_out_of_namespaces() -> None:
+def test_names_keep_their_colons() -> None:
     text = '<a xmlns="u" xmlns:p="v" p:b="1"><p:c::d p:e="2"/><p:f></p:f></a>'
     result = scanned(text)
     assert result.problems == []
-    root = etree.fromstring(result.wellformed.encode())
-    assert [written_name(e.tag, None) for e in root.iter()] == ["a", "p:c::d", "p:f"]
-    assert root.nsmap == {}
+    document = read(result.wellformed.encode(), Path("a.sdf"))
+    assert [element.name for element in document.elements] == ["a", "p:c::d", "p:f"]
+    assert document.root is not None
+    assert document.root.declared == {"": "u", "p": "v"}
+    assert document.elements[1].namespaces == {"": "u", "p": "v"}
+    assert [element.attributes for element in document.elements] == [{"p:b": "1"}, {"p:e": "2"}, {}]

@@ -16,7 +16,7 @@ def document(text: str) -> Document:
 
 def first(found: Document, name: str) -> Element:
     assert found.root is not None
-    return next(e for e in found.root.iter() if isinstance(e, Element) and e.name == name)
+    return next(e for e in found.elements if e.name == name)
 
 
 SOUND = '<sdf\tversion="1.12"><model\r\n    name = "m"\r\n\tp:x=\'1 2\'\n>\r\n<pose>\r\n  1 2\t3 </pose></model></sdf>'

@@ -71,8 +71,7 @@ def document(expansion: Expansion) -> ExpandedDocument:
 
 
 def elements(document: Document) -> list[Element]:
-    assert document.root is not None
-    return [element for element in document.root.iter(etree.Element) if isinstance(element, Element)]
+    return document.elements
 
 
 def named(document: Document, name: str) -> Element:
