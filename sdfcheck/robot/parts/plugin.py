@@ -123,7 +123,7 @@ class Plugin(Part):
         found = []
         for parameter in self.parameters:
             earlier = first.setdefault(parameter.name, parameter)
-            is_one = parameter.name in facts.parameters - facts.repeatable and not len(parameter)
+            is_one = parameter.name in facts.parameters - facts.repeatable and not parameter.nodes
             if earlier is not parameter and is_one and earlier.content != parameter.content:
                 found.append((earlier, parameter))
         return tuple(found)

@@ -308,7 +308,7 @@ def _references(element: Element) -> Iterator[Value]:
     if element.name == "joint" and parent is not None and parent.name in {"ros2_control", "transmission"}:
         if (value := element.attribute("name")) is not None:
             yield value
-    elif parent is not None and parent.name == "plugin" and not len(element):
+    elif parent is not None and parent.name == "plugin" and not element.nodes:
         yield element.own_value
 
 
