@@ -13,12 +13,13 @@ class ColonInComment(Rule):
     A ROS 2 launch file that passes the description on as a parameter, and does not say
     that it is text, has it read as YAML. There such a colon begins a mapping: the launch
     fails with `mapping values are not allowed here`, and nothing points to the comment.
-    The fix on the other side is `ParameterValue(…, value_type=str)`.
+    The fix on the other side is `ParameterValue(…, value_type=str)`. In a file that describes no robot of its own, and
+    in one for Drake or MuJoCo, this is a hint.
     """
 
     code = "URD015"
     name = "colon-in-comment"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     looks_at = (Root,)
     scaffold = IN_ROBOT
 
@@ -45,7 +46,16 @@ class ColonInComment(Rule):
         what = "a colon in a comment breaks" if len(found) == 1 else f"{len(found)} colons in comments break"
         message = f"{what} launch files that read the description as YAML"
         fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in found))
-        yield self.diagnostic(found[0], message, fix=fix)
+        severity = None if is_description(root) else Severity.INFO
+        yield self.diagnostic(found[0], message, fix=fix, severity=severity)
+
+
+def is_description(root: Root) -> bool:
+    """Is it a robot that is handed to ROS, neither a part of others nor for other programs only?"""
+    text, children = root.document.source.text, {child.name for child in root.children()}
+    is_other = "<drake:" in text or "<mujoco" in text
+    has_joints = "joint" in children or any(name.startswith("xacro:") for name in children)
+    return bool(root.element.attributes.get("name")) and has_joints and not is_other
 
 
 def colons(root: Root) -> list[Span]:
