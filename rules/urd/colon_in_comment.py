@@ -4,6 +4,16 @@ from collections.abc import Iterator
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Root, Rule, Severity, Span, make_fix
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
+OF_ROS = (
+    "base_link",
+    "base_footprint",
+    "package://",
+    "$(find ",
+    "ros_control",
+    "ros2_control",
+    "libgazebo_ros",
+)
+"""Customary names and things that only users of ROS write."""
 COLON = re.compile(r":(?=\s)")
 
 
@@ -14,7 +24,7 @@ class ColonInComment(Rule):
     that it is text, has it read as YAML. There such a colon begins a mapping: the launch
     fails with `mapping values are not allowed here`, and nothing points to the comment.
     The fix on the other side is `ParameterValue(…, value_type=str)`. In a file that describes no robot of its own, and
-    in one for Drake or MuJoCo, this is a hint.
+    in one that shows nothing of ROS, this is a hint.
     """
 
     code = "URD015"
@@ -51,11 +61,10 @@ class ColonInComment(Rule):
 
 
 def is_description(root: Root) -> bool:
-    """Is it a robot that is handed to ROS, neither a part of others nor for other programs only?"""
+    """Is it a whole robot, not a part of others, for ROS?"""
     text, children = root.document.source.text, {child.name for child in root.children()}
-    is_other = "<drake:" in text or "<mujoco" in text
     has_joints = "joint" in children or any(name.startswith("xacro:") for name in children)
-    return bool(root.element.attributes.get("name")) and has_joints and not is_other
+    return bool(root.element.attributes.get("name")) and has_joints and any(mark in text for mark in OF_ROS)
 
 
 def colons(root: Root) -> list[Span]:

@@ -12,8 +12,8 @@ class RootWithInertia(Rule):
 
     robot_state_publisher and other users of KDL print a warning at every start, and what they compute is without that
     mass. For simulators the robot is correct. An empty root link, with a fixed joint to the old one, avoids the
-    warning. Taking the mass away breaks it for simulators. In a robot for Drake or
-    MuJoCo, and in one that does not move, this is a hint.
+    warning. Taking the mass away breaks it for simulators. In a robot that does not
+    move, or shows nothing of ROS, this is a hint.
     """
 
     code = "URD008"
