@@ -542,7 +542,9 @@ def INR009_applies(inertial):
     if not (inertial.mass.is_given and inertial.mass.number > 0):
         return False
     link = inertial.link
-    return not link.child_joints and (not link.parent_joints) and (link not in inertial.root.parent_joints)
+    if link.child_joints or link.parent_joints or link in inertial.root.parent_joints:
+        return False
+    return not any((link.name in {joint.parent_name, joint.child_name} for joint in inertial.root.each(sdfcheck_.Joint)))
 
 inr_oversized_inertia__LEAST = 1e-06
 
@@ -774,9 +776,31 @@ def JNT016_applies(limit):
     is_locked = limit.lower == limit.upper and limit.range[0] == limit.range[1]
     return not is_locked and limit.axis.limit is limit
 
-def JNT017_applies(controller):
+jnt_swapped_soft_limits__SLACK = 0.001
+
+jnt_swapped_soft_limits__FAR = 1.0
+
+def jnt_swapped_soft_limits__faults(controller):
     lower, upper = (controller.attribute(name) for name in ('soft_lower_limit', 'soft_upper_limit'))
-    return lower is not None and upper is not None and (lower.number > upper.number)
+    if lower is not None and upper is not None and (lower.number > upper.number):
+        yield (lower, upper, f'lower soft limit {lower.text} is above upper soft limit {upper.text}')
+        return
+    joint = controller.parent
+    limit = joint.find('limit') if joint is not None and joint.get('type') in {'revolute', 'prismatic'} else None
+    if limit is None:
+        return
+    outside = []
+    for soft, name, sign in ((lower, 'lower', -1), (upper, 'upper', 1)):
+        hard = limit.attribute(name)
+        excess = sign * (soft.number - hard.number) if soft is not None and hard is not None else 0.0
+        if soft is not None and hard is not None and (excess > jnt_swapped_soft_limits__SLACK):
+            message = f'{name} soft limit {soft.text} is outside of the limit {hard.text}'
+            outside.append((soft, hard, message, excess))
+    if len(outside) < 2 or min((excess for *_, excess in outside)) < jnt_swapped_soft_limits__FAR:
+        yield from (found[:3] for found in outside)
+
+def JNT017_applies(controller):
+    return next(jnt_swapped_soft_limits__faults(controller), None) is not None
 
 def JNT018_applies(joint):
     name = joint.get('gearbox_reference_body') if joint.type == 'gearbox' else None
