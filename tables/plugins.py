@@ -24,7 +24,7 @@ HEAD = """\
 """
 GUI = frozenset({"gz-gui", "gz-sim gui"})
 GOES_ON = re.compile(r"\bused\b|goes on|^warning|^no check|^silent|^empty|^$")
-"""What is said of a missing parameter where the plugin runs without it."""
+"""The words for a missing parameter where the plugin runs without it."""
 KINDS = frozenset({"joint", "link"})
 LABELS = re.compile("frame", re.IGNORECASE)
 """Names of frames are labels for tf, never compared with the model."""

@@ -134,7 +134,7 @@ class _Head(NamedTuple):
 
 
 def _head(path: Path) -> _Head | None:
-    """What the beginning of a file says; None where it describes no robot."""
+    """The beginning of a file, as far as it matters; None where it describes no robot."""
     try:
         data = read_regular(path)
     except OSError:
