@@ -1224,7 +1224,16 @@ def RES004_applies(named):
 def RES005_applies(named):
     return named.other_case is not None
 
+res_absolute_path__HOME = re_.compile('(?:file://)?/(?:home|Users)/[^/\\s]+/\\S+')
+
+def res_absolute_path__of_somebody(plugin):
+    for parameter in plugin.parameters:
+        if not len(parameter) and res_absolute_path__HOME.match(parameter.content):
+            yield parameter.own_value
+
 def RES006_applies(named):
+    if isinstance(named, sdfcheck_.Plugin):
+        return next(res_absolute_path__of_somebody(named), None) is not None
     return named.is_absolute and named.misspelling is None and (named.obstacle is None)
 
 def RES007_applies(subject):
@@ -1359,6 +1368,20 @@ def RES021_applies(plugin):
 
 def RES022_applies(plugin):
     return bool(plugin.repeated_parameters)
+
+res_unknown_world_topic__TOPIC = re_.compile('/?world/([^/\\s{}$]+)/\\S*')
+
+def res_unknown_world_topic__foreign(plugin):
+    if plugin.within(sdfcheck_.World) is None:
+        return
+    worlds = {world.name for world in plugin.root.worlds}
+    for parameter in plugin.parameters:
+        match = res_unknown_world_topic__TOPIC.fullmatch(parameter.content) if not len(parameter) else None
+        if match is not None and match[1] not in worlds:
+            yield (parameter.own_value, match[1])
+
+def RES023_applies(plugin):
+    return 'world/' in plugin.document.source.text and next(res_unknown_world_topic__foreign(plugin), None) is not None
 
 def SCH001_applies(root):
     if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):
@@ -1858,6 +1881,7 @@ CONDITIONS = {
     'RES020': RES020_applies,
     'RES021': RES021_applies,
     'RES022': RES022_applies,
+    'RES023': RES023_applies,
     'SCH001': SCH001_applies,
     'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,
