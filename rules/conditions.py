@@ -366,6 +366,85 @@ def gaz_repeated_setting__repeated(block):
 def GAZ013_applies(block):
     return bool(gaz_repeated_setting__repeated(block))
 
+gaz_unmet_need__GZ_SIM = 'gz-sim'
+
+def gaz_unmet_need__is_of_gz_sim(world):
+    return any((plugin.known is not None and plugin.known.generation == gaz_unmet_need__GZ_SIM for plugin in world.plugins))
+
+def gaz_unmet_need__text(plugin):
+    return ' '.join((parameter.name for parameter in plugin.parameters))
+
+def gaz_unmet_need__needs(world):
+    root = world.root
+    if not world.has('spherical_coordinates'):
+        for sensor in root.each(sdfcheck_.Sensor):
+            if sensor.type in {'navsat', 'gps'} and sensor.within(sdfcheck_.World) is world:
+                yield (sensor, f'{sensor.title} reports nothing: {world.title} has no `spherical_coordinates`')
+                break
+    plugins = [plugin for plugin in root.each(sdfcheck_.Plugin) if plugin.known is not None]
+    names = {plugin.known.file for plugin in plugins if plugin.known is not None}
+    if 'gz-sim-buoyancy-system' not in names and 'gz-sim-buoyancy-engine-system' not in names and world.is_complete:
+        for plugin in plugins:
+            is_fluid = plugin.known is not None and plugin.known.file == 'gz-sim-hydrodynamics-system'
+            if is_fluid and plugin.within(sdfcheck_.World) is world:
+                yield (plugin, f'the vessel sinks: {world.title} has no Buoyancy system')
+                break
+    chosen = {element.content for element in root.elements.get('collision_detector', ())}
+    if not chosen and (not any(('physics' in plugin.filename and 'engine' in gaz_unmet_need__text(plugin) for plugin in world.plugins))):
+        for heightmap in root.elements.get('heightmap', ()):
+            around = {element.name for element in heightmap.around}
+            if 'collision' in around and root.scope_of(heightmap) is not None:
+                words = f'collides with nothing: {world.title} does not choose the collision detector `bullet`'
+                yield (heightmap, f'the heightmap {words}')
+                break
+
+def GAZ014_applies(world):
+    return gaz_unmet_need__is_of_gz_sim(world) and next(gaz_unmet_need__needs(world), None) is not None
+
+def gaz_shared_topic__outermost(sensor):
+    if sensor.is_extension:
+        return None
+    model = sensor.within(sdfcheck_.Model)
+    while model is not None and (outer := model.within(sdfcheck_.Model)) is not None:
+        model = outer
+    return model
+
+gaz_shared_topic__MOTORS = 'gz-sim-multicopter-motor-model-system'
+
+gaz_shared_topic__NUMBERS = ('actuator_number', 'motorNumber')
+
+def gaz_shared_topic__doubled(root):
+    elements = root.elements
+    topics = {}
+    for sensor in root.each(sdfcheck_.Sensor) if len(elements.get('sensor', ())) > 1 else ():
+        value = sensor.value('topic')
+        if value is None or not sensor.topic or '$' in sensor.topic or ('{' in sensor.topic):
+            continue
+        first, other = topics.setdefault((gaz_shared_topic__outermost(sensor), sensor.topic), (value, sensor))
+        if first is not value and other is not sensor:
+            yield (first, value, f'{sensor.title} publishes on topic `{sensor.topic}`, as {other.title} does')
+    numbers = {}
+    for plugin in root.each(sdfcheck_.Plugin) if gaz_shared_topic__MOTORS.removeprefix('gz-sim-') in root.document.source.text else ():
+        value = next((found for name in gaz_shared_topic__NUMBERS if (found := plugin.value(name)) is not None), None)
+        if plugin.known is None or plugin.known.file != gaz_shared_topic__MOTORS or value is None or ('$' in value.text):
+            continue
+        key = (plugin.holder, plugin.get('robotNamespace'), plugin.get('commandSubTopic'), value.text.strip())
+        first_number = numbers.setdefault(key, value)
+        if first_number is not value:
+            yield (first_number, value, f'motor number {value.text.strip()} is given before')
+
+def GAZ015_applies(root):
+    return next(gaz_shared_topic__doubled(root), None) is not None
+
+gaz_unread_mimic__CONTROL = 'libgazebo_ros_control.so'
+
+def gaz_unread_mimic__followers(robot):
+    return [joint for joint in robot.joints if joint.has('mimic') and joint.moves and (joint.axis.mimic is not None)]
+
+def GAZ016_applies(robot):
+    files = [plugin.filename for plugin in robot.plugins]
+    return gaz_unread_mimic__CONTROL in files and (not any(('mimic' in file.lower() for file in files))) and bool(gaz_unread_mimic__followers(robot))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
 
@@ -463,7 +542,9 @@ def INR009_applies(inertial):
     if not (inertial.mass.is_given and inertial.mass.number > 0):
         return False
     link = inertial.link
-    return not link.child_joints and (not link.parent_joints) and (link not in inertial.root.parent_joints)
+    if link.child_joints or link.parent_joints or link in inertial.root.parent_joints:
+        return False
+    return not any((link.name in {joint.parent_name, joint.child_name} for joint in inertial.root.each(sdfcheck_.Joint)))
 
 inr_oversized_inertia__LEAST = 1e-06
 
@@ -695,9 +776,31 @@ def JNT016_applies(limit):
     is_locked = limit.lower == limit.upper and limit.range[0] == limit.range[1]
     return not is_locked and limit.axis.limit is limit
 
-def JNT017_applies(controller):
+jnt_swapped_soft_limits__SLACK = 0.001
+
+jnt_swapped_soft_limits__FAR = 1.0
+
+def jnt_swapped_soft_limits__faults(controller):
     lower, upper = (controller.attribute(name) for name in ('soft_lower_limit', 'soft_upper_limit'))
-    return lower is not None and upper is not None and (lower.number > upper.number)
+    if lower is not None and upper is not None and (lower.number > upper.number):
+        yield (lower, upper, f'lower soft limit {lower.text} is above upper soft limit {upper.text}')
+        return
+    joint = controller.parent
+    limit = joint.find('limit') if joint is not None and joint.get('type') in {'revolute', 'prismatic'} else None
+    if limit is None:
+        return
+    outside = []
+    for soft, name, sign in ((lower, 'lower', -1), (upper, 'upper', 1)):
+        hard = limit.attribute(name)
+        excess = sign * (soft.number - hard.number) if soft is not None and hard is not None else 0.0
+        if soft is not None and hard is not None and (excess > jnt_swapped_soft_limits__SLACK):
+            message = f'{name} soft limit {soft.text} is outside of the limit {hard.text}'
+            outside.append((soft, hard, message, excess))
+    if len(outside) < 2 or min((excess for *_, excess in outside)) < jnt_swapped_soft_limits__FAR:
+        yield from (found[:3] for found in outside)
+
+def JNT017_applies(controller):
+    return next(jnt_swapped_soft_limits__faults(controller), None) is not None
 
 def JNT018_applies(joint):
     name = joint.get('gearbox_reference_body') if joint.type == 'gearbox' else None
@@ -795,6 +898,15 @@ def MUJ004_applies(inertial):
     if low >= muj_singular_inertia__LEAST or high <= 0 or inertial.tensor.is_indefinite or inertial.tensor.is_impossible:
         return False
     return not muj_mass__is_massless(inertial.link)
+
+def muj_fused_root__is_kept(link):
+    compilers = (each for block in link.model.children('mujoco') for each in block.children('compiler'))
+    return any((each.attributes.get('fusestatic', '').strip().lower() == 'false' for each in compilers))
+
+def MUJ005_applies(link):
+    if not link.is_urdf or link.name == 'world' or (not link.has_mass) or (not link.child_joints):
+        return False
+    return link in link.model.tree.main_roots and (not muj_fused_root__is_kept(link))
 
 def NAM001_applies(root):
     return any((first.kind == later.kind for first, later in root.names.shared))
@@ -1113,7 +1225,16 @@ def RES004_applies(named):
 def RES005_applies(named):
     return named.other_case is not None
 
+res_absolute_path__HOME = re_.compile('(?:file://)?/(?:home|Users)/[^/\\s]+/\\S+')
+
+def res_absolute_path__of_somebody(plugin):
+    for parameter in plugin.parameters:
+        if not len(parameter) and res_absolute_path__HOME.match(parameter.content):
+            yield parameter.own_value
+
 def RES006_applies(named):
+    if isinstance(named, sdfcheck_.Plugin):
+        return next(res_absolute_path__of_somebody(named), None) is not None
     return named.is_absolute and named.misspelling is None and (named.obstacle is None)
 
 def RES007_applies(subject):
@@ -1248,6 +1369,20 @@ def RES021_applies(plugin):
 
 def RES022_applies(plugin):
     return bool(plugin.repeated_parameters)
+
+res_unknown_world_topic__TOPIC = re_.compile('/?world/([^/\\s{}$]+)/\\S*')
+
+def res_unknown_world_topic__foreign(plugin):
+    if plugin.within(sdfcheck_.World) is None:
+        return
+    worlds = {world.name for world in plugin.root.worlds}
+    for parameter in plugin.parameters:
+        match = res_unknown_world_topic__TOPIC.fullmatch(parameter.content) if not len(parameter) else None
+        if match is not None and match[1] not in worlds:
+            yield (parameter.own_value, match[1])
+
+def RES023_applies(plugin):
+    return 'world/' in plugin.document.source.text and next(res_unknown_world_topic__foreign(plugin), None) is not None
 
 def SCH001_applies(root):
     if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):
@@ -1635,6 +1770,9 @@ CONDITIONS = {
     'GAZ011': GAZ011_applies,
     'GAZ012': GAZ012_applies,
     'GAZ013': GAZ013_applies,
+    'GAZ014': GAZ014_applies,
+    'GAZ015': GAZ015_applies,
+    'GAZ016': GAZ016_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -1670,6 +1808,7 @@ CONDITIONS = {
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,
     'MUJ004': MUJ004_applies,
+    'MUJ005': MUJ005_applies,
     'NAM001': NAM001_applies,
     'NAM002': NAM002_applies,
     'NAM003': NAM003_applies,
@@ -1743,6 +1882,7 @@ CONDITIONS = {
     'RES020': RES020_applies,
     'RES021': RES021_applies,
     'RES022': RES022_applies,
+    'RES023': RES023_applies,
     'SCH001': SCH001_applies,
     'SCH002': SCH002_applies,
     'SCH016': SCH016_applies,

@@ -14,7 +14,14 @@ if TYPE_CHECKING:
     from sdfcheck.consumers.drake_limits import Ignored, ignored_by_drake
     from sdfcheck.consumers.gazebo import BuiltFrame, BuiltJoint, BuiltLink, BuiltShape, GazeboRobot
     from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, Verdict, accepts, refuses, warns
-    from sdfcheck.consumers.urdf_readers import lacking, repeating, undersized, unexpanded, unreadable
+    from sdfcheck.consumers.urdf_readers import (
+        is_harmless,
+        lacking,
+        repeating,
+        undersized,
+        unexpanded,
+        unreadable,
+    )
     from sdfcheck.convert.call import convert
     from sdfcheck.convert.file_difference import FileDifference
     from sdfcheck.convert.loss import Loss, NotConvertible
@@ -109,7 +116,7 @@ _HOMES = {
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
     "sdfcheck.lint.run": "Run",
-    "sdfcheck.consumers.urdf_readers": "lacking repeating undersized unexpanded unreadable",
+    "sdfcheck.consumers.urdf_readers": "is_harmless lacking repeating undersized unexpanded unreadable",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.robot.access.load": "Unreadable load parse",
@@ -282,6 +289,7 @@ __all__ = [
     "fix",
     "ignored_by_drake",
     "inertia",
+    "is_harmless",
     "lacking",
     "lint",
     "listed",

@@ -24,7 +24,7 @@ HEAD = """\
 """
 GUI = frozenset({"gz-gui", "gz-sim gui"})
 GOES_ON = re.compile(r"\bused\b|goes on|^warning|^no check|^silent|^empty|^$")
-"""What is said of a missing parameter where the plugin runs without it."""
+"""The words for a missing parameter where the plugin runs without it."""
 KINDS = frozenset({"joint", "link"})
 LABELS = re.compile("frame", re.IGNORECASE)
 """Names of frames are labels for tf, never compared with the model."""
@@ -63,13 +63,17 @@ def lines(plugin: Facts) -> Iterator[str]:
 def names_of(plugin: Facts, parameters: list[Facts]) -> Iterator[str]:
     """The lines with the names of parameters."""
     known: dict[str, str] = {}
+    is_control = plugin["generation"].endswith("ros2_control")  # of which rules of their own speak
     for parameter in parameters:
         name = re.split("[/@]", parameter["name"])[0]
         if not name or parameter.get("pattern"):
             continue
         whole = name == parameter["name"]
         is_needed = (
-            whole and parameter["required"] is True and not GOES_ON.search(parameter.get("if_missing", ""))
+            whole
+            and not is_control
+            and parameter["required"] is True
+            and not GOES_ON.search(parameter.get("if_missing", ""))
         )
         known[name] = known.get(name, "") or "!" * is_needed
         several = (parameter.get("refers") or {}).get("several")

@@ -13,9 +13,9 @@ ROBOT = (
 class SensorOnMergedJoint(Rule):
     """A sensor is on a fixed joint, which libsdformat merges away together with the sensor.
 
-    When it converts URDF, libsdformat merges the links that fixed joints tie together. What a `gazebo` block
-    holds for the child link moves to the link that is left; what it holds for the joint is lost in silence, and the
-    sensor never publishes. `preserveFixedJoint` keeps the joint.
+    When it converts URDF, libsdformat merges the links that fixed joints tie together. The content of a
+    `gazebo` block for the child link moves to the link that is left; that of a block for the joint is lost in silence,
+    and the sensor never publishes. `preserveFixedJoint` keeps the joint.
     """
 
     code = "GAZ011"

@@ -40,9 +40,11 @@ class UnknownSensorFrame(Rule):
             "<gz_frame_id>«scn»</gz_frame_id>",
             fixed="<gz_frame_id>scan</gz_frame_id>",
             unsafe=True,
-            says="frame `scn` of sensor `s` is no link of robot `r`; did you mean `scan`?",
+            says="frame `scn` of sensor `s` is not a link of robot `r`; did you mean `scan`?",
         ),
-        Bad(PLUGIN.format("«laser_link»"), says="frame `laser_link` of sensor `s` is no link of robot `r`"),
+        Bad(
+            PLUGIN.format("«laser_link»"), says="frame `laser_link` of sensor `s` is not a link of robot `r`"
+        ),
     )
     good = (
         Good("<gz_frame_id>scan</gz_frame_id>", why="a link, also where libsdformat merges it"),
@@ -65,7 +67,7 @@ class UnknownSensorFrame(Rule):
                 yield self.diagnostic(value, message, fix=fix)
                 continue
             robot = sensor.root.models[0]
-            message += f" is no link of {robot.title}"
+            message += f" is not a link of {robot.title}"
             yield self.diagnostic(value, message, meant=sensor.nearest(name, robot.tree.links))
 
 

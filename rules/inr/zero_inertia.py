@@ -1,12 +1,13 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Joint, Rule, Severity, warns
 from sdfcheck_rules.inr.moments import has_moments
 
 ZERO = "<ixx>0</ixx><iyy>0</iyy><izz>0</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz>"
 INERTIA = '<{} ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/>'
 ROBOT = f'<robot name="r"><link name="a"><inertial><mass value="1"/>{INERTIA}</inertial></link>{{}}</robot>'
 CHILD = '<link name="b"/><joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'
+PART = '<joint name="j" type="fixed"><parent link="body"/><child link="a"/></joint>'
 
 
 class ZeroInertia(Rule):
@@ -33,6 +34,7 @@ class ZeroInertia(Rule):
     good = (
         Good("<inertial><mass>1</mass></inertial>", why="the moments are 1 where they are not written"),
         Good(ROBOT.format("inertia", CHILD), scaffold="", why="a point mass on a joint"),
+        Good(ROBOT.format("inertia", PART), scaffold="", why="its parent is elsewhere", file="part.xacro"),
     )
 
     @staticmethod
@@ -47,7 +49,12 @@ class ZeroInertia(Rule):
         if not (inertial.mass.is_given and inertial.mass.number > 0):
             return False
         link = inertial.link
-        return not link.child_joints and not link.parent_joints and link not in inertial.root.parent_joints
+        if link.child_joints or link.parent_joints or link in inertial.root.parent_joints:
+            return False
+        # In a part or a macro the other end of a joint is where nobody can see it.
+        return not any(
+            link.name in {joint.parent_name, joint.child_name} for joint in inertial.root.each(Joint)
+        )
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         link, mass = inertial.link, inertial.mass

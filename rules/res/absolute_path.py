@@ -1,6 +1,8 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import (
+    IN_MODEL,
     IN_ROBOT,
     IN_URDF_LINK,
     IN_VISUAL,
@@ -9,13 +11,16 @@ from sdfcheck import (
     Diagnostic,
     Good,
     Include,
+    Plugin,
     Resource,
     Rule,
     Severity,
+    Value,
     warns,
 )
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
+HOME = re.compile(r"(?:file://)?/(?:home|Users)/[^/\s]+/\S+")
 
 
 class AbsolutePath(Rule):
@@ -32,7 +37,7 @@ class AbsolutePath(Rule):
         Consumer.GAZEBO: warns("does not find the file on another computer"),
         Consumer.DRAKE: warns("refuses the file on another computer"),
     }
-    looks_at = (Include, Resource)
+    looks_at = (Include, Resource, Plugin)
     scaffold = IN_VISUAL
 
     bad = (
@@ -47,6 +52,10 @@ class AbsolutePath(Rule):
             "</metal></pbr></material></visual></gazebo>",
             scaffold=IN_ROBOT,
         ),
+        Bad(
+            '<plugin name="p" filename="libp.so"><table>«/home/ann/data.csv»</table></plugin>',
+            scaffold=IN_MODEL,
+        ),
     )
     good = (
         Good(MESH.format("file://meshes/arm.dae"), why="relative anyway"),
@@ -54,10 +63,25 @@ class AbsolutePath(Rule):
     )
 
     @staticmethod
-    def applies(named: Include | Resource) -> bool:
+    def applies(named: Include | Resource | Plugin) -> bool:
+        if isinstance(named, Plugin):
+            return next(of_somebody(named), None) is not None
         # An include that is not found is an error of its own.
         return named.is_absolute and named.misspelling is None and named.obstacle is None
 
-    def check(self, named: Include | Resource) -> Iterator[Diagnostic]:
+    def check(self, named: Include | Resource | Plugin) -> Iterator[Diagnostic]:
+        if isinstance(named, Plugin):
+            for value in of_somebody(named):
+                yield self.diagnostic(
+                    value, f"absolute path `{value.text.strip()}` holds on one computer only"
+                )
+            return
         if named.uri_value is not None:
             yield self.diagnostic(named.uri_value, f"absolute path `{named.uri}` holds on one computer only")
+
+
+def of_somebody(plugin: Plugin) -> Iterator[Value]:
+    """The parameters of a plugin that name a file in somebody's home folder."""
+    for parameter in plugin.parameters:
+        if not len(parameter) and HOME.match(parameter.content):
+            yield parameter.own_value

@@ -10,6 +10,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    is_harmless,
     problems,
     suggest,
     unreadable,
@@ -125,7 +126,9 @@ class MalformedValue(Rule):
         else:
             message = f"`{name}` should be {reading.expected}, and `{part}` is not a number"
         meant = MEANT.get(reading.cause.name, _nothing)(part, reading.expected)
-        yield self.diagnostic(problem.span, message, meant=meant, affects=unreadable(value))
+        affects = unreadable(value)
+        severity = Severity.WARNING if is_harmless(affects) else None
+        yield self.diagnostic(problem.span, message, meant=meant, affects=affects, severity=severity)
 
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""

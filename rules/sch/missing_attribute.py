@@ -12,6 +12,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    is_harmless,
     lacking,
     problems,
     warns,
@@ -82,7 +83,9 @@ class MissingAttribute(Rule):
         value = element.attribute(name)
         target = element.span if value is None else value.name_span
         if problem.until is None:
-            yield self.diagnostic(target, message, affects=lacking(element, name))
+            affects = dict(lacking(element, name))
+            severity = Severity.WARNING if is_harmless(affects) else None
+            yield self.diagnostic(target, message, affects=affects, severity=severity)
             return
         message += f", required up to version {problem.until}"
         affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))

@@ -5,6 +5,16 @@ from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Root, Rule, Severity
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
 DIRECTIVE = "sdfcheck:"
+OF_ROS = (
+    "base_link",
+    "base_footprint",
+    "package://",
+    "$(find ",
+    "ros_control",
+    "ros2_control",
+    "libgazebo_ros",
+)
+"""Customary names and things that only users of ROS write."""
 COLON = re.compile(r":(?=\s)")
 
 
@@ -14,12 +24,13 @@ class ColonInComment(Rule):
     A ROS 2 launch file that passes the description on as a parameter, and does not say
     that it is text, has it read as YAML. There such a colon begins a mapping: the launch
     fails with `mapping values are not allowed here`, and nothing points to the comment.
-    The fix on the other side is `ParameterValue(…, value_type=str)`.
+    The fix on the other side is `ParameterValue(…, value_type=str)`. In a file that describes no robot of its own, and
+    in one that shows nothing of ROS, this is a hint.
     """
 
     code = "URD015"
     name = "colon-in-comment"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     looks_at = (Root,)
     scaffold = IN_ROBOT
 
@@ -46,18 +57,27 @@ class ColonInComment(Rule):
         found = colons(root)
         prose = [colon for colon in found if not is_directive(colon)]
         silencing = [colon for colon in found if is_directive(colon)]
+        severity = None if is_description(root) else Severity.INFO
         if prose:
             fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in prose))
-            yield self.diagnostic(prose[0], _message(prose, ""), fix=fix)
+            yield self.diagnostic(prose[0], _message(prose, ""), fix=fix, severity=severity)
         if silencing:
             advice = f"write `{DIRECTIVE}` without a space after it"
-            yield self.diagnostic(silencing[0], _message(silencing, " for sdfcheck"), help=advice)
+            text = _message(silencing, " for sdfcheck")
+            yield self.diagnostic(silencing[0], text, help=advice, severity=severity)
 
 
 def _message(found: list[Span], whose: str) -> str:
     one = len(found) == 1
     what = f"a colon in a comment{whose} breaks" if one else f"{len(found)} colons in comments{whose} break"
     return f"{what} launch files that read the description as YAML"
+
+
+def is_description(root: Root) -> bool:
+    """Is it a whole robot, not a part of others, for ROS?"""
+    text, children = root.document.source.text, {child.name for child in root.children()}
+    has_joints = "joint" in children or any(name.startswith("xacro:") for name in children)
+    return bool(root.element.attributes.get("name")) and has_joints and any(mark in text for mark in OF_ROS)
 
 
 def colons(root: Root) -> list[Span]:

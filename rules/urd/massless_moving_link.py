@@ -19,7 +19,8 @@ from sdfcheck_rules.urd.without_mass import in_drake
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 MASS = f'<inertial><mass value="1"/>{INERTIA}</inertial>'
 ARM = (
-    f'<robot name="r"><link name="a">{MASS}</link>{{}}'
+    f'<robot name="r"><link name="root"/><link name="a">{MASS}</link>{{}}'
+    '<joint name="base" type="fixed"><parent link="root"/><child link="a"/></joint>'
     '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
 )
 

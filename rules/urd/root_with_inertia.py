@@ -1,29 +1,31 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck_rules.urd.colon_in_comment import is_description
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
-JOINT = '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
+JOINT = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
 
 
 class RootWithInertia(Rule):
     """The root link has mass, which KDL drops.
 
-    robot_state_publisher and other users of KDL print a warning at every start. The robot
-    is correct. An empty root link, with a fixed joint to the old one, avoids the warning.
-    Taking the mass away breaks it for simulators.
+    robot_state_publisher and other users of KDL print a warning at every start, and what they compute is without that
+    mass. For simulators the robot is correct. An empty root link, with a fixed joint to the old one, avoids the
+    warning. Taking the mass away breaks it for simulators. In a robot that does not
+    move, or shows nothing of ROS, this is a hint.
     """
 
     code = "URD008"
     name = "root-with-inertia"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     looks_at = (Link,)
     selects = ("urdf:robot/link",)
 
     bad = (
         Bad(
             f'<robot name="r"><link name="a">{MASS.replace("inertial", "«inertial»", 1)}</link>'
-            f'<link name="b"/>{JOINT}',
+            f'<link name="b">{MASS}</link>{JOINT}',
             says="root link `a` has mass, which KDL drops",
         ),
     )
@@ -42,4 +44,8 @@ class RootWithInertia(Rule):
     def check(self, link: Link) -> Iterator[Diagnostic]:
         message = f"root {link.title} has mass, which KDL drops"
         advice = "put an empty link above it, with a fixed joint"
-        yield self.diagnostic(link.inertial, message, labels={link: "the root"}, help=advice)
+        moves = any(joint.moves for joint in link.model.joints)
+        severity = None if moves and is_description(link.root) else Severity.INFO
+        yield self.diagnostic(
+            link.inertial, message, labels={link: "the root"}, help=advice, severity=severity
+        )

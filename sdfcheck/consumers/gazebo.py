@@ -154,7 +154,7 @@ class GazeboRobot:
 
     def is_dropped(self, link: Link) -> bool:
         """Is it left out: without mass once links are merged, or on such a link?"""
-        return link in self._dropped
+        return link in self._dropped or self.base(link) not in self.with_mass
 
     def members(self, base: Link) -> Iterator[Link]:
         """A link and all links that are merged into it: those on a link in the order of its joints' names."""
@@ -178,7 +178,7 @@ class GazeboRobot:
         except (DescriptionError, ArithmeticError):
             return Moments(math.nan, math.nan, math.nan)
 
-    # What is built
+    # The result
 
     @lazy
     def links(self) -> dict[str, BuiltLink]:

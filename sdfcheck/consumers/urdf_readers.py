@@ -18,6 +18,7 @@ from sdfcheck.source.sniff import Kind
 _NAMING = frozenset(("name", "link", "joint", "type", "reference", "filename"))
 _FREE = frozenset(("transmission", "gazebo", "ros2_control"))
 _UNREAD = accepts("does not read it")
+_OF_SPRINGS = frozenset(("spring_reference", "spring_stiffness"))
 _ASIDE = frozenset(("safety_controller", "calibration"))
 _NUMBERS = re.compile(r"(?:[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s+)*[-+]?\.?\d\S*")
 """Numbers, of which the last one may be followed by something else."""
@@ -40,6 +41,9 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
         found[Consumer.MUJOCO] = accepts("makes a ball joint of it")
     if place & _ASIDE:
         found[Consumer.DRAKE] = _UNREAD
+    elif isinstance(at, Value) and at.attribute in _OF_SPRINGS:
+        found.update(dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO, Consumer.DRAKE), _UNREAD))
+        found[Consumer.MUJOCO] = warns("takes no spring")
     elif isinstance(at, Value) and _NUMBERS.fullmatch(at.text.strip()):
         found[Consumer.DRAKE] = warns("reads the number at its beginning")
     if isinstance(at, Value) and "nan" in at.text.lower().split():
@@ -64,14 +68,25 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
         found[Consumer.DRAKE] = warns("takes 0")
     if (element.name, name) == ("robot", "link"):
         found[Consumer.DRAKE] = accepts("takes a robot without links")
-    if element.name == "texture" and "visual" in _place(element):
-        found = {
-            **dict.fromkeys(Consumer, accepts("goes by the name of the material")),
-            Consumer.DRAKE: REFUSES,
-        }
+    if element.name == "texture":
+        found.update(_lacking_file(element))
     if element.name in {"robot", "material"}:
         found[Consumer.MUJOCO] = _UNREAD
     return found
+
+
+def _lacking_file(texture: Element) -> Mapping[Consumer, Reaction]:
+    """Reactions to a texture without a file: they go by the material's name, or by the color beside it."""
+    if "visual" in _place(texture):
+        by_name = accepts("goes by the name of the material")
+        return {**dict.fromkeys(Consumer, by_name), Consumer.DRAKE: REFUSES}
+    has_color = texture.parent is not None and texture.parent.has("color")
+    return dict.fromkeys(Consumer, accepts("takes the color")) if has_color else {}
+
+
+def is_harmless(affects: Mapping[Consumer, Reaction]) -> bool:
+    """Do all consumers of which reactions are known read on?"""
+    return bool(affects) and not any(reaction.is_refusal for reaction in affects.values())
 
 
 def undersized(at: Value) -> Mapping[Consumer, Reaction]:

@@ -38,6 +38,9 @@ _FOREIGN = {
 }
 """Elements of other languages → what xacro has instead."""
 
+_ARGUMENT = re.compile(r"(?<!['\"])\$\(arg\s+(\w+)\)")
+_LONGEST = 1000
+"""Characters of an expression that is looked at."""
 _NO_LETTER = re.compile(r"\W")
 _OTHER_LANGUAGES = (
     (re.compile(r"&&|&amp;&amp;"), "Python writes `and` for `&&`"),
@@ -73,6 +76,9 @@ def with_reason(problem: Problem, document: Document) -> Problem:
 
 def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | None:
     name = problem.name
+    for asked in _ARGUMENT.findall(_expression_around(problem.span)):
+        if any(read.arguments.get(asked) == name for read in visible.readings):
+            return Reason(f"`$(arg {asked})` becomes that name: write `'$(arg {asked})'`")
     for read in visible.readings:
         if name in read.argument_elements:
             place = _name(read.argument_elements[name])
@@ -94,6 +100,14 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
     if outside.value is None and not outside.element.nodes:
         return Reason("it has no value", _name(outside.element), "no `value` here")
     return _late(problem.span, _name(outside.element))
+
+
+def _expression_around(span: Span) -> str:
+    """The ``${…}`` that a place is in, or at the beginning of the value."""
+    text = span.source.text
+    start = text.rfind("${", 0, span.end + 2)
+    end = text.find("}", span.start)
+    return text[start:end] if 0 <= start < end and end - start < _LONGEST else ""
 
 
 def _is_inside(span: Span, found: list[Property]) -> bool:

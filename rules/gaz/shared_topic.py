@@ -1,0 +1,102 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Model,
+    Plugin,
+    Root,
+    Rule,
+    Sensor,
+    Severity,
+    Value,
+    warns,
+)
+
+SENSOR = '<sensor name="{}" type="imu"><topic>{}</topic></sensor>'
+MOTOR = (
+    '<plugin filename="gz-sim-multicopter-motor-model-system" name="gz::sim::systems::MulticopterMotorModel">'
+    "<jointName>r</jointName><linkName>base</linkName><commandSubTopic>c</commandSubTopic>"
+    "<motorNumber>{}</motorNumber></plugin>"
+)
+ROTOR = (
+    '<link name="k"/><joint name="r" type="revolute"><parent>base</parent><child>k</child>'
+    "<axis><xyz>0 0 1</xyz></axis></joint>"
+)
+MOTORS = "gz-sim-multicopter-motor-model-system"
+NUMBERS = ("actuator_number", "motorNumber")
+
+
+class SharedTopic(Rule):
+    """Two sensors of a robot publish on one topic, or two of its motors have one number.
+
+    The messages of both sensors come mixed on the topic, of one type or of two. Motors take their speed from a list, by
+    their number: both turn alike, and the speed that was meant for the second goes nowhere.
+    """
+
+    code = "GAZ015"
+    name = "shared-topic"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("mixes them")}
+    looks_at = (Root,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            SENSOR.format("front", "imu") + SENSOR.format("back", "«imu»"),
+            says="sensor `back` publishes on topic `imu`, as sensor `front` does",
+        ),
+        Bad(
+            ROTOR + MOTOR.format("0") + MOTOR.format("«0»"),
+            scaffold=IN_MODEL,
+            says="motor number 0 is given before",
+        ),
+    )
+    good = (
+        Good(SENSOR.format("front", "imu") + SENSOR.format("back", "imu2")),
+        Good(ROTOR + MOTOR.format("0") + MOTOR.format("1"), scaffold=IN_MODEL),
+    )
+
+    @staticmethod
+    def applies(root: Root) -> bool:
+        return next(doubled(root), None) is not None
+
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        for first, again, words in doubled(root):
+            yield self.diagnostic(again, words, labels={first: "first here"})
+
+
+def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
+    """The first and the further uses of a topic, or of the number of a motor, in one model with all in it."""
+    elements = root.elements
+    topics: dict[tuple[Model | None, str], tuple[Value, Sensor]] = {}
+    for sensor in root.each(Sensor) if len(elements.get("sensor", ())) > 1 else ():
+        value = sensor.value("topic")
+        if value is None or not sensor.topic or "$" in sensor.topic or "{" in sensor.topic:
+            continue
+        first, other = topics.setdefault((outermost(sensor), sensor.topic), (value, sensor))
+        if first is not value and other is not sensor:
+            yield first, value, f"{sensor.title} publishes on topic `{sensor.topic}`, as {other.title} does"
+    numbers: dict[tuple[object, ...], Value] = {}
+    for plugin in root.each(Plugin) if MOTORS.removeprefix("gz-sim-") in root.document.source.text else ():
+        value = next((found for name in NUMBERS if (found := plugin.value(name)) is not None), None)
+        if plugin.known is None or plugin.known.file != MOTORS or value is None or "$" in value.text:
+            continue
+        key = (plugin.holder, plugin.get("robotNamespace"), plugin.get("commandSubTopic"), value.text.strip())
+        first_number = numbers.setdefault(key, value)
+        if first_number is not value:
+            yield first_number, value, f"motor number {value.text.strip()} is given before"
+
+
+def outermost(sensor: Sensor) -> Model | None:
+    """The model that is in no other one; the robot in URDF."""
+    if sensor.is_extension:
+        return None
+    model = sensor.within(Model)
+    while model is not None and (outer := model.within(Model)) is not None:
+        model = outer
+    return model

@@ -1,0 +1,124 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_WORLD,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Plugin,
+    Rule,
+    Sensor,
+    Severity,
+    Target,
+    World,
+    warns,
+)
+
+GZ_SIM = "gz-sim"
+PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
+GPS = '<model name="m"><link name="l"><inertial><mass>1</mass></inertial><{} name="s" type="navsat"/></link></model>'
+BOAT = (
+    '<model name="m"><link name="l"><inertial><mass>1</mass></inertial></link>'
+    '<{} filename="gz-sim-hydrodynamics-system" name="gz::sim::systems::Hydrodynamics">'
+    "<link_name>l</link_name></plugin></model>"
+)
+BUOYANCY = '<plugin filename="gz-sim-buoyancy-system" name="gz::sim::systems::Buoyancy"/>'
+GROUND = (
+    '<model name="g"><static>true</static><link name="l"><collision name="c"><geometry><{}><uri>h.png</uri></heightmap>'
+    "</geometry></collision></link></model>"
+)
+DETECTOR = '<physics type="ode"><dart><collision_detector>bullet</collision_detector></dart></physics>'
+
+
+class UnmetNeed(Rule):
+    """Something in a world of Gazebo needs what the world does not have.
+
+    A navsat sensor needs `spherical_coordinates`, without which it has no position to report. Hydrodynamics needs the
+    Buoyancy system: without it the vessel sinks. A heightmap to collide with needs the collision detector `bullet`:
+    that of the engine by default does not know heightmaps, and everything falls through.
+    """
+
+    code = "GAZ014"
+    name = "unmet-need"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("simulates without it")}
+    looks_at = (World,)
+    scaffold = IN_WORLD
+
+    bad = (
+        Bad(
+            PHYSICS + GPS.replace("{}", "«sensor»"),
+            says="sensor `s` reports nothing: world `w` has no `spherical_coordinates`",
+        ),
+        Bad(
+            PHYSICS + BOAT.replace("{}", "«plugin»"),
+            says="the vessel sinks: world `w` has no Buoyancy system",
+        ),
+        Bad(
+            PHYSICS + GROUND.replace("{}", "«heightmap»"),
+            says="collides with nothing: world `w` does not choose the collision detector `bullet`",
+        ),
+    )
+    good = (
+        Good(
+            PHYSICS
+            + "<spherical_coordinates><latitude_deg>1</latitude_deg></spherical_coordinates>"
+            + GPS.replace("{}", "sensor")
+        ),
+        Good(PHYSICS + BUOYANCY + BOAT.replace("{}", "plugin")),
+        Good(PHYSICS + DETECTOR + GROUND.replace("{}", "heightmap")),
+        Good(GROUND.replace("{}", "heightmap"), why="nothing says that the world is for the new Gazebo"),
+    )
+
+    @staticmethod
+    def applies(world: World) -> bool:
+        return is_of_gz_sim(world) and next(needs(world), None) is not None
+
+    def check(self, world: World) -> Iterator[Diagnostic]:
+        for target, words in needs(world):
+            yield self.diagnostic(target, words)
+
+
+def is_of_gz_sim(world: World) -> bool:
+    """Does a world list a system of the new Gazebo?"""
+    return any(plugin.known is not None and plugin.known.generation == GZ_SIM for plugin in world.plugins)
+
+
+def needs(world: World) -> Iterator[tuple[Target, str]]:
+    """The first thing of each kind that needs what the world lacks, and the words for it."""
+    root = world.root
+    if not world.has("spherical_coordinates"):
+        for sensor in root.each(Sensor):
+            if sensor.type in {"navsat", "gps"} and sensor.within(World) is world:
+                yield sensor, f"{sensor.title} reports nothing: {world.title} has no `spherical_coordinates`"
+                break
+    plugins = [plugin for plugin in root.each(Plugin) if plugin.known is not None]
+    names = {plugin.known.file for plugin in plugins if plugin.known is not None}
+    if (
+        "gz-sim-buoyancy-system" not in names
+        and "gz-sim-buoyancy-engine-system" not in names
+        and world.is_complete
+    ):
+        for plugin in plugins:
+            is_fluid = plugin.known is not None and plugin.known.file == "gz-sim-hydrodynamics-system"
+            if is_fluid and plugin.within(World) is world:
+                yield plugin, f"the vessel sinks: {world.title} has no Buoyancy system"
+                break
+    chosen = {element.content for element in root.elements.get("collision_detector", ())}
+    if not chosen and not any(
+        "physics" in plugin.filename and "engine" in text(plugin) for plugin in world.plugins
+    ):
+        for heightmap in root.elements.get("heightmap", ()):
+            around = {element.name for element in heightmap.around}
+            if "collision" in around and root.scope_of(heightmap) is not None:
+                words = (
+                    f"collides with nothing: {world.title} does not choose the collision detector `bullet`"
+                )
+                yield heightmap, f"the heightmap {words}"
+                break
+
+
+def text(plugin: Plugin) -> str:
+    """The names of its parameters."""
+    return " ".join(parameter.name for parameter in plugin.parameters)
