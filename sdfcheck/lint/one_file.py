@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.config.configuration import Configuration, Settings
@@ -173,7 +173,7 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
 
     Such a comment is for what is still to be written there, or for another version of the file.
     """
-    from sdfcheck.lint.rule import span_of
+    from sdfcheck.lint.rule import Target, span_of
     from sdfcheck.lint.subjects import Subjects
     from sdfcheck.lint.suppress.directives import IGNORE
 
@@ -187,7 +187,7 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
         start = bisect_left(document.scan.starts, target.start)
         end = document.scan.close_ends[start]
         subjects = Subjects(facts.looks_at, facts.selects, ()).of(document)
-        return not any(target.start <= span_of(subject).start < end for subject in subjects)
+        return not any(target.start <= span_of(cast(Target, subject)).start < end for subject in subjects)
 
     return is_idle
 

@@ -11,6 +11,7 @@ import pytest
 from sdfcheck import Unreadable, load
 from sdfcheck.cli.main import main
 from sdfcheck.convert.call import convert
+from tests.posix import make_pipe, open_pipe
 
 SDF = '<sdf version="1.6"><model name="m"><link name="l"/></model></sdf>\n'
 URDF = '<robot name="r"><link name="a"/></robot>\n'
@@ -37,8 +38,8 @@ def sdf(tmp_path: Path) -> Path:
 )
 def test_a_pipe_stays_a_pipe(sdf: Path, tmp_path: Path, command: str, option: str) -> None:
     pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    make_pipe(pipe)
+    consumer = open_pipe(pipe)
     try:
         assert run(command, sdf, option, pipe) == 0
         assert os.read(consumer, 10_000).strip()
@@ -49,8 +50,8 @@ def test_a_pipe_stays_a_pipe(sdf: Path, tmp_path: Path, command: str, option: st
 
 def test_the_baseline_goes_into_a_pipe(sdf: Path, tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    make_pipe(pipe)
+    consumer = open_pipe(pipe)
     try:
         assert run("lint --write-baseline", sdf, "--baseline", pipe) == 0
         assert os.read(consumer, 10_000).startswith(b"{")

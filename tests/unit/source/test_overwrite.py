@@ -1,10 +1,12 @@
 import os
+import shutil
 import stat
 from pathlib import Path
 
 import pytest
 
 from sdfcheck.files.overwrite import overwrite
+from tests.posix import IS_ROOT, make_pipe, open_pipe
 
 
 def test_the_mode_stays(tmp_path: Path) -> None:
@@ -47,11 +49,11 @@ def test_a_failure_leaves_the_file_and_nothing_else(tmp_path: Path, monkeypatch:
     assert os.listdir(tmp_path) == ["a.sdf"]
 
 
-@pytest.mark.skipif(os.geteuid() != 0, reason="only root gives files away")
+@pytest.mark.skipif(not IS_ROOT, reason="only root gives files away")
 def test_owner_and_group_stay(tmp_path: Path) -> None:
     path = tmp_path / "a.sdf"
     path.write_bytes(b"old")
-    os.chown(path, 1234, 4321)
+    shutil.chown(path, 1234, 4321)
     path.chmod(0o4755)
     overwrite(path, b"new")
     status = path.stat()
@@ -85,11 +87,11 @@ def test_a_file_whose_owner_cannot_be_kept_is_left_alone(
 @pytest.mark.parametrize("by_link", [False, True], ids=["itself", "by a link"])
 def test_a_pipe_is_written_to(tmp_path: Path, *, by_link: bool) -> None:
     pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
+    make_pipe(pipe)
     named = tmp_path / "link" if by_link else pipe
     if by_link:
         named.symlink_to("pipe")
-    consumer = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    consumer = open_pipe(pipe)
     try:
         overwrite(named, b"new")
         assert os.read(consumer, 100) == b"new"
