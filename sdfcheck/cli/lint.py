@@ -76,6 +76,7 @@ class Request:
     package_paths: tuple[Path, ...]
     model_paths: tuple[Path, ...]
     variables: tuple[str, ...]
+    exclude: tuple[Path, ...]
     force_exclude: bool
     skip_unrelated: bool
     configuration: Configuration
@@ -127,6 +128,13 @@ class Request:
 )
 @click.option("--no-expand", is_flag=True, help="Check xacro files only as they are written.")
 @surroundings
+@click.option(
+    "--exclude",
+    type=PATH,
+    multiple=True,
+    metavar="PATH",
+    help="A file or folder to leave out. May be repeated.",
+)
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
 @click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
 @configured
@@ -233,6 +241,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         request.configuration,
         Choice(request.select, request.extend_select or (), request.ignore or (), request.preview),
         request.target,
+        exclude=request.exclude,
         force_exclude=request.force_exclude,
         skip_unrelated=request.skip_unrelated,
         kind=Kind(request.kind) if request.kind else None,
