@@ -12,11 +12,13 @@ from sdfcheck.cli.main import main as sdfcheck
 def main(argv: Sequence[str] | None = None) -> int:
     """Lint; the exit code is 0 without findings that fail a run, 1 with some, 2 where it could not run.
 
-    Options that are not of ament are handed on to ``sdfcheck lint``.
+    Everything else, files and folders (default: the current one) and options, is handed on to ``sdfcheck lint``.
     """
-    parser = argparse.ArgumentParser(prog="ament_sdfcheck", description=__doc__)
-    parser.add_argument(
-        "paths", nargs="*", default=["."], help="files and folders to check, and NAME:=VALUE for xacro"
+    parser = argparse.ArgumentParser(
+        prog="ament_sdfcheck",
+        usage="%(prog)s [PATHS…] [--exclude PATH…] [--config FILE] [--xunit-file FILE] [options of sdfcheck lint]",
+        description=__doc__,
+        allow_abbrev=False,
     )
     parser.add_argument(
         "--exclude", nargs="*", default=[], metavar="PATH", help="files and folders to leave out"
@@ -33,7 +35,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments += ["--config", given.config]
     for path in given.exclude:
         arguments += ["--exclude", path]
-    return sdfcheck([*arguments, *others, "--", *given.paths])
+    return sdfcheck([*arguments, *others])
 
 
 def run() -> None:
