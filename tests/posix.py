@@ -1,4 +1,4 @@
-"""The parts of POSIX that tests use: elsewhere such tests are skipped, and their types are read all the same."""
+"""The parts of POSIX that tests use: elsewhere such tests are skipped, and their types can be checked."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ function(set_tests_properties)
   message(STATUS "properties ${ARGN}")
 endfunction()
 function(find_program variable)
-  set(${variable} "/opt/ament_sdfcheck" PARENT_SCOPE)
+  set(${variable} "bin/ament_sdfcheck" PARENT_SCOPE)
 endfunction()
 set(PROJECT_NAME robot_description)
 set(AMENT_TEST_RESULTS_DIR "${CMAKE_BINARY_DIR}/test_results")
@@ -110,7 +110,7 @@ def test_the_cmake_function_adds_a_test(tmp_path: Path) -> None:
     results = f"{tmp_path}/test_results/robot_description/arms.xunit.xml"
     start = words.index("COMMAND")
     assert words[start + 1 : words.index("OUTPUT_FILE")] == [
-        *("/opt/ament_sdfcheck", "--xunit-file", results, "--config", "c.toml"),
+        *("bin/ament_sdfcheck", "--xunit-file", results, "--config", "c.toml"),
         *("--fail-on", "error", "urdf", "--exclude", "old.urdf"),
     ]
     assert words[words.index("RESULT_FILE") + 1] == results

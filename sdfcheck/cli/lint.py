@@ -114,7 +114,7 @@ class Request:
 @click.option(
     "--reason", default="", metavar="TEXT", help="With --add-ignore: what the comments give as reason."
 )
-@path("--baseline", "Report only what this file does not know yet.")
+@path("--baseline", "Report only findings that this baseline does not hold.")
 @click.option("--write-baseline", is_flag=True, help="Write what is found to the file of --baseline.")
 @shown
 @reported(f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]")
@@ -136,7 +136,11 @@ class Request:
     help="A file or folder to leave out. May be repeated.",
 )
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
-@click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
+@click.option(
+    "--skip-unrelated",
+    is_flag=True,
+    help="Skip named files that are not robot descriptions, without a notice.",
+)
 @configured
 @click.option("--show-files", is_flag=True, help="List the files that would be checked.")
 @click.option("--show-settings", is_flag=True, help="Show the settings that apply to the first path.")

@@ -173,7 +173,7 @@ def test_an_interrupt_leaves_no_process(folder: Path, tmp_path: Path) -> None:
 
 
 def interruptible(command: list[str]) -> subprocess.Popen[str]:
-    """A process that an interrupt ends, also where whoever started the tests ignores interrupts, as `nohup` does."""
+    """A process that an interrupt ends, also where the parent of the tests ignores interrupts, as `nohup` does."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
