@@ -13,6 +13,7 @@
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
 PYTHON ?= python3
+CONSTRAINTS := .ci/constraints.txt
 VENV ?= .venv
 MINUTES ?= 10
 SEED ?= 1
@@ -25,7 +26,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check gallery bench growth fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package lowest newest vscode viewer viewer-check gallery bench growth fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -112,6 +113,20 @@ package: $(RUNTIME)
 	done
 	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /tests/test_rules.py
 	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /docs/tutorial.md
+	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /viewer/src/main.ts
+	! grep -nE 'is absent from|Deprecat' build/package.log
+
+# The tests with the lowest versions that pyproject.toml promises, and with the newest that there are.
+lowest: pyproject.toml
+	$(PYTHON) -m venv --clear build/lowest
+	$(PYTHON) -m tables.lowest >build/lowest/constraints.txt
+	build/lowest/bin/python $(PIP_INSTALL) --constraint build/lowest/constraints.txt --editable '.[dev]'
+	build/lowest/bin/python -m pytest
+
+newest: pyproject.toml
+	$(PYTHON) -m venv --clear build/newest
+	build/newest/bin/python $(PIP_INSTALL) --editable '.[dev]'
+	build/newest/bin/python -m pytest
 
 picture: $(TOOLS)
 	$(BIN)/python -m tables.picture
@@ -127,13 +142,13 @@ gallery: $(TOOLS)
 viewer-check:
 	cd viewer && npm ci --no-audit --no-fund --silent && npm run --silent check
 
-$(RUNTIME): pyproject.toml setup.py
+$(RUNTIME): pyproject.toml setup.py $(CONSTRAINTS)
 	[ -x $(BIN)/python ] || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python $(PIP_INSTALL) --editable .
+	$(BIN)/python $(PIP_INSTALL) --constraint $(CONSTRAINTS) --editable .
 	touch $@
 
 $(TOOLS): $(RUNTIME)
-	$(BIN)/python $(PIP_INSTALL) --editable '.[dev]'
+	$(BIN)/python $(PIP_INSTALL) --constraint $(CONSTRAINTS) --editable '.[dev]'
 	touch $@
 
 $(SITE_TOOLS): $(RUNTIME)

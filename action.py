@@ -10,9 +10,9 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
-import venv
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -70,13 +70,23 @@ def _temporary(environment: Mapping[str, str], name: str) -> Path:
     return Path(environment.get("RUNNER_TEMP") or ".") / name
 
 
-def install(what: str, folder: Path) -> Path:
-    """Install into a fresh environment; returns its Python."""
-    venv.create(folder, with_pip=True, clear=True)
-    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    command = [str(python), "-I", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", what]
-    subprocess.run(command, check=True)
-    return python
+def install(what: str, folder: Path) -> list[str]:
+    """Install into a fresh folder; returns the command that starts sdfcheck from there.
+
+    An environment of its own, or, where Python came without the means to make one (Debian's
+    ``python3-venv``), a folder of packages.
+    """
+    pip = ["-I", "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+    shutil.rmtree(folder, ignore_errors=True)
+    made = subprocess.run([sys.executable, "-I", "-m", "venv", folder], check=False, capture_output=True)
+    if made.returncode == 0:
+        python = str(folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python"))
+        subprocess.run([python, *pip, what], check=True)
+        return [python, "-I", "-m", "sdfcheck"]
+    shutil.rmtree(folder, ignore_errors=True)
+    subprocess.run([sys.executable, *pip, "--target", str(folder), what], check=True)
+    start = f"import sys; sys.path.insert(0, {str(folder)!r}); from sdfcheck.cli.main import run; run()"
+    return [sys.executable, "-I", "-c", start]
 
 
 def main(environment: Mapping[str, str]) -> int:
@@ -87,14 +97,14 @@ def main(environment: Mapping[str, str]) -> int:
         sys.stdout.write(f"::error title=sdfcheck::{error}\n")
         return 2
     try:
-        python = install(what, _temporary(environment, "sdfcheck-venv"))
+        sdfcheck = install(what, _temporary(environment, "sdfcheck-venv"))
     except (OSError, subprocess.CalledProcessError) as error:
         sys.stdout.write(f"::error title=sdfcheck::cannot be installed: {error}\n")
         return 2
     written = [file for file in (summary(environment), report(environment)) if file is not None]
     for file in written:
         file.unlink(missing_ok=True)  # of an earlier step
-    code = subprocess.run([python, "-I", "-m", "sdfcheck", *arguments], check=False).returncode
+    code = subprocess.run([*sdfcheck, *arguments], check=False).returncode
     _hand_over(environment, code)
     return code
 

@@ -74,9 +74,9 @@ def test_it_runs(
     output = tmp_path / "output"
     installed: list[str] = []
 
-    def install(what: str, folder: Path) -> Path:
+    def install(what: str, folder: Path) -> list[str]:
         installed.append(what)
-        return Path(sys.executable)
+        return [sys.executable, "-I", "-m", "sdfcheck"]
 
     monkeypatch.setattr(action, "install", install)
     monkeypatch.chdir(tmp_path)
@@ -97,7 +97,7 @@ def test_a_summary_and_a_report(
     output, summary, report = tmp_path / "output", tmp_path / "summary", tmp_path / "sdfcheck-report.html"
     summary.write_text("# Another step\n")
     report.write_text("of another step")
-    monkeypatch.setattr(action, "install", lambda what, folder: Path(sys.executable))
+    monkeypatch.setattr(action, "install", lambda what, folder: [sys.executable, "-I", "-m", "sdfcheck"])
     monkeypatch.chdir(tmp_path)
     given = {
         "GITHUB_OUTPUT": str(output),
@@ -120,9 +120,25 @@ def test_a_summary_and_a_report(
 def test_it_says_that_it_cannot_be_installed(
     action: ModuleType, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    def install(what: str, folder: Path) -> Path:
+    def install(what: str, folder: Path) -> list[str]:
         raise subprocess.CalledProcessError(1, ["pip"])
 
     monkeypatch.setattr(action, "install", install)
     assert action.main({}) == 2
     assert "::error title=sdfcheck::cannot be installed" in capfd.readouterr().out
+
+
+def test_it_installs_where_python_has_no_environments(
+    action: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    ran: list[list[str]] = []
+
+    def run(command: list[object], **_: object) -> subprocess.CompletedProcess[bytes]:
+        ran.append([str(word) for word in command])
+        return subprocess.CompletedProcess(ran[-1], int("venv" in ran[-1]))
+
+    monkeypatch.setattr(action.subprocess, "run", run)
+    start = action.install("sdfcheck==1.0", tmp_path / "own")
+    assert ran[-1][-3:] == ["--target", str(tmp_path / "own"), "sdfcheck==1.0"]
+    assert start[:3] == [sys.executable, "-I", "-c"]
+    assert str(tmp_path / "own") in start[3]

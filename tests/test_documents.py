@@ -1,4 +1,4 @@
-"""What the documents tell people to type and to write works: commands, suppressions, and fixes after both."""
+"""Commands and suppressions of the documents work, and so do fixes after both."""
 
 from __future__ import annotations
 

@@ -20,10 +20,9 @@ class UnknownAttribute(Rule):
 
     The custom-elements proposal keeps names without prefix for the standard; attributes
     of one's own are given a prefix, those of custom elements are free. libsdformat warns
-    and goes on as if the attribute were not there; Drake refuses the file. It is a warning
-    anyway, since what is somebody's own harms nobody in Gazebo, for which most files
-    are written. For Drake, set it to `error` under `[severity]`. Where the
-    misspelling leaves out what is required, it is an error.
+    and goes on as if the attribute were not there; Drake refuses the file. It is a warning,
+    because Gazebo, for which most files are written, ignores it. For Drake, set it to `error`
+    under `[severity]`. Where the misspelling leaves out what is required, it is an error.
     """
 
     code = "NS001"

@@ -21,9 +21,8 @@ class UnknownElement(Rule):
 
     The custom-elements proposal keeps names without prefix for the standard; elements of
     one's own are given a prefix. libsdformat warns and keeps the element as somebody's
-    own, so that a misspelled one is as good as absent; Drake refuses the file. It is a warning
-    anyway, since what is somebody's own harms nobody in Gazebo, for which most files
-    are written. For Drake, set it to `error` under `[severity]`.
+    own, so that a misspelled one is as good as absent; Drake refuses the file. It is a warning,
+    because Gazebo, for which most files are written, ignores it. For Drake, set it to `error` under `[severity]`.
     """
 
     code = "NS002"

@@ -8,7 +8,8 @@ class CommandOfSensor(Rule):
     """A sensor in `ros2_control` has a command interface.
 
     The parser ignores commands of a `sensor`. A joint or other signal with commands in a block of type
-    `sensor` is never given any: the controller manager misses the interface and gives up all hardware.
+    `sensor` is never given any: the controller manager
+    misses the interface and does not start, so that no hardware of the robot runs.
     """
 
     code = "R2C023"

@@ -43,7 +43,7 @@ class MissingElement(Rule):
     scaffold = IN_COLLISION
 
     bad = (
-        Bad("<geometry><«box»/></geometry>", says="`box` has no `size`, so 1 1 1 is taken"),
+        Bad("<geometry><«box»/></geometry>", says="`box` has no `size`, so the default 1 1 1 applies"),
         Bad(
             '<«joint» name="j" type="fixed"><parent>base</parent></joint>',
             scaffold=IN_MODEL,
@@ -52,7 +52,7 @@ class MissingElement(Rule):
         Bad(
             "<«inertial»><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>",
             scaffold=IN_LINK,
-            says="`inertial` has no `mass`, so 1 is taken",
+            says="`inertial` has no `mass`, so the default 1 applies",
         ),
         Bad(
             "<geometry><mesh><uri>model://arm/arm.dae</uri><«submesh»/></mesh></geometry>",
@@ -64,11 +64,13 @@ class MissingElement(Rule):
             scaffold=IN_VISUAL,
             says="`shader` has no `normal_map`",
         ),
-        Bad('<«light» name="l" type="directional"/>', scaffold=IN_WORLD, says="so 0 0 -1 is taken"),
+        Bad(
+            '<«light» name="l" type="directional"/>', scaffold=IN_WORLD, says="so the default 0 0 -1 applies"
+        ),
         Bad(
             "<geometry><«plane»/></geometry>",
             scaffold=IN_LINK.replace("{}", '<visual name="v">{}</visual>'),
-            says="`plane` has no `size`, so 1 1 is taken",
+            says="`plane` has no `size`, so the default 1 1 applies",
         ),
     )
     good = (
@@ -92,6 +94,6 @@ class MissingElement(Rule):
             yield self.diagnostic(problem.element, message, affects=lacking(problem.element, problem.child))
             return
         if problem.default is not None:
-            message += f", so {problem.default} is taken"
+            message += f", so the default {problem.default} applies"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         yield self.diagnostic(problem.element, message, severity=Severity.WARNING, affects=affects)

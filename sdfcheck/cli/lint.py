@@ -85,6 +85,7 @@ class Request:
     package_paths: tuple[Path, ...]
     model_paths: tuple[Path, ...]
     variables: tuple[str, ...]
+    exclude: tuple[Path, ...]
     force_exclude: bool
     skip_unrelated: bool
     configuration: Configuration
@@ -122,7 +123,7 @@ class Request:
 @click.option(
     "--reason", default="", metavar="TEXT", help="With --add-ignore: what the comments give as reason."
 )
-@path("--baseline", "Report only what this file does not know yet.")
+@path("--baseline", "Report only findings that this baseline does not hold.")
 @click.option("--write-baseline", is_flag=True, help="Write what is found to the file of --baseline.")
 @shown
 @reported(f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]")
@@ -136,8 +137,19 @@ class Request:
 )
 @click.option("--no-expand", is_flag=True, help="Check xacro files only as they are written.")
 @surroundings
+@click.option(
+    "--exclude",
+    type=PATH,
+    multiple=True,
+    metavar="PATH",
+    help="A file or folder to leave out. May be repeated.",
+)
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
-@click.option("--skip-unrelated", is_flag=True, help="Say nothing of named files of other kinds.")
+@click.option(
+    "--skip-unrelated",
+    is_flag=True,
+    help="Skip named files that are not robot descriptions, without a notice.",
+)
 @configured
 @click.option("--show-files", is_flag=True, help="List the files that would be checked.")
 @click.option("--show-settings", is_flag=True, help="Show the settings that apply to the first path.")
@@ -243,6 +255,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         request.configuration,
         Choice(request.select, request.extend_select or (), request.ignore or (), request.preview),
         request.target,
+        exclude=request.exclude,
         force_exclude=request.force_exclude,
         skip_unrelated=request.skip_unrelated,
         kind=Kind(request.kind) if request.kind else None,

@@ -153,10 +153,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _complain(error: click.ClickException) -> None:
     """Say what is wrong with the command line; the message may repeat any name of a file."""
+    if isinstance(error, getattr(click.exceptions, "NoArgsIsHelpError", ())):
+        for line in error.format_message().splitlines():
+            say(line)
+        return
     message = f"Error: {error.format_message()}"
     with StringIO() as shown:
         error.show(shown)
         usage = shown.getvalue().removesuffix(f"{message}\n")
+    if isinstance(error, click.MissingParameter):
+        message = " ".join(message.split())  # it lists choices one below the other
     for line in usage.splitlines():
         say(line)
     # Click lists choices in lines.

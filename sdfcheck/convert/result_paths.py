@@ -9,6 +9,7 @@ from sdfcheck.convert.result import Conversion
 from sdfcheck.files.uris import file_path, scheme_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.element import Value
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.splice import Replacement, replaced
 
 
@@ -35,6 +36,6 @@ def _edit(value: Value, source: Path, target: Path) -> Replacement | None:
     span = value.span
     if span.text.strip() != uri:
         return None  # spelled with references such as `&amp;`
-    moved = Path(os.path.relpath(source / path, target)).as_posix()
+    moved = Path(relative_path(source / path, target)).as_posix()
     start = span.start + len(span.text) - len(span.text.lstrip())
     return start, start + len(uri), f"file://{moved}" if scheme else moved

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.relative import relative_path
 
 _LOCAL_VARIABLES = frozenset(
     """
@@ -59,7 +60,7 @@ def listed(folder: Path) -> Listing | None:
     if not names and _git(folder, "check-ignore", "--quiet", ".") is not None:
         return None
     unread = [
-        (os.path.relpath(root / os.fsdecode(name), folder), os.fsdecode(why))
+        (relative_path(root / os.fsdecode(name), folder), os.fsdecode(why))
         for name, why in _UNREAD.findall(done.complaints)
     ]
     return Listing(tuple(sorted(names)), tuple(unread))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.git import work_tree
 from sdfcheck.files.regular import MEGABYTE, read_regular
+from sdfcheck.source.relative import relative_path
 
 if TYPE_CHECKING:
     from pathspec import GitIgnoreSpec
@@ -48,7 +49,7 @@ class Ignores:
         """Whether ``path`` is ignored; the innermost file with an opinion decides."""
         absolute = os.path.abspath(path)
         for top, spec in reversed(self._layers):
-            relative = os.path.relpath(absolute, top).replace(os.sep, "/")
+            relative = relative_path(absolute, top).replace(os.sep, "/")
             verdict = spec.check_file(relative + "/" if folder else relative).include
             if verdict is not None:
                 return verdict

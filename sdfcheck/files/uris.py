@@ -18,6 +18,8 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 
 _SCHEME = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):/*")
+_DRIVE = re.compile(r"/[A-Za-z]:(?:/|\Z)")
+"""As in ``file:///C:/robots/arm.dae``: on Windows the first slash is not part of the path."""
 REMOTE_SCHEMES = frozenset({"http", "https", "fuel", "ftp"})
 SEARCHED_SCHEMES = frozenset({"model", "package"})
 LOCAL_SCHEMES = frozenset({"file", *SEARCHED_SCHEMES})
@@ -150,7 +152,8 @@ def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -
 def file_path(uri: str) -> str:
     """The path after ``file://``, as libsdformat and Gazebo cut it; a host is taken for a folder."""
     rest = uri.strip()[len("file:") :]
-    return rest[2:] if rest[:2] == "//" else rest
+    path = rest[2:] if rest[:2] == "//" else rest
+    return path[1:] if os.name == "nt" and _DRIVE.match(path) else path
 
 
 def _first(disk: Disk, scheme: str, folders: tuple[str, ...], inside: str = "") -> Location:

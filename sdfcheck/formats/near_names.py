@@ -40,9 +40,10 @@ def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     return f"; did you mean `{near}`?" if near else ""
 
 
-def is_same_but_case(name: str, other: str) -> bool:
-    """Do two different names have the same letters?"""
-    return name != other and name.casefold() == other.casefold()
+def question(name: str, meant: str) -> str:
+    """The question whether a name was meant; of one with the same letters that it differs in case."""
+    is_same = name != meant and name.casefold() == meant.casefold()
+    return f"`{meant}` differs in case only" if is_same else f"did you mean `{meant}`?"
 
 
 def _is_misspelling(name: str, other: str) -> bool:

@@ -193,7 +193,7 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
 
     Such a comment is for what is still to be written there, or for another version of the file.
     """
-    from sdfcheck.lint.rule import Placed, span_of
+    from sdfcheck.lint.rule import Target, span_of
     from sdfcheck.lint.subjects import Subjects
     from sdfcheck.lint.suppress.directives import IGNORE
 
@@ -207,7 +207,7 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
         start = bisect_left(document.scan.starts, target.start)
         end = document.scan.close_ends[start]
         subjects = Subjects(facts.looks_at, facts.selects, ()).of(document)
-        spans = (span_of(cast(Placed, subject)) for subject in subjects)
+        spans = (span_of(cast(Target, subject)) for subject in subjects)
         return not any(target.start <= span.start < end for span in spans)
 
     return is_idle

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
+from sdfcheck.formats.near_names import question
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
 from sdfcheck.lint.fix import Applicability, Edit, Fix
@@ -93,16 +94,11 @@ class Rule:
         ``meant`` is the name that was probably meant at the target: the message asks whether it was,
         and an unsafe fix writes it, if no other ``fix`` is given.
         ``severity`` is given only where it depends on the case; so is what consumers do in
-        ``affects``, for some of those that the rule names. ``missing`` is what may be on
-        another computer: such findings are reported together, and fail no run. ``cause`` is a fault
-        in a text: where another error is reported on its line, this is not.
+        ``affects``, for some of those that the rule names. ``missing`` and ``cause``: see :class:`Diagnostic`.
         """
         if meant:
-            from sdfcheck.formats.near_names import is_same_but_case
-
-            is_same = is_same_but_case(span_of(target).text, meant)
-            guess = f"`{meant}` differs in case only" if is_same else f"did you mean `{meant}`?"
-            message, fix = f"{message}; {guess}", fix or write_instead(meant, target)
+            message = f"{message}; {question(span_of(target).text, meant)}"
+            fix = fix or write_instead(meant, target)
         return Diagnostic(
             self.code,
             self.name,

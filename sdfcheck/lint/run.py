@@ -80,7 +80,7 @@ def reactions(
 
 
 class Gate(NamedTuple):
-    """What counts: the findings that fail a run. The exit code and all reports ask it.
+    """The findings that count, because they fail a run. The exit code and all reports ask it.
 
     ``least``: those at least so severe. ``missing``: also all those about this computer.
     ``warnings``: so many warnings are tolerated, and more of them fail the run; None: ``least`` decides.

@@ -82,6 +82,8 @@ class Options(NamedTuple):
     arguments: tuple[tuple[str, str], ...] = ()
     search: SearchPaths = SearchPaths()
     variables: tuple[str, ...] = ()
+    exclude: tuple[Path, ...] = ()
+    """Files and folders that are left out, also where they are named."""
 
     def settings_for(self, path: Path) -> Settings:
         """The settings of a file, with what the caller adds."""
@@ -242,12 +244,20 @@ def find(paths: Sequence[Path], options: Options) -> Found:
     configuration = options.configuration
 
     def exclude(path: Path) -> bool:
-        return configuration.settings_for(path).excludes(path)
+        return is_left_out(path) or configuration.settings_for(path).excludes(path)
 
+    def is_left_out(path: Path) -> bool:
+        whole = os.path.abspath(path)
+        return any(whole == each or whole.startswith(os.path.join(each, "")) for each in left_out)
+
+    left_out = tuple(map(os.path.abspath, options.exclude))
     here = configuration.settings_in(Path.cwd())
     found = discover(
         paths, exclude=exclude, force_exclude=options.force_exclude, respect_gitignore=here.respect_gitignore
     )
+    if left_out:
+        files = tuple(file for file in found.files if not is_left_out(file.path))
+        found = found._replace(files=files)
     if options.stdin is None:
         return found
     if options.force_exclude and exclude(options.stdin_path):

@@ -45,7 +45,8 @@ class Paths:
 
     def _name(self, path: Path) -> str:
         whole = self._absolute(path)
-        below = self._root != "" and whole.startswith(self._root)
+        # The case of letters does not matter where the system says so.
+        below = self._root != "" and os.path.normcase(whole).startswith(os.path.normcase(self._root))
         name = Path(whole[len(self._root) :]).as_posix() if below else path.as_posix()
         # Bytes of a name that are no UTF-8 would keep the report from being written.
         return name if name.isprintable() else name.encode("utf-8", "replace").decode("utf-8")

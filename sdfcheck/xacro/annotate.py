@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from sdfcheck.source.element import Element
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.origins import ExpandedDocument
 
@@ -53,5 +53,5 @@ def _origin(element: Element, document: ExpandedDocument) -> str:
 
 def _place(span: Span) -> str:
     path = span.source.path
-    shown = os.path.relpath(path) if path.is_absolute() and path.is_relative_to(Path.cwd()) else str(path)
+    shown = relative_path(path) if path.is_absolute() and path.is_relative_to(Path.cwd()) else str(path)
     return f"{shown}:{span.begin.line}"

@@ -11,7 +11,12 @@ import time
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tests.fuzz.commands import Failure
+
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
 
 _AT_A_PLACE = (
     "hover",

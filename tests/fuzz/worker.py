@@ -12,9 +12,14 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from types import FrameType
 
+import pytest
+
 from tests.fuzz.commands import Failure, attempt
 from tests.fuzz.documents import Text
 from tests.fuzz.language_server import LanguageServer, converse
+
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
 
 SECONDS = 10
 """Processor time of one command; what the clock shows may be much more on a busy machine."""

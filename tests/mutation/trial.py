@@ -12,6 +12,9 @@ from pathlib import Path
 
 import pytest
 
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
+
 SECONDS = 100
 """Processor time after which a mutant counts as killed, as it does not end; far more than its tests take."""
 AT_MOST = 600

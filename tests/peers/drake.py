@@ -13,6 +13,11 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
+
 SECONDS = 60
 
 

@@ -15,6 +15,11 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
+
 ROOT = Path(__file__).parents[2]
 Facts = dict[str, Any]
 

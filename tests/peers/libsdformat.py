@@ -20,6 +20,11 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
+
 SECONDS = 120
 _NEWEST, _OLDEST = 20, 9
 _ASKING = threading.Lock()

@@ -11,6 +11,11 @@ from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("works on POSIX only", allow_module_level=True)
+
 
 def is_installed() -> bool:
     return find_spec("mujoco") is not None

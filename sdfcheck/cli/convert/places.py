@@ -12,6 +12,7 @@ from sdfcheck.cli.parts.terminal import read_stdin
 from sdfcheck.files.discover import discover
 from sdfcheck.files.regular import identity
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.wrong_usage import WrongUsage
 
 _STDIN = Path("-")
@@ -96,7 +97,7 @@ def _mirrored(paths: Sequence[Path], names: Sequence[Path]) -> list[Path]:
         top = os.path.commonpath(folders)
     except ValueError:  # several drives
         return list(names)
-    return [Path(os.path.relpath(folder, top), name) for folder, name in zip(folders, names, strict=True)]
+    return [Path(relative_path(folder, top), name) for folder, name in zip(folders, names, strict=True)]
 
 
 def _clash(paths: Sequence[Path], names: Sequence[Path], folder: Path) -> str:

@@ -6,7 +6,7 @@ import click
 
 _SECTIONS = {
     "Input": """
-        stdin_filename kind no_expand packages package_paths model_paths variables force_exclude skip_unrelated
+        stdin_filename kind no_expand packages package_paths model_paths variables exclude force_exclude skip_unrelated
     """.split(),
     "Selection": "select extend_select ignore preview target baseline write_baseline".split(),
     "Fixes": "fix unsafe_fixes fix_only show_fixes diff add_ignore reason".split(),

@@ -66,7 +66,7 @@ class LazyGroup(click.Group):
         return super().resolve_command(ctx, args)
 
     def _guess(self, word: str) -> str:
-        """What was meant where a command, or a usual name of one, is misspelled."""
+        """The question after a misspelled command, or usual name of one."""
         from sdfcheck.formats.near_names import nearest
 
         near = nearest(word.lower(), (*self._lazy, *self._meant))

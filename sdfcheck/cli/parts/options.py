@@ -62,7 +62,7 @@ _CONFIGURATION = together(
     click.option(
         "--trust-config",
         is_flag=True,
-        help="Let the configuration that is found run code (plugins), write files and lead elsewhere.",
+        help="Let the configuration that is found run code (plugins), write files, and read elsewhere.",
     ),
 )
 

@@ -68,7 +68,7 @@ def view_of(request: Request, usual: Severity) -> View:
 
 
 def gate_of(request: Request, usual: Severity) -> Gate:
-    """What fails a run. ``usual`` is the configured severity that does."""
+    """The gate of a run. ``usual`` is the configured severity that fails one."""
     least = Severity(request.fail_on) if request.fail_on else usual
     return Gate(least, request.fail_on_missing, request.max_warnings)
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from sdfcheck.files.uris import locate, scheme_of
 from sdfcheck.robot.includes.included import Included
 from sdfcheck.source.document import Document
+from sdfcheck.source.relative import relative_path
 
 _FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))
 
@@ -29,7 +29,7 @@ def _seen_from(document: Document, found: Included, file: Path) -> str:
     place = locate(document, uri).path
     if scheme_of(uri) in {"model", "package"} and place is not None:
         if place.is_dir():
-            return f"{uri.rstrip('/')}/{Path(os.path.relpath(file, place)).as_posix()}"
+            return f"{uri.rstrip('/')}/{Path(relative_path(file, place)).as_posix()}"
         if file.is_relative_to(place.parent):
             return f"{uri.rpartition('/')[0]}/{file.relative_to(place.parent).as_posix()}"
-    return Path(os.path.relpath(file, document.path.parent)).as_posix()
+    return Path(relative_path(file, document.path.parent)).as_posix()

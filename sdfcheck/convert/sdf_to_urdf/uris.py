@@ -9,6 +9,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.element import Element
+from sdfcheck.source.relative import relative_path
 
 
 def mesh_uri(context: Context, uri: str, element: Element) -> str:
@@ -27,4 +28,4 @@ def mesh_uri(context: Context, uri: str, element: Element) -> str:
     here = element.document.path.parent
     if os.path.realpath(here) == os.path.realpath(context.folder):
         return uri
-    return Path(os.path.relpath(here / uri, context.folder)).as_posix()
+    return Path(relative_path(here / uri, context.folder)).as_posix()

@@ -12,6 +12,7 @@ from typing import Any
 from sdfcheck.lint.config.fields import FIELDS, Field, Shape
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.wrong_usage import WrongUsage
 
 ArgumentSet = tuple[tuple[str, str], ...]
@@ -48,7 +49,7 @@ class Pattern:
 
     def verdict(self, path: Path) -> bool | None:
         """The same, but False if a pattern with ``!`` holds, and None if none does."""
-        relative = os.path.relpath(path, self.root).replace(os.sep, "/")
+        relative = relative_path(path, self.root).replace(os.sep, "/")
         return None if relative.startswith("../") else self._spec.check_file(relative).include
 
 
@@ -66,7 +67,7 @@ class ConfigFile(NamedTuple):
 
 def shown(path: Path) -> str:
     """The path as people call it: relative, where it lies below the current folder."""
-    relative = os.path.relpath(path)
+    relative = relative_path(path)
     return (str(path) if relative.startswith("..") else relative).replace(os.sep, "/")
 
 

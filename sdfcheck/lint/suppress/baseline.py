@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,6 +10,7 @@ from sdfcheck.files.regular import MEGABYTE, read_named
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
@@ -85,4 +85,4 @@ def _key(diagnostic: Diagnostic, path: Path) -> Key:
 
 
 def _name(file: Path, path: Path) -> str:
-    return Path(os.path.relpath(file, path.parent)).as_posix()
+    return Path(relative_path(file, path.parent)).as_posix()

@@ -1,6 +1,6 @@
 """JUnit XML: a suite per file, a test per diagnostic, a passed one for a clean file.
 
-What fails the run is a failure, what was not found on this computer is skipped, and the rest has passed.
+Findings that fail the run are failures, those about this computer are skipped, and the others have passed.
 """
 
 from __future__ import annotations

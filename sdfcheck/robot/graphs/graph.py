@@ -128,9 +128,16 @@ class _Draft:
 
 
 def _draw_attachments(draft: _Draft) -> None:
-    for node in draft.names:
+    from sdfcheck.robot.motion.poses import is_in_urdf
+
+    # The frames of URDF are its links, and the joints lead from one to the next.
+    frames = [node for node in draft.names if not (isinstance(node, Joint) and is_in_urdf(node))]
+    for node in frames:
         draft.node(node)
-    for node in draft.names:
+    for joint in draft.names:
+        if isinstance(joint, Joint) and is_in_urdf(joint) and joint.child is not None:
+            draft.tie(joint.child, joint.parent, joint.parent_name, f"joint {joint.name}")
+    for node in frames:
         if isinstance(node, Model):
             draft.tie(node, None if node.stands_still else node.attachment, "", "canonical link")
         elif isinstance(node, Joint):

@@ -11,6 +11,7 @@ import pytest
 from sdfcheck import NotConvertible, Unreadable, load
 from sdfcheck.cli.main import main
 from sdfcheck.convert.call import convert
+from tests.posix import make_pipe
 
 SDF = '<sdf version="1.6"><model name="m"><link name="l"/></model></sdf>\n'
 URDF = '<robot name="r"><link name="a"/></robot>\n'
@@ -40,7 +41,7 @@ def test_a_pipe_is_not_written_to(
     sdf: Path, tmp_path: Path, command: str, option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
+    make_pipe(pipe)
     assert run(command, sdf, option, pipe) == 2
     assert capsys.readouterr().err == f"error: {pipe} is not a file\n"
     assert stat.S_ISFIFO(pipe.stat().st_mode)

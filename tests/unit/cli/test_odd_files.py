@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
+from tests.posix import make_pipe
 
 SDF = '<sdf version="1.6"><model name="m"><link name="l"/></model></sdf>\n'
 
@@ -16,7 +17,7 @@ SDF = '<sdf version="1.6"><model name="m"><link name="l"/></model></sdf>\n'
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "a.sdf").write_text(SDF)
-    os.mkfifo(tmp_path / "pipe.sdf")
+    make_pipe(tmp_path / "pipe.sdf")
     (tmp_path / "zero.sdf").symlink_to("/dev/zero")
     (tmp_path / "loop.sdf").symlink_to("loop.sdf")
     return tmp_path

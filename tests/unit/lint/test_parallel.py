@@ -113,7 +113,7 @@ def wrong(file: Selected) -> None:
 
 def killed(file: Selected) -> None:
     if file.path.stem in DEADLY:
-        os.kill(os.getpid(), signal.SIGKILL)
+        os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
 
 
 def ended(file: Selected) -> None:
@@ -159,7 +159,7 @@ def test_the_command_reports_a_worker_that_dies(
 
 def test_an_interrupt_leaves_no_process(folder: Path, tmp_path: Path) -> None:
     needs_copies()
-    child = subprocess.Popen([sys.executable, "-c", SLOW], stderr=subprocess.PIPE, text=True)
+    child = interruptible([sys.executable, "-c", SLOW])
     pids = tmp_path / "pids"
     for _ in range(12_000):
         if pids.exists() and len(pids.read_text().split()) == 2:
@@ -170,6 +170,15 @@ def test_an_interrupt_leaves_no_process(folder: Path, tmp_path: Path) -> None:
     assert child.returncode == 130
     for pid in pids.read_text().split():
         assert not Path(f"/proc/{pid}").exists()
+
+
+def interruptible(command: list[str]) -> subprocess.Popen[str]:
+    """A process that an interrupt ends, also where the parent of the tests ignores interrupts, as `nohup` does."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 SLOW = """

@@ -1,4 +1,3 @@
-import os
 from pathlib import Path
 
 import pytest
@@ -12,6 +11,7 @@ from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import InternalError, Level, Notice, Options, run
 from sdfcheck.source.sniff import HEAD, Kind
 from sdfcheck.source.wrong_usage import WrongUsage
+from tests.posix import IS_ROOT
 from tests.unit.lint.fake_engine import Seen, install
 
 SDF = '<sdf version="1.9">{}</sdf>'
@@ -164,7 +164,7 @@ def test_a_folder_without_files_is_a_warning(seen: list[Seen]) -> None:
     assert [notice.level for notice in notices] == [Level.WARNING]
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root reads everything")
+@pytest.mark.skipif(IS_ROOT, reason="root reads everything")
 def test_unreadable_files_do_not_stop_the_others(seen: list[Seen]) -> None:
     a, b = plant(a_sdf=SDF, b_sdf=SDF.format("!"))
     a.chmod(0)

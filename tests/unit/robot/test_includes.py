@@ -13,6 +13,7 @@ from sdfcheck.robot.includes.gate import problems
 from sdfcheck.robot.includes.included import Included, Obstacle, included, includes_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
+from tests.posix import make_pipe
 from tests.unit.robot.files import ARM, CONFIG, MODEL, WORLD, codes, document, opened, reported, write
 
 
@@ -119,7 +120,7 @@ def test_files_that_are_not_xml_are_reported_there(tmp_path: Path, text: str) ->
 
 
 def test_a_file_without_end_is_not_read(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "pipe")
+    make_pipe(tmp_path / "pipe")
     with (tmp_path / "huge.sdf").open("wb") as file:
         file.truncate(257 * 1024 * 1024)
     for uri in ("pipe", "huge.sdf"):

@@ -8,6 +8,7 @@ import pytest
 from sdfcheck.files import git
 from sdfcheck.files.discover import DiscoveredFile, discover
 from sdfcheck.source.wrong_usage import WrongUsage
+from tests.posix import make_pipe
 
 
 def plant(root: Path, *names: str) -> None:
@@ -171,7 +172,7 @@ def test_missing_path_is_wrong_usage(tmp_path: Path) -> None:
 
 def test_a_path_that_is_not_a_file_is_skipped_with_the_reason(tmp_path: Path) -> None:
     plant(tmp_path, "a.sdf")
-    os.mkfifo(tmp_path / "pipe.sdf")
+    make_pipe(tmp_path / "pipe.sdf")
     (tmp_path / "zero.urdf").symlink_to("/dev/zero")
     (tmp_path / "loop.sdf").symlink_to("loop.sdf")
     (tmp_path / "gone.world").symlink_to("nothing.world")
@@ -202,7 +203,7 @@ def test_an_ignore_file_that_is_a_pipe_is_not_read(
     tree: Path, place: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plant(tree, "a.sdf", "sub/b.sdf")
-    os.mkfifo(tree / place)
+    make_pipe(tree / place)
     monkeypatch.setattr(git, "TIMEOUT", 0.3)
     assert names(tree) == ["a.sdf", "sub/b.sdf"]
 

@@ -1,5 +1,6 @@
 import fcntl
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -9,6 +10,7 @@ import pytest
 
 from sdfcheck.files.overwrite import Refused, overwrite
 from sdfcheck.files.regular import noting, read_regular
+from tests.posix import IS_ROOT, make_pipe
 
 
 def test_the_mode_stays(tmp_path: Path) -> None:
@@ -51,11 +53,11 @@ def test_a_failure_leaves_the_file_and_nothing_else(tmp_path: Path, monkeypatch:
     assert os.listdir(tmp_path) == ["a.sdf"]
 
 
-@pytest.mark.skipif(os.geteuid() != 0, reason="only root gives files away")
+@pytest.mark.skipif(not IS_ROOT, reason="only root gives files away")
 def test_owner_and_group_stay(tmp_path: Path) -> None:
     path = tmp_path / "a.sdf"
     path.write_bytes(b"old")
-    os.chown(path, 1234, 4321)
+    shutil.chown(path, 1234, 4321)
     path.chmod(0o4755)
     overwrite(path, b"new")
     status = path.stat()
@@ -91,7 +93,7 @@ def test_a_file_whose_owner_cannot_be_kept_is_left_alone(
 def test_pipes_devices_and_folders_are_not_written_to(tmp_path: Path, kind: str, *, by_link: bool) -> None:
     place = tmp_path / "odd" if kind != "device" else Path("/dev/zero")
     if kind == "pipe":
-        os.mkfifo(place)
+        make_pipe(place)
     elif kind == "folder":
         place.mkdir()
     named = tmp_path / "link" if by_link else place

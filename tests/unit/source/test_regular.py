@@ -4,6 +4,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.regular import Unfit, oddity, read_named, read_regular
+from tests.posix import make_pipe
 
 
 def test_a_file_is_read(tmp_path: Path) -> None:
@@ -24,7 +25,7 @@ def test_a_large_file_is_not(tmp_path: Path) -> None:
 @pytest.mark.parametrize("by_link", [False, True], ids=["itself", "by a link"])
 def test_pipes_devices_and_folders_are_not(tmp_path: Path, *, by_link: bool) -> None:
     pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
+    make_pipe(pipe)
     for number, (path, kind) in enumerate([(pipe, "a pipe"), (Path("/dev/zero"), "a device")]):
         named = path
         if by_link:

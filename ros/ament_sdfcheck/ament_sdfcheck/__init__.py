@@ -1,0 +1,1 @@
+"""Runs sdfcheck as one of the linters of ament."""
