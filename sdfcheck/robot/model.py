@@ -11,6 +11,7 @@ from sdfcheck.robot.values import is_true, lazy
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.lumping import Lumping
     from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.naming.link_names import LinkNames
     from sdfcheck.robot.naming.material_names import MaterialNames
@@ -248,6 +249,16 @@ class Model(Scope):
         from sdfcheck.robot.motion.mass import of_model
 
         return of_model(self)
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around the bounds of all its links, all joints at zero: lowest and highest x, y, z.
+
+        In m, in its frame, shape (2, 3); None where no shape has a known size. Raises PoseError.
+        """
+        from sdfcheck.robot.motion.bounds import as_array, of_model
+
+        return as_array(of_model(self))
 
     # Parts by name
 

@@ -1,11 +1,10 @@
-"""Mass properties of closed meshes, measured by trimesh (the extra ``mesh``)."""
+"""Mass properties of closed meshes."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from sdfcheck.bodies.solid import Unmeasured, solid_at
 from sdfcheck.files.regular import oddity
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.values import floats
@@ -23,10 +22,6 @@ def mesh_body(mesh: Element, density: float) -> MassProperties:
     Raises MeshError where the file is missing, cannot be read or is not a closed surface, where
     only a part of it is meant, and where trimesh is not installed.
     """
-    try:
-        import trimesh
-    except ImportError:
-        raise MeshError("meshes need trimesh (install the extra `mesh`)") from None
     if mesh.has("submesh"):
         raise MeshError("the mass of a submesh cannot be computed")
     written = mesh.value("uri") or mesh.value("filename")
@@ -37,20 +32,14 @@ def mesh_body(mesh: Element, density: float) -> MassProperties:
     if why := oddity(path):
         raise MeshError(f"mesh `{uri}` is {why}")
     try:
-        surface: Any = trimesh.load(path, force="mesh")
-    except Exception as error:  # trimesh and its importers raise any kind
-        raise MeshError(
-            f"mesh `{uri}` cannot be read: {' '.join(str(error).split()) or type(error).__name__}"
-        ) from None
-    if not surface.is_watertight:
+        solid = solid_at(path, _scale(mesh))
+    except Unmeasured as error:
+        raise MeshError(f"mesh `{uri}`: {error}") from None
+    if not solid.is_closed:
         raise MeshError(f"mesh `{uri}` is not closed")
-    surface.apply_scale(_scale(mesh))
-    surface.density = density
-    if not surface.volume > 0:
+    if not solid.volume > 0:
         raise MeshError(f"mesh `{uri}` has its inside out")
-    return MassProperties(
-        float(surface.mass), np.array(surface.center_mass), np.array(surface.moment_inertia)
-    )
+    return MassProperties(density * solid.volume, np.array(solid.center), density * np.array(solid.moments))
 
 
 def _scale(mesh: Element) -> tuple[float, ...]:

@@ -11,6 +11,7 @@ from sdfcheck.robot.values import lazy, parts
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.bodies.box import Box
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.rotations import Array
@@ -96,15 +97,22 @@ class Link(Node):
         """The ``<gazebo>`` blocks about it, in URDF."""
         return tuple(self.model.blocks_by_reference.get(self.name, ())) if self.is_urdf else ()
 
+    @lazy
+    def box(self) -> Box | None:
+        """The box around its collisions, or its visuals where it has none of known size (m), in plain numbers."""
+        from sdfcheck.robot.motion.bounds import of_shapes
+
+        return of_shapes(self.collisions) or of_shapes(self.visuals)
+
     @property
     def bounds(self) -> Array | None:
         """The box around its collisions, or its visuals where it has none: lowest and highest x, y, z.
 
-        In m, in its frame, shape (2, 3); None where no shape has a known size (meshes have none).
+        In m, in its frame, shape (2, 3), meshes included; None where no shape has a known size.
         """
-        from sdfcheck.robot.motion.bounds import of_shapes
+        from sdfcheck.robot.motion.bounds import as_array
 
-        return of_shapes(self.collisions or self.visuals)
+        return as_array(self.box)
 
     # How it hangs together with others
 

@@ -11,7 +11,10 @@ from sdfcheck.robot.parts.material import Material
 from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
+    from sdfcheck.bodies.box import Box
+    from sdfcheck.bodies.mesh import Mesh
     from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.robot.parts.solids import Solid
@@ -98,6 +101,24 @@ class Geometry(Part):
         """The file of a mesh, heightmap or image; empty if there is none."""
         return self.uri_value.text.strip() if self.uri_value is not None else ""
 
+    @lazy
+    def mesh(self) -> Mesh | None:
+        """The content of its mesh file; None without one on this computer, and where only a part of it is meant."""
+        if self.shape != "mesh" or not self.uri or (not self.is_urdf and self._shape_place.has("submesh")):
+            return None
+        from sdfcheck.bodies.mesh import mesh_at
+        from sdfcheck.files.uris import locate
+
+        path = locate(self.document, self.uri).path
+        return mesh_at(path) if path is not None and path.is_file() else None
+
+    @lazy
+    def box(self) -> Box | None:
+        """The box around it along its own axes (m), in plain numbers; None where its size is not known."""
+        from sdfcheck.robot.motion.bounds import of_geometry
+
+        return of_geometry(self)
+
     @property
     def measures(self) -> tuple[float, ...]:
         """All numbers of the shape in one row: the radius and the length of a cylinder, the scale of a mesh."""
@@ -182,6 +203,24 @@ class Shape(Part):
     def position(self) -> tuple[float, float, float] | None:
         """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
         return position(self)
+
+    @lazy
+    def box(self) -> Box | None:
+        """The box around it in its link's frame (m), in plain numbers; None where size or place is not known."""
+        from sdfcheck.robot.motion.bounds import of_shape
+
+        return of_shape(self)
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around it in its link's frame: lowest and highest x, y, z (m), shape (2, 3).
+
+        Of round shapes and of meshes the box around their own axes counts. None where size or place is not
+        known: of planes, submeshes, and meshes that are not found or cannot be read.
+        """
+        from sdfcheck.robot.motion.bounds import as_array
+
+        return as_array(self.box)
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in the link's frame, or relative to what a reference names; raises PoseError."""
