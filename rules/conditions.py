@@ -7,7 +7,9 @@ from itertools import pairwise as itertools_pairwise
 from math import hypot as math_hypot
 from math import inf as math_inf
 from math import pi as math_pi
+from math import prod as math_prod
 from pathlib import PurePosixPath as pathlib_PurePosixPath
+from statistics import median as statistics_median
 import math as math_
 import os as os_
 import re as re_
@@ -311,6 +313,140 @@ def gaz_unknown_palette_color__strange(part):
 def GAZ010_applies(part):
     return any(gaz_unknown_palette_color__strange(part))
 
+geo_oversized_shape__MOST = 100.0
+
+geo_oversized_shape__LEAST = 1.0
+
+def geo_oversized_shape__oversized(model):
+    if not model.joints or model.may_be_static or (not model.reach > 0.005):
+        return []
+    most = max(geo_oversized_shape__MOST * model.reach, geo_oversized_shape__LEAST)
+    return [shape for link in model.links for shape in link.shapes if (box := shape.geometry.box) is not None and most < max(box.size)]
+
+def GEO001_applies(model):
+    return bool(geo_oversized_shape__oversized(model))
+
+geo_undersized_shapes__LEAST = 0.01
+
+def geo_undersized_shapes__longest(model):
+    if not model.joints or model.may_be_static or (not model.reach > 0.005):
+        return None
+    sizes = {}
+    links = set()
+    for link in model.links:
+        for shape in link.shapes:
+            box = shape.geometry.box
+            if box is None or max(box.size) > geo_undersized_shapes__LEAST * model.reach:
+                return None
+            sizes[shape] = max(box.size)
+            links.add(link)
+    return max(sizes, key=sizes.__getitem__) if len(links) > 1 else None
+
+def GEO002_applies(model):
+    return geo_undersized_shapes__longest(model) is not None
+
+geo_detached_collision__LEAST = 0.01
+
+geo_detached_collision__MOST = 0.45
+
+def geo_detached_collision__gap(link):
+    if not link.has('visual') or not link.has('collision'):
+        return 0.0
+    visuals, collisions = (link.visual_box, link.collision_box)
+    if visuals is None or collisions is None:
+        return 0.0
+    longest = max(*visuals.size, *collisions.size)
+    if min(max(visuals.size), max(collisions.size)) < geo_detached_collision__LEAST:
+        return 0.0
+    found = visuals.distance_to(collisions)
+    return found if found > geo_detached_collision__MOST * longest else 0.0
+
+def GEO003_applies(link):
+    return geo_detached_collision__gap(link) > 0
+
+geo_mismatched_collision_size__LEAST = 0.005
+
+geo_mismatched_collision_size__MOST = 10.0
+
+def geo_mismatched_collision_size__differs(link):
+    if not link.has('visual') or not link.has('collision') or link.may_be_static:
+        return False
+    visuals, collisions = (link.visual_box, link.collision_box)
+    if visuals is None or collisions is None or link.size_to_reach > 100:
+        return False
+    short, long = sorted((max(visuals.size), max(collisions.size)))
+    return short >= geo_mismatched_collision_size__LEAST and long >= geo_mismatched_collision_size__MOST * short
+
+def GEO004_applies(link):
+    return geo_mismatched_collision_size__differs(link)
+
+geo_mismatched_mesh_scale__MOST = 10.0
+
+def geo_mismatched_mesh_scale__pair(link):
+    seen = {}
+    for shape in link.shapes:
+        geometry = shape.geometry
+        scale = geometry.scale
+        if geometry.shape != 'mesh' or not geometry.uri or len(scale) != 3 or (not all(scale)):
+            continue
+        other = seen.setdefault(geometry.uri, shape)
+        factor = abs(scale[0] / other.geometry.scale[0])
+        if not 1 / geo_mismatched_mesh_scale__MOST < factor < geo_mismatched_mesh_scale__MOST:
+            return (other, shape)
+    return None
+
+def GEO005_applies(link):
+    return geo_mismatched_mesh_scale__pair(link) is not None
+
+geo_unreadable_mesh__READ = {'STL': ('stl',), 'OBJ': ('obj',), 'COLLADA': ('dae',), 'glTF': ('gltf',), 'GLB': ('glb',)}
+
+def geo_unreadable_mesh__fault(geometry):
+    read = geometry.mesh if geometry.shape == 'mesh' else None
+    if read is None or read.fault:
+        return read.fault if read is not None else ''
+    ending = geometry.uri.rpartition('.')[2].lower()
+    promised = next((form for form, endings in geo_unreadable_mesh__READ.items() if ending in endings), '')
+    if not read.format or not promised or promised == read.format:
+        return ''
+    article = 'an' if read.format[0] in 'SO' else 'a'
+    return f'is {article} {read.format} file, and consumers read it by its ending'
+
+def GEO006_applies(geometry):
+    return bool(geo_unreadable_mesh__fault(geometry))
+
+geo_dense_collision_mesh__MOST = 200000
+
+def GEO007_applies(collision):
+    read = collision.geometry.mesh if collision.geometry.shape == 'mesh' else None
+    return read is not None and read.triangles > geo_dense_collision_mesh__MOST
+
+def geo_missing_collision__moves(link):
+    return any((joint.moves for joint in link.parent_joints))
+
+geo_missing_collision__SIDES = re_.compile('(?i)(?<![a-z])(left|right|front|rear|back|hind|l|r|fl|fr|rl|rr|lf|rf|lh|rh|lr|hl|hr)(?![a-z])|\\d+')
+
+geo_missing_collision__LEAST = 5
+
+def geo_missing_collision__lacking(model):
+    if not model.joints or model.may_be_static:
+        return []
+    moving = [link for link in model.links if link.has('visual') and geo_missing_collision__moves(link)]
+    bare = [link for link in moving if not link.has('collision') and (not link.misspells('collision'))]
+    if not bare or len(bare) * 2 > len(moving):
+        return []
+    found = []
+    for link in bare:
+        alike = [other for other in moving if other is not link and geo_missing_collision__SIDES.sub('', other.name) == geo_missing_collision__SIDES.sub('', link.name)]
+        complete = [other for other in alike if other.has('collision')]
+        if len(complete) * 2 > len(alike):
+            found.append((link, complete[0]))
+        elif not alike and len(bare) == 1 and (len(moving) > geo_missing_collision__LEAST):
+            found.append((link, None))
+    return found
+
+def GEO008_applies(model):
+    return bool(geo_missing_collision__lacking(model))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
 
@@ -330,13 +466,16 @@ def INR001_applies(inertial):
         return not inertial.is_urdf or inr_moments__has_moments_only(inertial)
     return mass.number < 0 or mass.text.lower() == 'nan'
 
-def inr_moments__has_moments(inertial):
-    if not inr_moments__is_remarkable(inertial) or not inertial.is_legible:
+def inr_moments__is_weighed(inertial):
+    if not inertial.is_legible:
         return False
     mass = inertial.mass
     if mass.number == 0 and mass.is_given:
         return not inertial.is_urdf
     return not mass.is_given or mass.number > 0 or '$' in mass.text
+
+def inr_moments__has_moments(inertial):
+    return inr_moments__is_remarkable(inertial) and inr_moments__is_weighed(inertial)
 
 def inr_moments__is_indefinite(inertial):
     return inertial.tensor.is_indefinite
@@ -355,15 +494,22 @@ def INR004_applies(link):
         return False
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
+def inr_moments__is_doubtful(inertial):
+    if inertial.is_unremarkable and (not inertial.link.has_mesh):
+        return False
+    return inertial.is_given and (not inertial.is_automatic) and (not inertial.link.may_be_static)
+
+inr_moments___FACTOR = 100.0
+
 def inr_moments__ratio(inertial):
-    if inertial.link.may_be_static or not inr_moments__has_moments(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial):
+        return math_.nan
+    if inertial.link.size_to_reach > inr_moments___FACTOR or inertial.link.size_to_reach < 1 / inr_moments___FACTOR:
         return math_.nan
     if inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
         return math_.nan
     expected, trace = (inertial.solid_trace, inertial.tensor.trace)
     return trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
-
-inr_moments___FACTOR = 100.0
 
 def inr_moments__is_about_origin(inertial):
     if not inr_moments__ratio(inertial) > 10 or inertial.inertia is None or inertial.center is None:
@@ -408,7 +554,9 @@ def INR009_applies(inertial):
     if not (inertial.mass.is_given and inertial.mass.number > 0):
         return False
     link = inertial.link
-    return not link.child_joints and (not link.parent_joints) and (link not in inertial.root.parent_joints)
+    if link.parent_joints:
+        return bool(link.shapes) and link.parent_joints[0].moves
+    return not link.child_joints and link not in inertial.root.parent_joints
 
 inr_oversized_inertia__LEAST = 1e-06
 
@@ -432,7 +580,7 @@ inr_distant_center_of_mass__MOST = 10.0
 def INR011_applies(inertial):
     if inertial.is_unremarkable or not (inertial.has('pose') or inertial.has('origin')):
         return False
-    return inr_distant_center_of_mass__distance(inertial) > inr_distant_center_of_mass__MOST and (not inertial.link.may_be_static)
+    return inr_distant_center_of_mass__distance(inertial) > inr_distant_center_of_mass__MOST and (not inertial.link.may_be_static) and (inertial.link.extent is None)
 
 inr_negative_added_mass__DIAGONAL = ('xx', 'yy', 'zz', 'pp', 'qq', 'rr')
 
@@ -445,6 +593,110 @@ def inr_negative_added_mass__negative(inertial):
 
 def INR012_applies(inertial):
     return not inertial.is_unremarkable and inertial.has('fluid_added_mass') and any(inr_negative_added_mass__negative(inertial))
+
+inr_places___LEAST = 0.001
+
+def inr_places__is_compared(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
+        return False
+    return inertial.link.extent is not None and (not inertial.link.size_to_reach > 100)
+
+def inr_places__outside(inertial):
+    center, box = (inertial.center, inertial.link.extent if inr_places__is_compared(inertial) else None)
+    if box is None or center is None or (not max(box.size) > 0):
+        return 0.0
+    return box.distance_to(center) / max(box.size)
+
+inr_center_outside_link__MOST = 1.0
+
+def inr_places__has_no_place(inertial):
+    place = inertial.find('origin' if inertial.is_urdf else 'pose')
+    if place is None:
+        return True
+    if inertial.is_urdf:
+        return place.text_of('xyz') is None and place.text_of('rpy') is None
+    return not place.content
+
+inr_places___APART = 0.4
+
+def inr_places__is_off_origin(inertial):
+    box = inertial.link.extent if inr_places__is_compared(inertial) and inr_places__has_no_place(inertial) else None
+    if box is None:
+        return False
+    return any((abs(at) > inr_places___APART * size > 0 for at, size in zip(box.center, box.size, strict=True)))
+
+def INR013_applies(inertial):
+    return inr_places__outside(inertial) > inr_center_outside_link__MOST and (not inr_places__is_off_origin(inertial))
+
+def INR014_applies(inertial):
+    return inr_places__is_off_origin(inertial)
+
+def inr_exchanged_moments__is_turned(inertial):
+    place = inertial.find('origin' if inertial.is_urdf else 'pose')
+    if place is None:
+        return False
+    words = place.text_of('rpy') or '' if inertial.is_urdf else ' '.join(place.content.split()[3:])
+    return any((word.strip('+-0.') for word in words.split())) or place.text_of('quat_xyzw') is not None
+
+def inr_exchanged_moments__off(moments, others):
+    return max((max(one / other, other / one) for one, other in zip(moments, others, strict=True)))
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.7, 2.2)
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.7, 2.2)
+
+inr_exchanged_moments__PAIRS = ((1, 2), (0, 1), (0, 2))
+
+def inr_exchanged_moments__exchanged(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
+        return ()
+    moments, box = (inertial.tensor, inertial.link.box)
+    mass = inertial.mass.number
+    if box is None or not mass > 0 or (not min(moments[:3]) > 0) or (max(map(abs, moments[3:])) > min(moments[:3]) / 10):
+        return ()
+    if inertial.link.extent is None or not all((moment.is_given for moment in list(inertial.moments.values())[:3])):
+        return ()
+    squares = [length * length for length in box.size]
+    solid = [mass / 12 * (sum(squares) - square) for square in squares]
+    if not min(solid) > 0 or inr_exchanged_moments__off(moments[:3], solid) <= inr_exchanged_moments__DIFFERS:
+        return ()
+    for first, second in inr_exchanged_moments__PAIRS:
+        turned = list(moments[:3])
+        turned[first], turned[second] = (turned[second], turned[first])
+        if inr_exchanged_moments__off(turned, solid) <= inr_exchanged_moments__FITS:
+            return (first, second)
+    return ()
+
+def INR015_applies(inertial):
+    return bool(inr_exchanged_moments__exchanged(inertial))
+
+def inr_excess_density__density(inertial):
+    box = inertial.link.extent if inr_moments__is_doubtful(inertial) else None
+    volume = math_prod(box.size) if box is not None else 0.0
+    return inertial.mass.number / volume if volume > 0 else 0.0
+
+inr_excess_density__HEAVIEST = 25000.0
+
+inr_excess_density__LEAST = 0.2
+
+inr_excess_density__BEYOND = 100000.0
+
+inr_excess_density__HEAVIER = 20.0
+
+def inr_excess_density__is_too_dense(inertial):
+    if not inertial.mass.is_given or inertial.link.size_to_reach < 0.01:
+        return False
+    mass, found = (inertial.mass.number, inr_excess_density__density(inertial))
+    if not found > inr_excess_density__HEAVIEST or not mass >= inr_excess_density__LEAST or any((joint.is_fixed for joint in inertial.link.parent_joints)):
+        return False
+    if found > inr_excess_density__BEYOND:
+        return True
+    others = [link.inertial.mass.number for link in inertial.link.model.links if link is not inertial.link]
+    known = [other for other in others if other > 0]
+    return len(known) > 1 and mass > inr_excess_density__HEAVIER * statistics_median(known)
+
+def INR016_applies(inertial):
+    return inr_excess_density__is_too_dense(inertial)
 
 def jnt_unknown_joint_end___joint_name(end):
     joint = end.element.parent
@@ -1503,6 +1755,14 @@ CONDITIONS = {
     'GAZ008': GAZ008_applies,
     'GAZ009': GAZ009_applies,
     'GAZ010': GAZ010_applies,
+    'GEO001': GEO001_applies,
+    'GEO002': GEO002_applies,
+    'GEO003': GEO003_applies,
+    'GEO004': GEO004_applies,
+    'GEO005': GEO005_applies,
+    'GEO006': GEO006_applies,
+    'GEO007': GEO007_applies,
+    'GEO008': GEO008_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -1515,6 +1775,10 @@ CONDITIONS = {
     'INR010': INR010_applies,
     'INR011': INR011_applies,
     'INR012': INR012_applies,
+    'INR013': INR013_applies,
+    'INR014': INR014_applies,
+    'INR015': INR015_applies,
+    'INR016': INR016_applies,
     'JNT001': JNT001_applies,
     'JNT002': JNT002_applies,
     'JNT003': JNT003_applies,

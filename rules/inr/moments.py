@@ -22,7 +22,12 @@ def is_remarkable(inertial: Inertial) -> bool:
 
 def has_moments(inertial: Inertial) -> bool:
     """The same of moments that can be read, with a mass that libsdformat takes: above 0, in SDFormat also 0."""
-    if not is_remarkable(inertial) or not inertial.is_legible:
+    return is_remarkable(inertial) and is_weighed(inertial)
+
+
+def is_weighed(inertial: Inertial) -> bool:
+    """Can the moments be read, and is there such a mass?"""
+    if not inertial.is_legible:
         return False
     mass = inertial.mass
     if mass.number == 0 and mass.is_given:
@@ -73,9 +78,21 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
     return {Consumer.GAZEBO: accepts("takes the sum of the links that it merges")}
 
 
+def is_doubtful(inertial: Inertial) -> bool:
+    """Is it worth comparing with the link's shapes? Meshes are not looked at where numbers alone are judged."""
+    if inertial.is_unremarkable and not inertial.link.has_mesh:
+        return False
+    return inertial.is_given and not inertial.is_automatic and not inertial.link.may_be_static
+
+
 def ratio(inertial: Inertial) -> float:
-    """The moments to those of a solid of this mass in the link's shapes; nan where that says nothing."""
-    if inertial.link.may_be_static or not has_moments(inertial):
+    """The moments to those of a solid of this mass in the link's shapes; nan where that says nothing.
+
+    Nor does it where the shapes are a hundred times too large or too small: those are reported.
+    """
+    if not is_doubtful(inertial) or not is_weighed(inertial):
+        return math.nan
+    if inertial.link.size_to_reach > _FACTOR or inertial.link.size_to_reach < 1 / _FACTOR:
         return math.nan
     if is_indefinite(inertial) or is_impossible(inertial):
         return math.nan

@@ -250,6 +250,16 @@ class Model(Scope):
 
         return of_model(self)
 
+    @lazy
+    def reach(self) -> float:
+        """The longest distance (m) from a joint of the robot to the one that carries it; 0 where that is unknown.
+
+        In SDFormat the longest distance of a link from the first one.
+        """
+        from sdfcheck.robot.motion.bounds import reach_of
+
+        return reach_of(self)
+
     @property
     def bounds(self) -> Array | None:
         """The box around the bounds of all its links, all joints at zero: lowest and highest x, y, z.

@@ -17,6 +17,11 @@ _PLAUSIBLE = (0.01, 10.0)
 _REACH = 5.0
 """So are centers of mass this near to the origin, and links without shapes whose mass is not farther out (m)."""
 
+_DENSEST = 20_000.0
+"""kg/m³: so is nothing that is heavier than any material."""
+_EVEN = 1.2
+"""Moments of a body within this factor of each other fit whatever way it is turned."""
+
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _ORIGIN = [0.0, 0.0, 0.0]
 
@@ -104,24 +109,51 @@ def _is_plausible(
 ) -> bool:
     if math.hypot(*center) > _REACH:
         return False
-    volume = total = 0.0
-    for shape in shapes:
-        at, geometry = _ORIGIN, None
-        for child in shape:
-            tag = child.tag
-            if tag == "geometry":
-                geometry = child
-            elif tag in {"pose", "origin"}:
-                at = _position(child)
-        solid = _solid_of(geometry)
-        if solid is not None:
-            distance = math.dist(at, center) if at != center else 0.0
-            volume += solid.volume
-            total += solid.volume * (solid.moments.trace + 2 * distance * distance)
-    if not volume:
+    solids_there = [placed for shape in shapes if (placed := _placed(shape)) is not None]
+    if not solids_there:
         return max(moments[:3]) <= _REACH * _REACH * mass
+    volume = total = 0.0
+    is_inside = is_turned = False
+    diagonal = [0.0, 0.0, 0.0]
+    for solid, at, turned in solids_there:
+        x, y, z = (a - b for a, b in zip(at, center, strict=True))
+        distance = x * x + y * y + z * z
+        volume += solid.volume
+        total += solid.volume * (solid.moments.trace + 2 * distance)
+        is_inside = is_inside or 2 * distance <= solid.moments.trace
+        is_turned = is_turned or turned
+        for axis, offset in enumerate((x, y, z)):
+            diagonal[axis] += solid.volume * (solid.moments[axis] + distance - offset * offset)
     low, high = _PLAUSIBLE
-    return low <= sum(moments[:3]) / (mass * total / volume) <= high
+    if (
+        not is_inside
+        or mass > _DENSEST * volume
+        or not low <= sum(moments[:3]) * volume / (mass * total) <= high
+    ):
+        return False
+    if is_turned:
+        return max(moments[:3]) < _EVEN * min(moments[:3])
+    return all(
+        1 / 2 < moment * volume / (mass * each) < 2
+        for moment, each in zip(moments[:3], diagonal, strict=True)
+    )
+
+
+def _placed(shape: Element) -> tuple[solids.Solid, list[float], bool] | None:
+    """The solid of a visual or collision, its center, and whether it is turned; None without a solid."""
+    at, is_turned, geometry = _ORIGIN, False, None
+    for child in shape:
+        tag = child.tag
+        if tag == "geometry":
+            geometry = child
+        elif tag in {"pose", "origin"}:
+            at = _position(child)
+            words = (
+                (child.text_of("rpy") or "").split() if tag == "origin" else (child.text or "").split()[3:]
+            )
+            is_turned = any(map(float, words))
+    solid = _solid_of(geometry)
+    return None if solid is None else (solid, at, is_turned)
 
 
 def _solid_of(geometry: Element | None) -> solids.Solid | None:

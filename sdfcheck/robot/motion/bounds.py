@@ -5,12 +5,14 @@ Without numpy, except for models and for poses relative to other frames: lint as
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.bodies.box import Box, around, of_points
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.motion.origin import Origin, origin_in, pose_in
+from sdfcheck.robot.motion.origin import Origin, numbers_of, origin_in, pose_in
+from sdfcheck.robot.parts.inertial import position
 from sdfcheck.robot.parts.placement import reference_of
 
 if TYPE_CHECKING:
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.shape import Geometry, Shape
+    from sdfcheck.source.element import Element
 
 
 def of_shapes(shapes: Iterable[Shape]) -> Box | None:
@@ -94,6 +97,26 @@ def of_model(model: Model) -> Box | None:
             pose = origin_from(model.root.poses.reached(model, link))
             corners += (pose.applied_to((x, y, z)) for x, y, z in box.corners())
     return of_points(corners) if corners else None
+
+
+def reach_of(model: Model) -> float:
+    """The longest distance (m) between neighboring joints, or in SDFormat between links; 0 without any."""
+    if not model.joints:
+        return 0.0
+    if model.is_urdf:
+        written = (joint.element.find("origin") for joint in model.joints)
+        places = [origin_position(origin) for origin in written if origin is not None]
+        return max((math.hypot(*at) for at in places if at is not None), default=0.0)
+    known = [at for link in model.links if (at := position(link)) is not None]
+    return max((math.dist(at, known[0]) for at in known), default=0.0) if len(known) > 1 else 0.0
+
+
+def origin_position(origin: Element) -> tuple[float, ...] | None:
+    """The position (m) that an ``origin`` writes; None where it cannot be read."""
+    try:
+        return numbers_of(origin, "xyz", (0.0, 0.0, 0.0))
+    except DescriptionError:
+        return None
 
 
 def as_array(box: Box | None) -> Array | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, cast
 
@@ -113,6 +114,41 @@ class Link(Node):
         from sdfcheck.robot.motion.bounds import as_array
 
         return as_array(self.box)
+
+    @lazy
+    def visual_box(self) -> Box | None:
+        """The box around its visuals (m); None unless the size of each of them is known."""
+        return self._around(self.visuals)
+
+    @lazy
+    def collision_box(self) -> Box | None:
+        """The box around its collisions (m); None unless the size of each of them is known."""
+        return self._around(self.collisions)
+
+    @lazy
+    def extent(self) -> Box | None:
+        """The box around its visuals and collisions (m); None unless the size of each of them is known."""
+        return self._around(self.shapes)
+
+    def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
+        """The box around shapes that are all known; None in a macro of xacro, where more may be added."""
+        if self.document.kind is Kind.XACRO:
+            return None
+        from sdfcheck.robot.motion.bounds import of_shapes
+
+        return of_shapes(shapes) if all(shape.box is not None for shape in shapes) else None
+
+    @lazy
+    def has_mesh(self) -> bool:
+        """Has it a shape whose mesh file is there?"""
+        return any(shape.geometry.mesh is not None for shape in self.shapes)
+
+    @lazy
+    def size_to_reach(self) -> float:
+        """Its greatest length to the longest distance between joints of its model; nan where one is not known."""
+        reach = self.model.reach if self.holder is not None and self.holder.kind == "model" else 0.0
+        box = self.box if reach else None
+        return max(box.size) / reach if box is not None else math.nan
 
     # How it hangs together with others
 
