@@ -4,6 +4,7 @@
 # mypy: ignore-errors
 
 from itertools import pairwise as itertools_pairwise
+from math import dist as math_dist
 from math import hypot as math_hypot
 from math import inf as math_inf
 from math import pi as math_pi
@@ -317,10 +318,14 @@ geo_oversized_shape__MOST = 100.0
 
 geo_oversized_shape__LEAST = 1.0
 
+geo_oversized_shape__HUGE = 3.0
+
 def geo_oversized_shape__oversized(model):
-    if not model.joints or model.may_be_static or (not model.reach > 0.005):
+    if not model.joints or model.may_be_static:
         return []
-    most = max(geo_oversized_shape__MOST * model.reach, geo_oversized_shape__LEAST)
+    most = max(geo_oversized_shape__MOST * model.reach, geo_oversized_shape__LEAST) if model.reach > 0.005 else math_inf
+    if model.is_out_of_scale and model.density < 1:
+        most = geo_oversized_shape__HUGE
     return [shape for link in model.links for shape in link.shapes if (box := shape.geometry.box) is not None and most < max(box.size)]
 
 def GEO001_applies(model):
@@ -328,15 +333,23 @@ def GEO001_applies(model):
 
 geo_undersized_shapes__LEAST = 0.01
 
+geo_undersized_shapes__TINY = 0.02
+
 def geo_undersized_shapes__longest(model):
-    if not model.joints or model.may_be_static or (not model.reach > 0.005):
+    if not model.joints or model.may_be_static:
         return None
+    most = geo_undersized_shapes__LEAST * model.reach if model.reach > 0.005 else 0.0
+    is_dense = model.is_out_of_scale and model.density > 1
+    if is_dense:
+        most = max(geo_undersized_shapes__TINY, most)
     sizes = {}
     links = set()
     for link in model.links:
         for shape in link.shapes:
             box = shape.geometry.box
-            if box is None or max(box.size) > geo_undersized_shapes__LEAST * model.reach:
+            if box is None and is_dense:
+                continue
+            if box is None or max(box.size) > most:
                 return None
             sizes[shape] = max(box.size)
             links.add(link)
@@ -347,7 +360,13 @@ def GEO002_applies(model):
 
 geo_detached_collision__LEAST = 0.01
 
+geo_detached_collision__OFTEN = 0.25
+
 geo_detached_collision__MOST = 0.45
+
+def geo_detached_collision__is_apart(link):
+    visuals, collisions = (link.visual_box, link.collision_box)
+    return visuals is not None and collisions is not None and (visuals.distance_to(collisions) > 0)
 
 def geo_detached_collision__gap(link):
     if not link.has('visual') or not link.has('collision'):
@@ -359,7 +378,11 @@ def geo_detached_collision__gap(link):
     if min(max(visuals.size), max(collisions.size)) < geo_detached_collision__LEAST:
         return 0.0
     found = visuals.distance_to(collisions)
-    return found if found > geo_detached_collision__MOST * longest else 0.0
+    if found <= geo_detached_collision__OFTEN * longest:
+        return 0.0
+    if found > geo_detached_collision__MOST * longest or not any((geo_detached_collision__is_apart(other) for other in link.counterparts)):
+        return found
+    return 0.0
 
 def GEO003_applies(link):
     return geo_detached_collision__gap(link) > 0
@@ -423,8 +446,6 @@ def GEO007_applies(collision):
 def geo_missing_collision__moves(link):
     return any((joint.moves for joint in link.parent_joints))
 
-geo_missing_collision__SIDES = re_.compile('(?i)(?<![a-z])(left|right|front|rear|back|hind|l|r|fl|fr|rl|rr|lf|rf|lh|rh|lr|hl|hr)(?![a-z])|\\d+')
-
 geo_missing_collision__LEAST = 5
 
 def geo_missing_collision__lacking(model):
@@ -436,7 +457,7 @@ def geo_missing_collision__lacking(model):
         return []
     found = []
     for link in bare:
-        alike = [other for other in moving if other is not link and geo_missing_collision__SIDES.sub('', other.name) == geo_missing_collision__SIDES.sub('', link.name)]
+        alike = [other for other in link.counterparts if other in moving]
         complete = [other for other in alike if other.has('collision')]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))
@@ -501,15 +522,20 @@ def inr_moments__is_doubtful(inertial):
 
 inr_moments___FACTOR = 100.0
 
+def inr_moments__is_out_of_scale(inertial):
+    link = inertial.link
+    if link.size_to_reach > inr_moments___FACTOR or link.size_to_reach < 1 / inr_moments___FACTOR:
+        return True
+    return link.holder is not None and link.holder.kind == 'model' and link.model.is_out_of_scale
+
 def inr_moments__ratio(inertial):
     if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial):
-        return math_.nan
-    if inertial.link.size_to_reach > inr_moments___FACTOR or inertial.link.size_to_reach < 1 / inr_moments___FACTOR:
         return math_.nan
     if inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
         return math_.nan
     expected, trace = (inertial.solid_trace, inertial.tensor.trace)
-    return trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
+    found = trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
+    return math_.nan if (found > inr_moments___FACTOR or found < 1 / inr_moments___FACTOR) and inr_moments__is_out_of_scale(inertial) else found
 
 def inr_moments__is_about_origin(inertial):
     if not inr_moments__ratio(inertial) > 10 or inertial.inertia is None or inertial.center is None:
@@ -607,7 +633,7 @@ def inr_places__outside(inertial):
         return 0.0
     return box.distance_to(center) / max(box.size)
 
-inr_center_outside_link__MOST = 1.0
+inr_center_outside_link__MOST = 0.7
 
 def inr_places__has_no_place(inertial):
     place = inertial.find('origin' if inertial.is_urdf else 'pose')
@@ -684,10 +710,12 @@ inr_excess_density__BEYOND = 100000.0
 inr_excess_density__HEAVIER = 20.0
 
 def inr_excess_density__is_too_dense(inertial):
-    if not inertial.mass.is_given or inertial.link.size_to_reach < 0.01:
+    if not inertial.mass.is_given:
         return False
     mass, found = (inertial.mass.number, inr_excess_density__density(inertial))
     if not found > inr_excess_density__HEAVIEST or not mass >= inr_excess_density__LEAST or any((joint.is_fixed for joint in inertial.link.parent_joints)):
+        return False
+    if inr_moments__is_out_of_scale(inertial):
         return False
     if found > inr_excess_density__BEYOND:
         return True
@@ -697,6 +725,18 @@ def inr_excess_density__is_too_dense(inertial):
 
 def INR016_applies(inertial):
     return inr_excess_density__is_too_dense(inertial)
+
+def inr_shapes_without_mass__weight(link):
+    if link.has('inertial') or not link.has('collision') or link.misspells('inertial'):
+        return None
+    if not any((joint.moves for joint in link.parent_joints)):
+        return None
+    tied = [joint.child_link for joint in link.child_joints if joint.is_fixed]
+    weighed = [other for other in tied if other is not None and other.has_mass]
+    return weighed[0] if weighed and all((other.shapes for other in weighed)) else None
+
+def INR017_applies(link):
+    return inr_shapes_without_mass__weight(link) is not None
 
 def jnt_unknown_joint_end___joint_name(end):
     joint = end.element.parent
@@ -855,18 +895,25 @@ jnt_non_unit_axis__ROUNDING = 0.001
 def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
 
-jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (30.0, 720.0)
+jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (20.0, 720.0)
 
-jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (30.0, 720.0)
+jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (20.0, 720.0)
 
 jnt_limits_in_degrees__TURNING = frozenset({'revolute', 'revolute2', 'universal'})
+
+jnt_limits_in_degrees__ROUND = 30.0
+
+jnt_limits_in_degrees__LITTLE = 3.0
 
 def JNT014_applies(limit):
     lower, upper = (limit.lower, limit.upper)
     if not (lower.is_given and upper.is_given and (jnt_limits_in_degrees__LEAST <= max(-lower, upper) <= jnt_limits_in_degrees__MOST)):
         return False
-    is_whole = lower.number % 1 == 0 == upper.number % 1
-    return is_whole and limit.joint.type in jnt_limits_in_degrees__TURNING and (-lower <= jnt_limits_in_degrees__MOST) and (limit.axis.limit is limit)
+    if limit.joint.type not in jnt_limits_in_degrees__TURNING or -lower > jnt_limits_in_degrees__MOST or limit.axis.limit is not limit:
+        return False
+    if lower.number % 1 == 0 == upper.number % 1:
+        return max(-lower, upper) >= jnt_limits_in_degrees__ROUND
+    return all((not 0 < abs(end) < jnt_limits_in_degrees__LITTLE for end in (lower.number, upper.number)))
 
 jnt_missing_upper_limit__BOUNDED = frozenset({'revolute', 'prismatic'})
 
@@ -909,6 +956,51 @@ def jnt_zero_ratio__zeros(joint):
 
 def JNT019_applies(joint):
     return joint.type in {'gearbox', 'screw'} and bool(jnt_zero_ratio__zeros(joint))
+
+def jnt_asymmetric_joint__place(joint):
+    origin = joint.find('origin')
+    text = '0 0 0' if origin is None else origin.text_of('xyz', '0 0 0')
+    try:
+        return sorted((abs(float(word)) for word in text.split()))
+    except ValueError:
+        return []
+
+jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE = (0.005, 0.05)
+
+jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE = (0.005, 0.05)
+
+def jnt_asymmetric_joint__displacement(joint):
+    mirror = joint.mirror if joint.moves else None
+    if mirror is None or not mirror.moves or joint.span.start < mirror.span.start:
+        return 0.0
+    own, other = (jnt_asymmetric_joint__place(joint), jnt_asymmetric_joint__place(mirror))
+    if len(own) != 3 or len(other) != 3:
+        return 0.0
+    found = math_dist(own, other)
+    return found if found > max(jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE * max(math_hypot(*own), math_hypot(*other))) else 0.0
+
+def JNT020_applies(joint):
+    return jnt_asymmetric_joint__displacement(joint) > 0
+
+jnt_opposed_axis__LEAST = 3
+
+def jnt_opposed_axis__turns(joint):
+    origin = joint.find('origin')
+    return (joint.type, '' if origin is None else ' '.join(origin.text_of('rpy', '0 0 0').split()))
+
+def jnt_opposed_axis__is_opposed(joint):
+    if not joint.moves or not joint.axis.xyz.is_given or len(joint.axis.xyz) != 3:
+        return False
+    others = joint.counterparts
+    if len(others) < jnt_opposed_axis__LEAST or jnt_opposed_axis__turns(joint) != jnt_opposed_axis__turns(others[0]):
+        return False
+    first = tuple(others[0].axis.xyz)
+    if any((tuple(other.axis.xyz) != first or jnt_opposed_axis__turns(other) != jnt_opposed_axis__turns(joint) for other in others[1:])):
+        return False
+    return any(first) and tuple((-number for number in joint.axis.xyz)) == first
+
+def JNT021_applies(joint):
+    return jnt_opposed_axis__is_opposed(joint)
 
 def muj_meshes__compiler(model):
     found = {}
@@ -1779,6 +1871,7 @@ CONDITIONS = {
     'INR014': INR014_applies,
     'INR015': INR015_applies,
     'INR016': INR016_applies,
+    'INR017': INR017_applies,
     'JNT001': JNT001_applies,
     'JNT002': JNT002_applies,
     'JNT003': JNT003_applies,
@@ -1798,6 +1891,8 @@ CONDITIONS = {
     'JNT017': JNT017_applies,
     'JNT018': JNT018_applies,
     'JNT019': JNT019_applies,
+    'JNT020': JNT020_applies,
+    'JNT021': JNT021_applies,
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,

@@ -1,14 +1,9 @@
-import re
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
 
 LEAST = 5
 """Links that move and collide, so that the one without is the exception."""
-SIDES = re.compile(
-    r"(?i)(?<![a-z])(left|right|front|rear|back|hind|l|r|fl|fr|rl|rr|lf|rf|lh|rh|lr|hl|hr)(?![a-z])|\d+"
-)
-"""What tells the parts of one kind apart in names."""
 BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
 
 
@@ -29,8 +24,8 @@ def robot(*links: str) -> str:
 class MissingCollision(Rule):
     """A link that moves has a visual and no collision, and its counterparts have one.
 
-    It passes through everything. The counterparts are the links of the same name on the other sides (`left_…` and
-    `right_…`, `wheel_1` and `wheel_2`), or all others of the robot that move, at least five.
+    It passes through everything. The counterparts are the links of the same name on the other sides (`left_wheel`
+    and `right_wheel`, `FL_hip` and `RR_hip`), or all others of the robot that move, at least five.
     """
 
     code = "GEO008"
@@ -81,11 +76,7 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         return []
     found: list[tuple[Link, Link | None]] = []
     for link in bare:
-        alike = [
-            other
-            for other in moving
-            if other is not link and SIDES.sub("", other.name) == SIDES.sub("", link.name)
-        ]
+        alike = [other for other in link.counterparts if other in moving]
         complete = [other for other in alike if other.has("collision")]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))

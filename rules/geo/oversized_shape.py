@@ -1,10 +1,13 @@
 from collections.abc import Iterator
+from math import inf
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Shape, Value, used, warns
 from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
 
 MOST = 100.0
 """Times the longest distance between joints; the longest of 250 public robots is 71 times that long (a table)."""
+HUGE = 3.0
+"""m: a robot lighter than helium whose shapes are longer is in millimeters as a whole."""
 LEAST = 1.0
 """m: smaller shapes are not that of a machine in millimeters."""
 
@@ -50,10 +53,14 @@ class OversizedShape(Rule):
         what = f"mesh `{geometry.uri.rpartition('/')[2]}`" if is_mesh else geometry.shape
         place = geometry.scale.value or geometry.uri_value if is_mesh else written_size(shape)
         kind = "robot" if model.is_urdf else "model"
+        compared = f"the joints of {kind} `{model.name}` are at most {model.reach:.3g} m apart"
+        if max(box.size) <= MOST * model.reach:
+            compared = (
+                f"{kind} `{model.name}` has {model.density:.2g} kg/m³ within its shapes, less than any gas"
+            )
         yield self.diagnostic(
             place or shape,
-            f"the {what} is {max(box.size):.4g} m long, and the joints of {kind} `{model.name}` are at most"
-            f" {model.reach:.3g} m apart{used(len(shapes))}: is it in millimeters?",
+            f"the {what} is {max(box.size):.4g} m long, and {compared}{used(len(shapes))}: is it in millimeters?",
             labels=dict.fromkeys(shapes[1:4], "this one as well"),
             help='give the mesh a scale of "0.001 0.001 0.001"' if is_mesh else "",
         )
@@ -68,9 +75,11 @@ def written_size(shape: Shape) -> Value | None:
 
 def oversized(model: Model) -> list[Shape]:
     """The shapes that are too long for the robot."""
-    if not model.joints or model.may_be_static or not model.reach > 0.005:
+    if not model.joints or model.may_be_static:
         return []
-    most = max(MOST * model.reach, LEAST)
+    most = max(MOST * model.reach, LEAST) if model.reach > 0.005 else inf
+    if model.is_out_of_scale and model.density < 1:
+        most = HUGE
     return [
         shape
         for link in model.links

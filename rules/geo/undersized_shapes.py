@@ -5,6 +5,8 @@ from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 LEAST = 0.01
 """Of the longest distance between joints: in 250 public robots the longest shape is more, where two links have any."""
+TINY = 0.02
+"""m: a robot heavier than any material whose shapes are all shorter is a thousand times too small as a whole."""
 ROBOT = (
     '<robot name="r"><link name="base">{0}</link><link name="arm">{1}</link>'
     '<joint name="j" type="revolute"><origin xyz="0 0 0.3"/><parent link="base"/>'
@@ -57,23 +59,32 @@ class UndersizedShapes(Rule):
             return
         kind = "robot" if model.is_urdf else "model"
         value = shape.geometry.scale.value or shape.geometry.uri_value
+        compared = f"its joints are up to {model.reach:.3g} m apart"
+        if max(box.size) > LEAST * model.reach:
+            compared = f"it has {model.density:.2g} kg/m³ within its shapes, more than any material"
         yield self.diagnostic(
             value or shape,
-            f"the longest shape of {kind} `{model.name}` is {max(box.size):.3g} m long, and its joints are up to"
-            f" {model.reach:.3g} m apart: are scale and unit right?",
+            f"the longest shape of {kind} `{model.name}` is {max(box.size):.3g} m long, and {compared}:"
+            " are scale and unit right?",
         )
 
 
 def longest(model: Model) -> Shape | None:
     """The longest of the shapes of at least two links, if it is too short for the robot, and all are known."""
-    if not model.joints or model.may_be_static or not model.reach > 0.005:
+    if not model.joints or model.may_be_static:
         return None
+    most = LEAST * model.reach if model.reach > 0.005 else 0.0
+    is_dense = model.is_out_of_scale and model.density > 1
+    if is_dense:
+        most = max(TINY, most)
     sizes: dict[Shape, float] = {}
     links = set()
     for link in model.links:
         for shape in link.shapes:
             box = shape.geometry.box
-            if box is None or max(box.size) > LEAST * model.reach:
+            if box is None and is_dense:
+                continue
+            if box is None or max(box.size) > most:
                 return None
             sizes[shape] = max(box.size)
             links.add(link)

@@ -3,7 +3,7 @@ from math import prod
 from statistics import median
 
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
-from sdfcheck_rules.inr.moments import is_doubtful
+from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
 
 HEAVIEST = 25_000.0
 """kg/m³: above osmium, the heaviest material."""
@@ -71,7 +71,7 @@ def density(inertial: Inertial) -> float:
 
 def is_too_dense(inertial: Inertial) -> bool:
     """Is it denser than any material, and no mark that stands for a part elsewhere?"""
-    if not inertial.mass.is_given or inertial.link.size_to_reach < 0.01:
+    if not inertial.mass.is_given:
         return False
     mass, found = inertial.mass.number, density(inertial)
     if (
@@ -79,6 +79,8 @@ def is_too_dense(inertial: Inertial) -> bool:
         or not mass >= LEAST
         or any(joint.is_fixed for joint in inertial.link.parent_joints)
     ):
+        return False
+    if is_out_of_scale(inertial):
         return False
     if found > BEYOND:
         return True

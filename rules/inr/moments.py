@@ -92,12 +92,19 @@ def ratio(inertial: Inertial) -> float:
     """
     if not is_doubtful(inertial) or not is_weighed(inertial):
         return math.nan
-    if inertial.link.size_to_reach > _FACTOR or inertial.link.size_to_reach < 1 / _FACTOR:
-        return math.nan
     if is_indefinite(inertial) or is_impossible(inertial):
         return math.nan
     expected, trace = inertial.solid_trace, inertial.tensor.trace
-    return trace / expected if 0 < expected < math.inf and 0 < trace < math.inf else math.nan
+    found = trace / expected if 0 < expected < math.inf and 0 < trace < math.inf else math.nan
+    return math.nan if (found > _FACTOR or found < 1 / _FACTOR) and is_out_of_scale(inertial) else found
+
+
+def is_out_of_scale(inertial: Inertial) -> bool:
+    """Are the shapes of the link, or of the whole robot, far too large or too small? Other rules report that."""
+    link = inertial.link
+    if link.size_to_reach > _FACTOR or link.size_to_reach < 1 / _FACTOR:
+        return True
+    return link.holder is not None and link.holder.kind == "model" and link.model.is_out_of_scale
 
 
 def is_far_off(inertial: Inertial) -> bool:

@@ -23,8 +23,9 @@ CHILD = '<link name="b"/><joint name="j" type="continuous"><parent link="a"/><ch
 
 
 MOVED = (
-    '<robot name="r"><link name="a"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
-    '</inertial></link><link name="b">{}</link><joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
+    '<robot name="r"><link name="a"><inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="b">{}</link>'
+    '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
 )
 BODY = (
     f'<inertial><mass value="1"/>{INERTIA.format("«inertia»")}</inertial>'

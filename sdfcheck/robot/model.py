@@ -260,6 +260,23 @@ class Model(Scope):
 
         return reach_of(self)
 
+    @lazy
+    def density(self) -> float:
+        """The mass of its links by the volume of the boxes around their shapes (kg/m³); nan where few are known."""
+        from sdfcheck.robot.motion.bounds import density_of
+
+        return density_of(self)
+
+    @property
+    def is_out_of_scale(self) -> bool:
+        """Is it, as a whole, lighter than any gas, or heavier than any material by far?"""
+        return (
+            bool(self.joints)
+            and not self.may_be_static
+            and not 0.05 < self.density < 1e6
+            and self.density > 0
+        )
+
     @property
     def bounds(self) -> Array | None:
         """The box around the bounds of all its links, all joints at zero: lowest and highest x, y, z.

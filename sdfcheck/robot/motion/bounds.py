@@ -111,6 +111,19 @@ def reach_of(model: Model) -> float:
     return max((math.dist(at, known[0]) for at in known), default=0.0) if len(known) > 1 else 0.0
 
 
+def density_of(model: Model) -> float:
+    """The mass of links by the volume of the boxes around their shapes (kg/m³); nan unless two of them have both."""
+    mass = volume = 0.0
+    count = 0
+    for link in model.links:
+        box = link.box if link.inertial.is_given else None
+        if box is not None and link.inertial.mass.number > 0 and math.prod(box.size) > 0:
+            mass += link.inertial.mass.number
+            volume += math.prod(box.size)
+            count += 1
+    return mass / volume if count > 1 else math.nan
+
+
 def origin_position(origin: Element) -> tuple[float, ...] | None:
     """The position (m) that an ``origin`` writes; None where it cannot be read."""
     try:

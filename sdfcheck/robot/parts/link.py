@@ -127,8 +127,10 @@ class Link(Node):
 
     @lazy
     def extent(self) -> Box | None:
-        """The box around its visuals and collisions (m); None unless the size of each of them is known."""
-        return self._around(self.shapes)
+        """The box around its visuals and collisions (m); of either kind only if the size of each is known."""
+        from sdfcheck.bodies.box import around
+
+        return around((self.visual_box, self.collision_box))
 
     def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
         """The box around shapes that are all known; None in a macro of xacro, where more may be added."""
@@ -149,6 +151,17 @@ class Link(Node):
         reach = self.model.reach if self.holder is not None and self.holder.kind == "model" else 0.0
         box = self.box if reach else None
         return max(box.size) / reach if box is not None else math.nan
+
+    @property
+    def counterparts(self) -> tuple[Link, ...]:
+        """The other links of its model whose names differ only by the side: those of the other wheels or legs."""
+        from sdfcheck.robot.naming.sides import without_sides
+
+        key = without_sides(self.name)
+        if key == self.name:
+            return ()
+        links = self.model.links
+        return tuple(link for link in links if link is not self and without_sides(link.name) == key)
 
     # How it hangs together with others
 

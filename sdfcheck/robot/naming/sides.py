@@ -1,0 +1,36 @@
+"""Names that differ only by the side: ``left_wheel`` and ``right_wheel``, ``FL_hip`` and ``RR_hip``."""
+
+from __future__ import annotations
+
+import re
+
+_WORDS = {
+    "left": "right",
+    "right": "left",
+    "l": "r",
+    "r": "l",
+    "fl": "fr",
+    "fr": "fl",
+    "rl": "rr",
+    "rr": "rl",
+}
+_WORDS |= {"lf": "rf", "rf": "lf", "lh": "rh", "rh": "lh", "hl": "hr", "hr": "hl", "bl": "br", "br": "bl"}
+_ALONG = ("front", "rear", "back", "hind")
+_SIDE = re.compile(rf"(?i)(?<![a-z])({'|'.join((*_WORDS, *_ALONG))})(?![a-z])")
+
+
+def without_sides(name: str) -> str:
+    """A name without its words for sides; the same where it has none."""
+    return _SIDE.sub("", name)
+
+
+def mirrored(name: str) -> str:
+    """The name on the other side: left for right; the same where it has no such word."""
+    return _SIDE.sub(lambda found: _like(found[0], _WORDS.get(found[0].lower(), found[0])), name)
+
+
+def _like(written: str, word: str) -> str:
+    """A word in the case of another one."""
+    if written.isupper():
+        return word.upper()
+    return word.capitalize() if written[0].isupper() else word
