@@ -4,11 +4,14 @@
 # mypy: ignore-errors
 
 from itertools import pairwise as itertools_pairwise
+from math import cos as math_cos
 from math import dist as math_dist
 from math import hypot as math_hypot
 from math import inf as math_inf
 from math import pi as math_pi
 from math import prod as math_prod
+from math import radians as math_radians
+from math import tan as math_tan
 from pathlib import PurePosixPath as pathlib_PurePosixPath
 from statistics import median as statistics_median
 import math as math_
@@ -353,7 +356,8 @@ def geo_undersized_shapes__longest(model):
                 return None
             sizes[shape] = max(box.size)
             links.add(link)
-    return max(sizes, key=sizes.__getitem__) if len(links) > 1 else None
+    is_known = len(sizes) * 2 >= sum((len(link.shapes) for link in model.links))
+    return max(sizes, key=sizes.__getitem__) if len(links) > 1 and is_known else None
 
 def GEO002_applies(model):
     return geo_undersized_shapes__longest(model) is not None
@@ -393,6 +397,8 @@ geo_mismatched_collision_size__MOST = 10.0
 
 def geo_mismatched_collision_size__differs(link):
     if not link.has('visual') or not link.has('collision') or link.may_be_static:
+        return False
+    if any((joint.is_fixed for joint in link.parent_joints)):
         return False
     visuals, collisions = (link.visual_box, link.collision_box)
     if visuals is None or collisions is None or link.size_to_reach > 100:
@@ -448,6 +454,11 @@ def geo_missing_collision__moves(link):
 
 geo_missing_collision__LEAST = 5
 
+def geo_missing_collision__is_small(link, others):
+    own = link.visual_box
+    lengths = [max(box.size) for other in others if other is not link and (box := other.visual_box) is not None]
+    return own is not None and bool(lengths) and (max(own.size) < statistics_median(lengths) / 2)
+
 def geo_missing_collision__lacking(model):
     if not model.joints or model.may_be_static:
         return []
@@ -461,12 +472,106 @@ def geo_missing_collision__lacking(model):
         complete = [other for other in alike if other.has('collision')]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))
-        elif not alike and len(bare) == 1 and (len(moving) > geo_missing_collision__LEAST):
+        elif not alike and len(bare) == 1 and (len(moving) > geo_missing_collision__LEAST) and (not geo_missing_collision__is_small(link, moving)):
             found.append((link, None))
     return found
 
 def GEO008_applies(model):
     return bool(geo_missing_collision__lacking(model))
+
+def geo_exchanged_drive_sides__is_exchanged(plugin):
+    drive = plugin.drive
+    if drive is None or not drive.distance < 0:
+        return False
+    return sum((left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True))) > 0.5
+
+def GEO009_applies(plugin):
+    return geo_exchanged_drive_sides__is_exchanged(plugin)
+
+def geo_opposed_drive_axes__is_opposed(plugin):
+    drive = plugin.drive
+    if drive is None:
+        return False
+    return sum((left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True))) < -0.5
+
+def GEO010_applies(plugin):
+    return geo_opposed_drive_axes__is_opposed(plugin)
+
+geo_mismatched_wheel_separation__MOST = 0.1
+
+def geo_mismatched_wheel_separation__is_mismatched(plugin):
+    drive = plugin.drive
+    if drive is None or drive.separation is None or (not drive.separation.own_value.number > 0):
+        return False
+    distance = abs(drive.distance)
+    return distance > 0.01 and abs(drive.separation.own_value.number - distance) > geo_mismatched_wheel_separation__MOST * distance
+
+def GEO011_applies(plugin):
+    return geo_mismatched_wheel_separation__is_mismatched(plugin)
+
+geo_mismatched_wheel_radius__ALIKE = 0.01
+
+def geo_mismatched_wheel_radius__differ(plugin):
+    drive = plugin.drive
+    return drive is not None and abs(drive.left.radius - drive.right.radius) > geo_mismatched_wheel_radius__ALIKE * drive.left.radius
+
+geo_mismatched_wheel_radius__MOST = 0.1
+
+def geo_mismatched_wheel_radius__is_mismatched(plugin):
+    drive = plugin.drive
+    return drive is not None and abs(drive.written_radius - drive.left.radius) > geo_mismatched_wheel_radius__MOST * drive.left.radius
+
+def GEO012_applies(plugin):
+    return geo_mismatched_wheel_radius__differ(plugin) or geo_mismatched_wheel_radius__is_mismatched(plugin)
+
+def geo_wheel_across_axis__is_endless(joint):
+    low, high = joint.axis.limit.range
+    return joint.type == 'continuous' or (low < -1000.0 and high > 1000.0)
+
+geo_wheel_across_axis__SMALLEST = 0.005
+
+def geo_wheel_across_axis__alignment(joint):
+    if joint.type not in {'continuous', 'revolute'} or joint.axis.expressed_in or (not geo_wheel_across_axis__is_endless(joint)):
+        return -1.0
+    link, own = (joint.child_link, joint.find('pose'))
+    shapes = link.collisions or link.visuals if link is not None else ()
+    if len(shapes) != 1 or (own is not None and own.content):
+        return -1.0
+    geometry, axis = (shapes[0].geometry, joint.axis.xyz)
+    radius, length = (float(geometry.radius), float(geometry.length))
+    if geometry.shape != 'cylinder' or geometry.solid is None or (not radius >= geo_wheel_across_axis__SMALLEST) or (not length < 2 * radius):
+        return -1.0
+    way, place = (shapes[0].along, shapes[0].position)
+    if way is None or place is None or math_dist(place, (0, 0, 0)) > 0.6 * radius or (not math_hypot(*axis) > 0) or (len(axis) != 3):
+        return -1.0
+    return abs(sum((one * other for one, other in zip(way, axis, strict=True)))) / math_hypot(*axis)
+
+geo_wheel_across_axis__MOST = math_cos(math_radians(10))
+
+def GEO013_applies(joint):
+    return 0 <= geo_wheel_across_axis__alignment(joint) < geo_wheel_across_axis__MOST
+
+geo_mismatched_heightmaps__NAMES = ('pos', 'size')
+
+def geo_mismatched_heightmaps__numbers(value):
+    try:
+        return [float(word) for word in value.text.split()]
+    except ValueError:
+        return None
+
+def geo_mismatched_heightmaps__pairs(link):
+    seen = {shape.geometry.uri: shape.geometry.shape_element for shape in link.visuals if shape.geometry.shape == 'heightmap'}
+    for shape in link.collisions:
+        own, other = (shape.geometry.shape_element, seen.get(shape.geometry.uri))
+        if own is None or other is None or shape.geometry.shape != 'heightmap':
+            continue
+        for name in geo_mismatched_heightmaps__NAMES:
+            first, second = (own.value(name), other.value(name))
+            if first is not None and second is not None and (geo_mismatched_heightmaps__numbers(first) != geo_mismatched_heightmaps__numbers(second)):
+                yield (name, first, second)
+
+def GEO014_applies(link):
+    return any((True for _ in geo_mismatched_heightmaps__pairs(link)))
 
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
@@ -627,9 +732,11 @@ def inr_places__is_compared(inertial):
         return False
     return inertial.link.extent is not None and (not inertial.link.size_to_reach > 100)
 
+inr_places___MARK = 0.015
+
 def inr_places__outside(inertial):
-    center, box = (inertial.center, inertial.link.extent if inr_places__is_compared(inertial) else None)
-    if box is None or center is None or (not max(box.size) > 0):
+    center, box = (inertial.center, inertial.link.fixed_extent if inr_places__is_compared(inertial) else None)
+    if box is None or center is None or (not max(box.size) > inr_places___MARK):
         return 0.0
     return box.distance_to(center) / max(box.size)
 
@@ -667,9 +774,9 @@ def inr_exchanged_moments__is_turned(inertial):
 def inr_exchanged_moments__off(moments, others):
     return max((max(one / other, other / one) for one, other in zip(moments, others, strict=True)))
 
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.7, 2.2)
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
 
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.7, 2.2)
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
 
 inr_exchanged_moments__PAIRS = ((1, 2), (0, 1), (0, 2))
 
@@ -711,6 +818,9 @@ inr_excess_density__HEAVIER = 20.0
 
 def inr_excess_density__is_too_dense(inertial):
     if not inertial.mass.is_given:
+        return False
+    link = inertial.link
+    if link.holder is not None and link.holder.kind == 'model' and link.model.joints and (not link.parent_joints):
         return False
     mass, found = (inertial.mass.number, inr_excess_density__density(inertial))
     if not found > inr_excess_density__HEAVIEST or not mass >= inr_excess_density__LEAST or any((joint.is_fixed for joint in inertial.link.parent_joints)):
@@ -969,18 +1079,22 @@ jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE = (0.005, 0.05)
 
 jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE = (0.005, 0.05)
 
-def jnt_asymmetric_joint__displacement(joint):
-    mirror = joint.mirror if joint.moves else None
-    if mirror is None or not mirror.moves or joint.span.start < mirror.span.start:
-        return 0.0
+def jnt_asymmetric_joint__displacement(joint, mirror):
     own, other = (jnt_asymmetric_joint__place(joint), jnt_asymmetric_joint__place(mirror))
     if len(own) != 3 or len(other) != 3:
         return 0.0
     found = math_dist(own, other)
     return found if found > max(jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE * max(math_hypot(*own), math_hypot(*other))) else 0.0
 
-def JNT020_applies(joint):
-    return jnt_asymmetric_joint__displacement(joint) > 0
+jnt_asymmetric_joint__MOST = 3
+
+def jnt_asymmetric_joint__displaced(model):
+    pairs = [(joint, mirror) for joint in model.joints if joint.moves and (mirror := joint.mirror) is not None]
+    found = [(joint, mirror) for joint, mirror in pairs if mirror.moves and joint.span.start > mirror.span.start and (jnt_asymmetric_joint__displacement(joint, mirror) > 0)]
+    return found if len(found) <= jnt_asymmetric_joint__MOST else []
+
+def JNT020_applies(model):
+    return bool(jnt_asymmetric_joint__displaced(model))
 
 jnt_opposed_axis__LEAST = 3
 
@@ -1647,6 +1761,46 @@ def sch_blank_in_topic__topic(sensor):
 def SCH030_applies(sensor):
     return sensor.has('topic') and sch_blank_in_topic__topic(sensor) is not None
 
+def sch_mismatched_intrinsics__within(element, *path):
+    found = element
+    for name in path:
+        found = None if found is None else found.find(name)
+    return None if found is None else found.own_value
+
+sch_mismatched_intrinsics__MOST = 0.1
+
+def sch_mismatched_intrinsics__focal(sensor):
+    camera = sensor.find('camera')
+    if camera is None:
+        return None
+    view, width = (sch_mismatched_intrinsics__within(camera, 'horizontal_fov'), sch_mismatched_intrinsics__within(camera, 'image', 'width'))
+    given = sch_mismatched_intrinsics__within(camera, 'lens', 'intrinsics', 'fx')
+    if view is None or width is None or given is None:
+        return None
+    if not 0 < view.number < math_pi or not width.number > 0 or (not given.number > 0):
+        return None
+    right = width.number / 2 / math_tan(view.number / 2)
+    return (given, width, view) if abs(given.number - right) > sch_mismatched_intrinsics__MOST * right else None
+
+def SCH031_applies(sensor):
+    return sch_mismatched_intrinsics__focal(sensor) is not None
+
+sch_resolution_of_scan__MOST = 0.2
+
+def sch_resolution_of_scan__thinned(sensor):
+    for name in ('lidar', 'ray'):
+        settings = sensor.find(name)
+        scan = None if settings is None else settings.find('scan')
+        for direction in () if scan is None else scan.children():
+            resolution, samples = (direction.value('resolution'), direction.value('samples'))
+            if resolution is None or samples is None or (not samples.number > 1):
+                continue
+            if 0 < resolution.number < sch_resolution_of_scan__MOST:
+                yield (resolution, samples)
+
+def SCH032_applies(sensor):
+    return any((True for _ in sch_resolution_of_scan__thinned(sensor)))
+
 def SRD001_applies(semantics):
     return bool(semantics.robots) and any((True for _ in semantics.unknown))
 
@@ -1855,6 +2009,12 @@ CONDITIONS = {
     'GEO006': GEO006_applies,
     'GEO007': GEO007_applies,
     'GEO008': GEO008_applies,
+    'GEO009': GEO009_applies,
+    'GEO010': GEO010_applies,
+    'GEO011': GEO011_applies,
+    'GEO012': GEO012_applies,
+    'GEO013': GEO013_applies,
+    'GEO014': GEO014_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -1981,6 +2141,8 @@ CONDITIONS = {
     'SCH028': SCH028_applies,
     'SCH029': SCH029_applies,
     'SCH030': SCH030_applies,
+    'SCH031': SCH031_applies,
+    'SCH032': SCH032_applies,
     'SRD001': SRD001_applies,
     'SRD002': SRD002_applies,
     'SRD003': SRD003_applies,

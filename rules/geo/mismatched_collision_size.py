@@ -61,6 +61,8 @@ def differs(link: Link) -> bool:
     """Do visuals and collisions differ tenfold, and both of them stand for a body?"""
     if not link.has("visual") or not link.has("collision") or link.may_be_static:
         return False
+    if any(joint.is_fixed for joint in link.parent_joints):
+        return False
     visuals, collisions = link.visual_box, link.collision_box
     if visuals is None or collisions is None or link.size_to_reach > 100:
         return False

@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from statistics import median
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
 
@@ -80,9 +81,18 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         complete = [other for other in alike if other.has("collision")]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))
-        elif not alike and len(bare) == 1 and len(moving) > LEAST:
+        elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_small(link, moving):
             found.append((link, None))
     return found
+
+
+def is_small(link: Link, others: list[Link]) -> bool:
+    """Is it less than half as long as most others, as parts inside of a joint are?"""
+    own = link.visual_box
+    lengths = [
+        max(box.size) for other in others if other is not link and (box := other.visual_box) is not None
+    ]
+    return own is not None and bool(lengths) and max(own.size) < median(lengths) / 2
 
 
 def moves(link: Link) -> bool:

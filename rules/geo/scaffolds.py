@@ -19,3 +19,23 @@ def wedge(length: float) -> str:
 def mesh(kind: str, file: str, attributes: str = "") -> str:
     """A visual or collision with a mesh in URDF."""
     return f'<{kind}><geometry><mesh filename="{file}"{attributes}/></geometry></{kind}>'
+
+
+def rover(
+    *, left: str = "left", y: float = 0.17, axis: str = "0 1 0", radius: str = "0.1", **parameters: str
+) -> str:
+    """A robot with two wheels in URDF, and the plugin that drives them: the numbers are those of the right wheel."""
+    sides = (("left", 0.17, "0 1 0", "0.1"), ("right", -y, axis, radius))
+    wheels = "".join(
+        f'<link name="{side}"><collision><origin rpy="1.5708 0 0"/><geometry><cylinder radius="{size}" length="0.04"/>'
+        f'</geometry></collision></link><joint name="{side}_joint" type="continuous"><origin xyz="0 {at} 0"/>'
+        f'<parent link="base"/><child link="{side}"/><axis xyz="{turns}"/></joint>'
+        for side, at, turns, size in sides
+    )
+    right = "right" if "left" in left else "left"
+    given = "".join(f"<{name}>{value}</{name}>" for name, value in parameters.items())
+    plugin = (
+        '<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">'
+        f"<left_joint>{left}_joint</left_joint><right_joint>{right}_joint</right_joint>{given}</plugin>"
+    )
+    return f'<robot name="r"><link name="base"/>{wheels}<gazebo>{plugin}</gazebo></robot>'

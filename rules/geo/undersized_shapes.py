@@ -88,4 +88,5 @@ def longest(model: Model) -> Shape | None:
                 return None
             sizes[shape] = max(box.size)
             links.add(link)
-    return max(sizes, key=sizes.__getitem__) if len(links) > 1 else None
+    is_known = len(sizes) * 2 >= sum(len(link.shapes) for link in model.links)
+    return max(sizes, key=sizes.__getitem__) if len(links) > 1 and is_known else None

@@ -51,7 +51,7 @@ class CenterOutsideLink(Rule):
         return outside(inertial) > MOST and not is_off_origin(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
-        box = inertial.link.extent
+        box = inertial.link.fixed_extent
         assert box is not None, "it was compared"
         size = max(box.size)
         origin = inertial.find("origin" if inertial.is_urdf else "pose")

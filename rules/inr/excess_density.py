@@ -73,6 +73,14 @@ def is_too_dense(inertial: Inertial) -> bool:
     """Is it denser than any material, and no mark that stands for a part elsewhere?"""
     if not inertial.mass.is_given:
         return False
+    link = inertial.link
+    if (
+        link.holder is not None
+        and link.holder.kind == "model"
+        and link.model.joints
+        and not link.parent_joints
+    ):
+        return False  # a root often has a small box that stands for nothing
     mass, found = inertial.mass.number, density(inertial)
     if (
         not found > HEAVIEST

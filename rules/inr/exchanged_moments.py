@@ -16,7 +16,7 @@ from sdfcheck import (
 )
 from sdfcheck_rules.inr.moments import is_doubtful, is_weighed
 
-FITS, DIFFERS = 1.7, 2.2
+FITS, DIFFERS = 1.5, 2.2
 """Moments within the first factor of those of a box are those of the body; beyond the second one they are not."""
 PAIRS = ((1, 2), (0, 1), (0, 2))
 NAMES = ("ixx", "iyy", "izz")

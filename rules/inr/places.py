@@ -7,6 +7,8 @@ from sdfcheck_rules.inr.moments import is_doubtful
 
 _LEAST = 1e-3
 """kg: lighter links mark places; where their mass is makes no difference."""
+_MARK = 0.015
+"""m: smaller shapes are marks."""
 _APART = 0.4
 """Of the length of the shapes: so far from the middle of them is near their end."""
 
@@ -37,8 +39,11 @@ def is_off_origin(inertial: Inertial) -> bool:
 
 
 def outside(inertial: Inertial) -> float:
-    """How far the center of mass is outside of the link's shapes, by their greatest length; 0 inside of them."""
-    center, box = inertial.center, inertial.link.extent if is_compared(inertial) else None
-    if box is None or center is None or not max(box.size) > 0:
+    """How far the center of mass is outside of the link's shapes, by their greatest length; 0 inside of them.
+
+    The shapes of links that are fixed to it count as well.
+    """
+    center, box = inertial.center, inertial.link.fixed_extent if is_compared(inertial) else None
+    if box is None or center is None or not max(box.size) > _MARK:
         return 0.0
     return box.distance_to(center) / max(box.size)

@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from sdfcheck.source.element import Element
 
 
+_MOST_FIXED = 100
+"""Links fixed to one that are looked at."""
+
+
 def of_shapes(shapes: Iterable[Shape]) -> Box | None:
     """The box around shapes in their link's frame; None without any of known size."""
     return around(shape.box for shape in shapes)
@@ -68,6 +72,28 @@ def _of_mesh(geometry: Geometry) -> Box | None:
         return None
     found = mesh.bounds.scaled(scale)
     return found if found.diagonal < float("inf") else None
+
+
+def with_fixed(link: Link) -> Box | None:
+    """The box around a link and those that fixed joints of URDF tie to it, in its frame; None if one is unknown."""
+    found = [link.extent]
+    waiting = [(link, Origin())]
+    while waiting:
+        at, pose = waiting.pop()
+        for joint in at.child_joints if link.is_urdf else ():
+            child = joint.child_link
+            if not joint.is_fixed or child is None or len(found) > _MOST_FIXED:
+                continue
+            try:
+                placed = pose.followed_by(origin_in(joint.element))
+            except DescriptionError:
+                return None
+            waiting.append((child, placed))
+            if child.shapes:
+                if child.extent is None:
+                    return None
+                found.append(of_points(placed.applied_to((x, y, z)) for x, y, z in child.extent.corners()))
+    return around(found) if link.extent is not None else None
 
 
 def placement_of(part: Part, link: Link) -> Origin:

@@ -25,8 +25,18 @@ def without_sides(name: str) -> str:
 
 
 def mirrored(name: str) -> str:
-    """The name on the other side: left for right; the same where it has no such word."""
-    return _SIDE.sub(lambda found: _like(found[0], _WORDS.get(found[0].lower(), found[0])), name)
+    """The name on the other side: left for right; the same where it has no such word.
+
+    Single letters count at the beginning, for elsewhere they may count through the alphabet.
+    """
+
+    def other(found: re.Match[str]) -> str:
+        word = found[0]
+        if len(word) == 1 and found.start():
+            return word
+        return _like(word, _WORDS.get(word.lower(), word))
+
+    return _SIDE.sub(other, name)
 
 
 def _like(written: str, word: str) -> str:

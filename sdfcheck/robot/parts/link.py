@@ -132,6 +132,13 @@ class Link(Node):
 
         return around((self.visual_box, self.collision_box))
 
+    @lazy
+    def fixed_extent(self) -> Box | None:
+        """The same, with the links that fixed joints of URDF tie to it from below; None unless all are known."""
+        from sdfcheck.robot.motion.bounds import with_fixed
+
+        return with_fixed(self)
+
     def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
         """The box around shapes that are all known; None in a macro of xacro, where more may be added."""
         if self.document.kind is Kind.XACRO:

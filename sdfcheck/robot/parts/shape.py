@@ -204,6 +204,17 @@ class Shape(Part):
         """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
         return position(self)
 
+    @property
+    def along(self) -> tuple[float, float, float] | None:
+        """The direction of its z axis in its link's frame; None where that cannot be worked out."""
+        from sdfcheck.robot.errors import DescriptionError
+        from sdfcheck.robot.motion.bounds import placement_of
+
+        try:
+            return placement_of(self, self.link).turned((0.0, 0.0, 1.0))
+        except DescriptionError:
+            return None
+
     @lazy
     def box(self) -> Box | None:
         """The box around it in its link's frame (m), in plain numbers; None where size or place is not known."""
