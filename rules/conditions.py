@@ -452,6 +452,16 @@ def GEO007_applies(collision):
 def geo_missing_collision__moves(link):
     return any((joint.moves for joint in link.parent_joints))
 
+geo_missing_collision__NUMBER = re_.compile('[0-9]+')
+
+geo_missing_collision__CHAIN = re_.compile('(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\\W_])*[a-z]?')
+
+def geo_missing_collision__numbered(link):
+    key = geo_missing_collision__NUMBER.sub('', link.name)
+    if key == link.name or geo_missing_collision__CHAIN.fullmatch(key):
+        return []
+    return [other for other in link.model.links if other is not link and geo_missing_collision__NUMBER.sub('', other.name) == key]
+
 geo_missing_collision__LEAST = 5
 
 def geo_missing_collision__is_small(link, others):
@@ -468,7 +478,7 @@ def geo_missing_collision__lacking(model):
         return []
     found = []
     for link in bare:
-        alike = [other for other in link.counterparts if other in moving]
+        alike = [other for other in link.counterparts or geo_missing_collision__numbered(link) if other in moving]
         complete = [other for other in alike if other.has('collision')]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))
@@ -642,12 +652,19 @@ def inr_moments__ratio(inertial):
     found = trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
     return math_.nan if (found > inr_moments___FACTOR or found < 1 / inr_moments___FACTOR) and inr_moments__is_out_of_scale(inertial) else found
 
+inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
+
+inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
+
 def inr_moments__is_about_origin(inertial):
-    if not inr_moments__ratio(inertial) > 10 or inertial.inertia is None or inertial.center is None:
+    found = inr_moments__ratio(inertial)
+    if not found > inr_moments___LITTLE or inertial.inertia is None or inertial.center is None:
         return False
     offset = math_.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
-    return offset > 0 and 1 / 3 < shifted < 3
+    if not offset > 0:
+        return False
+    return 1 / 3 < shifted < 3 if found > 10 else bool(inertial.link.solids) and abs(shifted - 1) < inr_moments___EXACTLY
 
 def inr_moments__is_far_off(inertial):
     found = inr_moments__ratio(inertial)
@@ -730,7 +747,7 @@ inr_places___LEAST = 0.001
 def inr_places__is_compared(inertial):
     if not inr_moments__is_doubtful(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
         return False
-    return inertial.link.extent is not None and (not inertial.link.size_to_reach > 100)
+    return inertial.link.extent is not None and (not inr_moments__is_out_of_scale(inertial))
 
 inr_places___MARK = 0.015
 
@@ -742,21 +759,21 @@ def inr_places__outside(inertial):
 
 inr_center_outside_link__MOST = 0.7
 
-def inr_places__has_no_place(inertial):
+def inr_places__place_of(inertial):
     place = inertial.find('origin' if inertial.is_urdf else 'pose')
-    if place is None:
-        return True
-    if inertial.is_urdf:
-        return place.text_of('xyz') is None and place.text_of('rpy') is None
-    return not place.content
+    value = None if place is None else place.attribute('xyz') if inertial.is_urdf else place.own_value
+    return value if value is not None and value.text.strip() else None
 
-inr_places___APART = 0.4
+inr_places___APART, inr_places___AT_END = (0.4, 0.49)
+
+inr_places___APART, inr_places___AT_END = (0.4, 0.49)
 
 def inr_places__is_off_origin(inertial):
-    box = inertial.link.extent if inr_places__is_compared(inertial) and inr_places__has_no_place(inertial) else None
-    if box is None:
+    if not inr_places__is_compared(inertial) or any(inertial.center or ()):
         return False
-    return any((abs(at) > inr_places___APART * size > 0 for at, size in zip(box.center, box.size, strict=True)))
+    apart = inr_places___APART if inr_places__place_of(inertial) is None else inr_places___AT_END
+    boxes = (inertial.link.extent, inertial.link.fixed_extent)
+    return all((box is not None and max(box.size) > inr_places___MARK and any((abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))) for box in boxes))
 
 def INR013_applies(inertial):
     return inr_places__outside(inertial) > inr_center_outside_link__MOST and (not inr_places__is_off_origin(inertial))
@@ -1115,6 +1132,23 @@ def jnt_opposed_axis__is_opposed(joint):
 
 def JNT021_applies(joint):
     return jnt_opposed_axis__is_opposed(joint)
+
+jnt_mimic_beyond_limits__SHARE = 0.05
+
+def jnt_mimic_beyond_limits__span(mimic):
+    leader, joint = (mimic.leader, mimic.joint)
+    if leader is None or joint.is_fixed or leader.is_fixed or (leader.axis.mimic is not None):
+        return None
+    low, high = leader.axis.limit.range
+    own_low, own_high = joint.axis.limit.range
+    if not -math_inf < low < high < math_inf or not own_low < own_high:
+        return None
+    ends = sorted((float(mimic.multiplier) * end + float(mimic.offset) for end in (low, high)))
+    room = jnt_mimic_beyond_limits__SHARE * (ends[1] - ends[0])
+    return (ends[0], ends[1]) if ends[0] < own_low - room or ends[1] > own_high + room else None
+
+def JNT022_applies(mimic):
+    return jnt_mimic_beyond_limits__span(mimic) is not None
 
 def muj_meshes__compiler(model):
     found = {}
@@ -2053,6 +2087,7 @@ CONDITIONS = {
     'JNT019': JNT019_applies,
     'JNT020': JNT020_applies,
     'JNT021': JNT021_applies,
+    'JNT022': JNT022_applies,
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,

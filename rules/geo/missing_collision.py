@@ -1,8 +1,11 @@
+import re
 from collections.abc import Iterator
 from statistics import median
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
 
+NUMBER = re.compile(r"[0-9]+")
+CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
 LEAST = 5
 """Links that move and collide, so that the one without is the exception."""
 BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
@@ -77,13 +80,21 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         return []
     found: list[tuple[Link, Link | None]] = []
     for link in bare:
-        alike = [other for other in link.counterparts if other in moving]
+        alike = [other for other in link.counterparts or numbered(link) if other in moving]
         complete = [other for other in alike if other.has("collision")]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))
         elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_small(link, moving):
             found.append((link, None))
     return found
+
+
+def numbered(link: Link) -> list[Link]:
+    """The other links of its name with other numbers (`rotor_0`); none where that is just a chain of links."""
+    key = NUMBER.sub("", link.name)
+    if key == link.name or CHAIN.fullmatch(key):
+        return []
+    return [other for other in link.model.links if other is not link and NUMBER.sub("", other.name) == key]
 
 
 def is_small(link: Link, others: list[Link]) -> bool:

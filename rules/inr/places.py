@@ -2,40 +2,46 @@
 
 from __future__ import annotations
 
-from sdfcheck import Inertial
-from sdfcheck_rules.inr.moments import is_doubtful
+from sdfcheck import Inertial, Value
+from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
 
 _LEAST = 1e-3
 """kg: lighter links mark places; where their mass is makes no difference."""
 _MARK = 0.015
 """m: smaller shapes are marks."""
-_APART = 0.4
+_APART, _AT_END = 0.4, 0.49
 """Of the length of the shapes: so far from the middle of them is near their end."""
-
-
-def has_no_place(inertial: Inertial) -> bool:
-    """Does nothing say where the center of mass is, so that it is at the link's origin?"""
-    place = inertial.find("origin" if inertial.is_urdf else "pose")
-    if place is None:
-        return True
-    if inertial.is_urdf:
-        return place.text_of("xyz") is None and place.text_of("rpy") is None
-    return not place.content
 
 
 def is_compared(inertial: Inertial) -> bool:
     """Is there a mass, and are all shapes of the link known?"""
     if not is_doubtful(inertial) or not inertial.mass.number >= _LEAST or inertial.center is None:
         return False
-    return inertial.link.extent is not None and not inertial.link.size_to_reach > 100
+    return inertial.link.extent is not None and not is_out_of_scale(inertial)
 
 
 def is_off_origin(inertial: Inertial) -> bool:
-    """Is the center of mass at the origin because nothing is written, and at the end of all shapes or beyond?"""
-    box = inertial.link.extent if is_compared(inertial) and has_no_place(inertial) else None
-    if box is None:
+    """Is the center of mass at the origin of the link, and that near the end of its shapes or beyond?
+
+    Where zeros are written, at the end or beyond: they may be a rough guess.
+    """
+    if not is_compared(inertial) or any(inertial.center or ()):
         return False
-    return any(abs(at) > _APART * size > 0 for at, size in zip(box.center, box.size, strict=True))
+    apart = _APART if place_of(inertial) is None else _AT_END
+    boxes = (inertial.link.extent, inertial.link.fixed_extent)
+    return all(
+        box is not None
+        and max(box.size) > _MARK
+        and any(abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))
+        for box in boxes
+    )
+
+
+def place_of(inertial: Inertial) -> Value | None:
+    """The position that is written for the center of mass."""
+    place = inertial.find("origin" if inertial.is_urdf else "pose")
+    value = None if place is None else place.attribute("xyz") if inertial.is_urdf else place.own_value
+    return value if value is not None and value.text.strip() else None
 
 
 def outside(inertial: Inertial) -> float:

@@ -1,22 +1,26 @@
-"""Names that differ only by the side: ``left_wheel`` and ``right_wheel``, ``FL_hip`` and ``RR_hip``."""
+"""Names that differ only by the side: ``left_wheel`` and ``right_wheel``, ``FL_hip`` and ``RR_hip``, ``LKnee``."""
 
 from __future__ import annotations
 
 import re
 
-_WORDS = {
+_MIRRORED = {
     "left": "right",
-    "right": "left",
     "l": "r",
-    "r": "l",
     "fl": "fr",
-    "fr": "fl",
     "rl": "rr",
-    "rr": "rl",
+    "lf": "rf",
+    "lh": "rh",
+    "hl": "hr",
+    "bl": "br",
 }
-_WORDS |= {"lf": "rf", "rf": "lf", "lh": "rh", "rh": "lh", "hl": "hr", "hr": "hl", "bl": "br", "br": "bl"}
+_WORDS = {**_MIRRORED, **{right: left for left, right in _MIRRORED.items()}}
 _ALONG = ("front", "rear", "back", "hind")
-_SIDE = re.compile(rf"(?i)(?<![a-z])({'|'.join((*_WORDS, *_ALONG))})(?![a-z])")
+_SPELLED = sorted(
+    {form(word) for word in (*_WORDS, *_ALONG) for form in (str.lower, str.upper, str.capitalize)},
+    key=lambda word: (-len(word), word),
+)
+_SIDE = re.compile(rf"(?<![A-Za-z])({'|'.join(_SPELLED)})(?![a-z])")
 
 
 def without_sides(name: str) -> str:
