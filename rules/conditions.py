@@ -324,7 +324,7 @@ geo_oversized_shape__LEAST = 1.0
 geo_oversized_shape__HUGE = 3.0
 
 def geo_oversized_shape__oversized(model):
-    if not model.joints or model.may_be_static:
+    if not model.joints or model.may_be_static or (not model.has_mesh):
         return []
     most = max(geo_oversized_shape__MOST * model.reach, geo_oversized_shape__LEAST) if model.reach > 0.005 else math_inf
     if model.is_out_of_scale and model.density < 1:
@@ -339,7 +339,7 @@ geo_undersized_shapes__LEAST = 0.01
 geo_undersized_shapes__TINY = 0.02
 
 def geo_undersized_shapes__longest(model):
-    if not model.joints or model.may_be_static:
+    if not model.joints or model.may_be_static or (not model.has_mesh):
         return None
     most = geo_undersized_shapes__LEAST * model.reach if model.reach > 0.005 else 0.0
     is_dense = model.is_out_of_scale and model.density > 1
@@ -373,7 +373,7 @@ def geo_detached_collision__is_apart(link):
     return visuals is not None and collisions is not None and (visuals.distance_to(collisions) > 0)
 
 def geo_detached_collision__gap(link):
-    if not link.has('visual') or not link.has('collision'):
+    if not link.has('visual') or not link.has('collision') or (not link.has_mesh):
         return 0.0
     visuals, collisions = (link.visual_box, link.collision_box)
     if visuals is None or collisions is None:
@@ -396,7 +396,7 @@ geo_mismatched_collision_size__LEAST = 0.005
 geo_mismatched_collision_size__MOST = 10.0
 
 def geo_mismatched_collision_size__differs(link):
-    if not link.has('visual') or not link.has('collision') or link.may_be_static:
+    if not link.has('visual') or not link.has('collision') or link.may_be_static or (not link.has_mesh):
         return False
     if any((joint.is_fixed for joint in link.parent_joints)):
         return False
@@ -631,7 +631,7 @@ def INR004_applies(link):
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
 def inr_moments__is_doubtful(inertial):
-    if inertial.is_unremarkable and (not inertial.link.has_mesh):
+    if inertial.fits_shapes and (not inertial.link.has_mesh):
         return False
     return inertial.is_given and (not inertial.is_automatic) and (not inertial.link.may_be_static)
 

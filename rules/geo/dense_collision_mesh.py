@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_URDF_LINK, Bad, Collision, Consumer, Diagnostic, Good, Rule, Severity, warns
-from sdfcheck_rules.geo.scaffolds import mesh, wedge
+from sdfcheck_rules.geo.scaffolds import mesh, triangles
 
 MOST = 200_000
 """Triangles: MuJoCo takes no more for a mesh in STL."""
@@ -24,18 +24,18 @@ class DenseCollisionMesh(Rule):
 
     bad = (
         Bad(
-            mesh("collision", "«arm.obj»"),
-            files={"arm.obj": wedge(1) + "f 1 2 3\n" * MOST},
-            says="the mesh `arm.obj` has 200001 triangles",
+            mesh("collision", "«arm.dae»"),
+            files={"arm.dae": triangles(250_000)},
+            says="the mesh `arm.dae` has 250000 triangles",
         ),
     )
     good = (
         Good(
-            mesh("visual", "arm.obj"),
-            files={"arm.obj": wedge(1) + "f 1 2 3\n" * MOST},
-            why="what is only seen costs little",
+            mesh("visual", "arm.dae"),
+            files={"arm.dae": triangles(250_000)},
+            why="visuals cost little",
         ),
-        Good(mesh("collision", "arm.obj"), files={"arm.obj": wedge(1)}),
+        Good(mesh("collision", "arm.dae"), files={"arm.dae": triangles(2_000)}),
     )
 
     @staticmethod

@@ -8,15 +8,16 @@ OFTEN = 0.25
 """Of the longer one: what is farther apart on one side of the robot only is a mistake as well."""
 LEAST = 0.01
 """m: smaller shapes are marks."""
-VISUAL = '<visual name="v"><geometry><box><size>0.1 0.1 0.1</size></box></geometry></visual>'
+VISUAL = '<visual name="v"><geometry><mesh><uri>a.obj</uri></mesh></geometry></visual>'
+FILES = {"a.obj": "v 0 0 0\nv 0.1 0.1 0.1\nv 0.1 0 0\nf 1 2 3\n"}
 
 
 class DetachedCollision(Rule):
     """The collisions of a link are not where its visuals are.
 
-    They stand for the same body, so they overlap. Where they are apart, the robot touches what it does not reach,
+    Both are the shape of one body, so they overlap. Where they are apart, the robot touches what it does not reach,
     and passes through what it does. Often the visual was moved and the collision not, or only one of them has the
-    origin of its mesh corrected.
+    origin of its mesh corrected. Links are looked at that have a mesh which is on this computer.
     """
 
     code = "GEO003"
@@ -24,6 +25,7 @@ class DetachedCollision(Rule):
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
+    needs = ("<mesh", ":mesh")
     scaffold = IN_LINK
 
     bad = (
@@ -31,7 +33,8 @@ class DetachedCollision(Rule):
             VISUAL
             + '<«collision» name="c"><pose>0.3 0 0 0 0 0</pose><geometry><box><size>0.1 0.1 0.1</size></box>'
             "</geometry></collision>",
-            says="the collision of link `base` is 0.2 m away from its visual",
+            files=FILES,
+            says="the collision of link `base` is 0.15 m away from its visual",
         ),
     )
     good = (
@@ -39,6 +42,7 @@ class DetachedCollision(Rule):
             VISUAL
             + '<collision name="c"><pose>0.1 0 0 0 0 0</pose><geometry><box><size>0.1 0.1 0.1</size></box>'
             "</geometry></collision>",
+            files=FILES,
             why="they touch",
         ),
     )
@@ -60,7 +64,7 @@ class DetachedCollision(Rule):
 
 def gap(link: Link) -> float:
     """How far collisions and visuals are apart (m), where that is too much; else 0."""
-    if not link.has("visual") or not link.has("collision"):
+    if not link.has("visual") or not link.has("collision") or not link.has_mesh:
         return 0.0
     visuals, collisions = link.visual_box, link.collision_box
     if visuals is None or collisions is None:

@@ -7,7 +7,7 @@ from sdfcheck_rules.geo.scaffolds import rover
 class ExchangedDriveSides(Rule):
     """The left wheel of a differential drive is on the right.
 
-    The plugin turns both wheels by their names alone: with the sides exchanged the robot turns right when it is told
+    The plugin turns both wheels by their names alone: with the sides exchanged the robot turns right on the command
     to turn left, and its odometry says the opposite. Left is where the axes of the wheels point to, for positive
     speeds drive forwards.
     """

@@ -5,15 +5,17 @@ from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Link, Rule, Sever
 MOST = 10.0
 """Of 3,828 links in public robots that have both, none that moves differs so much."""
 LEAST = 0.005
-"""m: smaller shapes are marks, and stand for nothing."""
+"""m: smaller shapes are marks of places."""
 SHAPE = '<{0} name="{0}"><geometry><box><size>{1}</size></box></geometry></{0}>'
+VISUAL = '<visual name="v"><geometry><mesh><uri>a.obj</uri></mesh></geometry></visual>'
+FILES = {"a.obj": "v 0 0 0\nv 0.1 0.1 0.1\nv 0.1 0 0\nf 1 2 3\n"}
 
 
 class MismatchedCollisionSize(Rule):
     """The collisions of a link are ten times as long as its visuals, or a tenth of them.
 
-    They stand for the same body. One of them has a scale that the other lacks, or an exporter wrote
-    millimeters, centimeters or inches for one.
+    Both are the shape of one body. One of them has a scale that the other lacks, or an exporter wrote
+    millimeters, centimeters or inches for one. Links are looked at that have a mesh which is on this computer.
     """
 
     code = "GEO004"
@@ -21,22 +23,26 @@ class MismatchedCollisionSize(Rule):
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
+    needs = ("<mesh", ":mesh")
     scaffold = IN_LINK
 
     bad = (
         Bad(
-            SHAPE.format("visual", "0.1 0.1 0.1")
+            VISUAL
             + '<«collision» name="c"><geometry><box><size>10 10 10</size></box></geometry></collision>',
+            files=FILES,
             says="the collision of link `base` is 10 m long, and its visual 0.1 m",
         ),
     )
     good = (
         Good(
-            SHAPE.format("visual", "0.1 0.1 0.1") + SHAPE.format("collision", "0.5 0.5 0.5"),
+            VISUAL + SHAPE.format("collision", "0.5 0.5 0.5"),
+            files=FILES,
             why="a safety distance",
         ),
         Good(
-            SHAPE.format("visual", "0.1 0.1 0.1") + SHAPE.format("collision", "0.001 0.001 0.001"),
+            VISUAL + SHAPE.format("collision", "0.001 0.001 0.001"),
+            files=FILES,
             why="a mark, as good as no collision",
         ),
     )
@@ -58,8 +64,8 @@ class MismatchedCollisionSize(Rule):
 
 
 def differs(link: Link) -> bool:
-    """Do visuals and collisions differ tenfold, and both of them stand for a body?"""
-    if not link.has("visual") or not link.has("collision") or link.may_be_static:
+    """Do visuals and collisions differ tenfold, and is each the shape of a body?"""
+    if not link.has("visual") or not link.has("collision") or link.may_be_static or not link.has_mesh:
         return False
     if any(joint.is_fixed for joint in link.parent_joints):
         return False

@@ -8,7 +8,7 @@ class OpposedDriveAxes(Rule):
     """The wheels of a differential drive turn in opposite directions.
 
     The plugin gives both the same speed to drive straight on. With opposite axes the robot spins on its place, and
-    drives when it is told to turn.
+    drives on the command to turn.
     """
 
     code = "GEO010"

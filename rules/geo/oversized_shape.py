@@ -16,7 +16,8 @@ class OversizedShape(Rule):
     """A shape is a hundred times longer than the distances between the joints of its robot.
 
     Meshes have no unit in STL and OBJ: exported in millimeters, they are a thousand times too large, unless
-    `scale` says 0.001. Joints were then placed in meters, and the shapes do not fit them.
+    `scale` says 0.001. Joints were then placed in meters, and the shapes do not fit them. Robots are looked at where
+    at least one mesh is on this computer.
     """
 
     code = "GEO001"
@@ -24,6 +25,7 @@ class OversizedShape(Rule):
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
+    needs = ("<mesh", ":mesh")
     scaffold = ARM
 
     bad = (
@@ -33,11 +35,15 @@ class OversizedShape(Rule):
             says="the mesh `arm.obj` is 300 m long, and the joints of robot `r` are at most 0.3 m apart:"
             " is it in millimeters?",
         ),
-        Bad('<visual><geometry><box size="«200 20 20»"/></geometry></visual>', says="the box is 200 m long"),
+        Bad(
+            mesh("visual", "arm.obj") + '<visual><geometry><box size="«200 20 20»"/></geometry></visual>',
+            files={"arm.obj": wedge(0.3)},
+            says="the box is 200 m long",
+        ),
     )
     good = (
         Good(mesh("visual", "arm.obj", ' scale="0.001 0.001 0.001"'), files={"arm.obj": wedge(300)}),
-        Good('<visual><geometry><box size="5 5 0.1"/></geometry></visual>', why="a platform"),
+        Good(mesh("visual", "arm.obj"), files={"arm.obj": wedge(5)}, why="a platform"),
     )
 
     @staticmethod
@@ -75,7 +81,7 @@ def written_size(shape: Shape) -> Value | None:
 
 def oversized(model: Model) -> list[Shape]:
     """The shapes that are too long for the robot."""
-    if not model.joints or model.may_be_static:
+    if not model.joints or model.may_be_static or not model.has_mesh:
         return []
     most = max(MOST * model.reach, LEAST) if model.reach > 0.005 else inf
     if model.is_out_of_scale and model.density < 1:

@@ -16,6 +16,15 @@ def wedge(length: float) -> str:
     return f"v 0 0 0\nv {length} 0 0\nv 0 {side} {side}\nf 1 2 3\n"
 
 
+def triangles(count: int) -> str:
+    """A COLLADA file that has so many triangles, as far as its header goes."""
+    return (
+        '<COLLADA><library_geometries><geometry id="g"><mesh><source id="p">'
+        '<float_array>0 0 0 1 0 0 0 1 1</float_array></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>'
+        f'<triangles count="{count}"/></mesh></geometry></library_geometries></COLLADA>'
+    )
+
+
 def mesh(kind: str, file: str, attributes: str = "") -> str:
     """A visual or collision with a mesh in URDF."""
     return f'<{kind}><geometry><mesh filename="{file}"{attributes}/></geometry></{kind}>'

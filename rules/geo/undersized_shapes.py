@@ -26,6 +26,7 @@ class UndersizedShapes(Rule):
     severity = Severity.WARNING
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
+    needs = ("<mesh", ":mesh")
 
     bad = (
         Bad(
@@ -71,7 +72,7 @@ class UndersizedShapes(Rule):
 
 def longest(model: Model) -> Shape | None:
     """The longest of the shapes of at least two links, if it is too short for the robot, and all are known."""
-    if not model.joints or model.may_be_static:
+    if not model.joints or model.may_be_static or not model.has_mesh:
         return None
     most = LEAST * model.reach if model.reach > 0.005 else 0.0
     is_dense = model.is_out_of_scale and model.density > 1

@@ -70,7 +70,7 @@ def density(inertial: Inertial) -> float:
 
 
 def is_too_dense(inertial: Inertial) -> bool:
-    """Is it denser than any material, and no mark that stands for a part elsewhere?"""
+    """Is it denser than any material, and more than a mark of a place?"""
     if not inertial.mass.is_given:
         return False
     link = inertial.link
@@ -80,7 +80,7 @@ def is_too_dense(inertial: Inertial) -> bool:
         and link.model.joints
         and not link.parent_joints
     ):
-        return False  # a root often has a small box that stands for nothing
+        return False  # the box of a root is often a mark
     mass, found = inertial.mass.number, density(inertial)
     if (
         not found > HEAVIEST

@@ -82,7 +82,7 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
 
 def is_doubtful(inertial: Inertial) -> bool:
     """Is it worth comparing with the link's shapes? Meshes are not looked at where numbers alone are judged."""
-    if inertial.is_unremarkable and not inertial.link.has_mesh:
+    if inertial.fits_shapes and not inertial.link.has_mesh:
         return False
     return inertial.is_given and not inertial.is_automatic and not inertial.link.may_be_static
 

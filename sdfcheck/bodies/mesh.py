@@ -445,7 +445,7 @@ def cache_folder() -> Path | None:
 
 
 def _kept(place: Path | None, key: str) -> Mesh | None:
-    """What was kept of a mesh; None where that is nothing, or of another one."""
+    """The kept content of a mesh; None where nothing is kept, or that of another one."""
     if place is None:
         return None
     try:

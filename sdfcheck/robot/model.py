@@ -261,6 +261,11 @@ class Model(Scope):
         return reach_of(self)
 
     @lazy
+    def has_mesh(self) -> bool:
+        """Has one of its links a shape whose mesh file is there?"""
+        return any(link.has_mesh for link in self.links)
+
+    @lazy
     def density(self) -> float:
         """The mass of its links by the volume of the boxes around their shapes (kg/m³); nan where few are known."""
         from sdfcheck.robot.motion.bounds import density_of
@@ -270,12 +275,9 @@ class Model(Scope):
     @property
     def is_out_of_scale(self) -> bool:
         """Is it, as a whole, lighter than any gas, or heavier than any material by far?"""
-        return (
-            bool(self.joints)
-            and not self.may_be_static
-            and not 0.05 < self.density < 1e6
-            and self.density > 0
-        )
+        if not self.joints or self.may_be_static or not self.has_mesh:
+            return False
+        return 0 < self.density < 0.05 or self.density > 1e6
 
     @property
     def bounds(self) -> Array | None:

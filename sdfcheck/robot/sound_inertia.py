@@ -35,8 +35,8 @@ _MAKERS = {
 }
 
 
-def is_sound(link: Element) -> bool:
-    """True only if there is surely nothing to say about a link's mass properties."""
+def soundness(link: Element) -> int:
+    """A 1 only if a link's mass properties are surely those of a body, a 2 if they also fit its shapes; else 0."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
@@ -50,9 +50,9 @@ def is_sound(link: Element) -> bool:
             inertial = child
     try:
         mass, moments, center = _read(inertial)
-        return bool(moments) and _is_plausible(mass, moments, center, collisions or visuals)
+        return _plausibility(mass, moments, center, collisions or visuals) if moments else 0
     except (KeyError, TypeError, ValueError, ZeroDivisionError):
-        return False
+        return 0
 
 
 def _read(inertial: Element | None) -> tuple[float, tuple[float, ...], list[float]]:
@@ -104,18 +104,16 @@ def _possible(mass: str, *texts: str | None) -> tuple[float, ...]:
     return moments if low > 0 and low + middle >= high else ()
 
 
-def _is_plausible(
-    mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]
-) -> bool:
+def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]) -> int:
     if math.hypot(*center) > _REACH:
-        return False
-    solids_there = [placed for shape in shapes if (placed := _placed(shape)) is not None]
-    if not solids_there:
-        return max(moments[:3]) <= _REACH * _REACH * mass
+        return 0
+    placed = [found for shape in shapes if (found := _placed(shape)) is not None]
+    if not placed:
+        return 2 if max(moments[:3]) <= _REACH * _REACH * mass else 0
     volume = total = 0.0
     is_inside = is_turned = False
     diagonal = [0.0, 0.0, 0.0]
-    for solid, at, turned in solids_there:
+    for solid, at, turned in placed:
         x, y, z = (a - b for a, b in zip(at, center, strict=True))
         distance = x * x + y * y + z * z
         volume += solid.volume
@@ -125,18 +123,14 @@ def _is_plausible(
         for axis, offset in enumerate((x, y, z)):
             diagonal[axis] += solid.volume * (solid.moments[axis] + distance - offset * offset)
     low, high = _PLAUSIBLE
-    if (
-        not is_inside
-        or mass > _DENSEST * volume
-        or not low <= sum(moments[:3]) * volume / (mass * total) <= high
-    ):
-        return False
+    if not low <= sum(moments[:3]) * volume / (mass * total) <= high:
+        return 0
+    if not is_inside or mass > _DENSEST * volume:
+        return 1
     if is_turned:
-        return max(moments[:3]) < _EVEN * min(moments[:3])
-    return all(
-        1 / 2 < moment * volume / (mass * each) < 2
-        for moment, each in zip(moments[:3], diagonal, strict=True)
-    )
+        return 2 if max(moments[:3]) < _EVEN * min(moments[:3]) else 1
+    ratios = (moment * volume / (mass * each) for moment, each in zip(moments[:3], diagonal, strict=True))
+    return 2 if all(1 / 2 < found < 2 for found in ratios) else 1
 
 
 def _placed(shape: Element) -> tuple[solids.Solid, list[float], bool] | None:

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.motion.bounds import origin_from
 from sdfcheck.robot.motion.origin import Origin, origin_in, pose_in
-from sdfcheck.robot.parts.placement import reference_of
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.robot.model import Model
+    from sdfcheck.robot.node import Node
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.source.element import Element
@@ -114,16 +113,27 @@ def _in_model(joint: Joint) -> Origin | None:
     if link is None:
         return None
     if not joint.is_urdf:
-        pose, own = link.find("pose"), joint.find("pose")
-        if reference_of(pose) or reference_of(own) or joint.model is not link.model:
-            return origin_from(joint.root.poses.in_scope(joint))
-        return pose_in(pose).followed_by(pose_in(own))
+        return _in_sdf(joint)
     found, at = origin_in(joint.element), joint.parent_link
     for _ in range(_DEEPEST):
         above = at.parent_joints[0] if at is not None and at.parent_joints else None
         if above is None:
             return found
         found, at = origin_in(above.element).followed_by(found), above.parent_link
+    return None
+
+
+def _in_sdf(joint: Joint) -> Origin | None:
+    """The same in SDFormat, as far as it is relative to what is in the same model."""
+    found, at = Origin(), cast("Node", joint)
+    for _ in range(_DEEPEST):
+        found = pose_in(at.pose_element).followed_by(found)
+        base = at.base
+        if base is None or base is joint.scope:
+            return found if base is not None or not at.base_name else None
+        if base.scope is not joint.scope or base.kind == "model":
+            return None
+        at = base
     return None
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.parts import solids
 from sdfcheck.robot.parts.solids import Moments, Solid
-from sdfcheck.robot.sound_inertia import is_sound
+from sdfcheck.robot.sound_inertia import soundness
 from sdfcheck.robot.values import Number, is_true, lazy, number
 
 if TYPE_CHECKING:
@@ -155,13 +155,22 @@ class Inertial(Part):
         """The center of mass in the link's frame (m); None where that is not plain to read."""
         return position(self)
 
-    @lazy
+    @property
     def is_unremarkable(self) -> bool:
         """Are mass and moments surely those of a body, near to those of a solid of the link's shapes?
 
         Worked out quickly; False proves nothing.
         """
-        return self.is_given and is_sound(self.link.element)
+        return self._soundness > 0
+
+    @property
+    def fits_shapes(self) -> bool:
+        """Are they also near to those of the link's primitive shapes, axis by axis? False proves nothing."""
+        return self._soundness > 1
+
+    @lazy
+    def _soundness(self) -> int:
+        return soundness(self.link.element) if self.is_given else 0
 
 
 def position(part: Part) -> tuple[float, float, float] | None:

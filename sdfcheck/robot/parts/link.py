@@ -150,6 +150,8 @@ class Link(Node):
     @lazy
     def has_mesh(self) -> bool:
         """Has it a shape whose mesh file is there?"""
+        if not self.document.source.contains("<mesh") and not self.document.source.contains(":mesh"):
+            return False
         return any(shape.geometry.mesh is not None for shape in self.shapes)
 
     @lazy

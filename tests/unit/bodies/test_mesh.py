@@ -179,7 +179,7 @@ def test_an_entity_is_not_resolved(tmp_path: Path) -> None:
     assert bounds is None or max(bounds.high) < 9
 
 
-def test_what_was_measured_is_kept_until_the_file_changes(tmp_path: Path, cache: Path) -> None:
+def test_measurements_are_kept_until_the_file_changes(tmp_path: Path, cache: Path) -> None:
     path = written(tmp_path, "a.stl", binary_stl())
     assert mesh_at(path).triangles == 1
     (kept,) = cache.iterdir()
