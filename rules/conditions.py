@@ -4,10 +4,16 @@
 # mypy: ignore-errors
 
 from itertools import pairwise as itertools_pairwise
+from math import cos as math_cos
+from math import dist as math_dist
 from math import hypot as math_hypot
 from math import inf as math_inf
 from math import pi as math_pi
+from math import prod as math_prod
+from math import radians as math_radians
+from math import tan as math_tan
 from pathlib import PurePosixPath as pathlib_PurePosixPath
+from statistics import median as statistics_median
 import math as math_
 import os as os_
 import re as re_
@@ -445,6 +451,272 @@ def GAZ016_applies(robot):
     files = [plugin.filename for plugin in robot.plugins]
     return gaz_unread_mimic__CONTROL in files and (not any(('mimic' in file.lower() for file in files))) and bool(gaz_unread_mimic__followers(robot))
 
+geo_oversized_shape__MOST = 100.0
+
+geo_oversized_shape__LEAST = 1.0
+
+geo_oversized_shape__HUGE = 3.0
+
+def geo_oversized_shape__oversized(model):
+    if not model.joints or model.may_be_static or (not model.has_mesh):
+        return []
+    most = max(geo_oversized_shape__MOST * model.reach, geo_oversized_shape__LEAST) if model.reach > 0.005 else math_inf
+    if model.is_out_of_scale and model.density < 1:
+        most = geo_oversized_shape__HUGE
+    return [shape for link in model.links for shape in link.shapes if (box := shape.geometry.box) is not None and most < max(box.size)]
+
+def GEO001_applies(model):
+    return bool(geo_oversized_shape__oversized(model))
+
+geo_undersized_shapes__LEAST = 0.01
+
+geo_undersized_shapes__TINY = 0.02
+
+def geo_undersized_shapes__longest(model):
+    if not model.joints or model.may_be_static or (not model.has_mesh):
+        return None
+    most = geo_undersized_shapes__LEAST * model.reach if model.reach > 0.005 else 0.0
+    is_dense = model.is_out_of_scale and model.density > 1
+    if is_dense:
+        most = max(geo_undersized_shapes__TINY, most)
+    sizes = {}
+    links = set()
+    for link in model.links:
+        for shape in link.shapes:
+            box = shape.geometry.box
+            if box is None and is_dense:
+                continue
+            if box is None or max(box.size) > most:
+                return None
+            sizes[shape] = max(box.size)
+            links.add(link)
+    is_known = len(sizes) * 2 >= sum((len(link.shapes) for link in model.links))
+    return max(sizes, key=sizes.__getitem__) if len(links) > 1 and is_known else None
+
+def GEO002_applies(model):
+    return geo_undersized_shapes__longest(model) is not None
+
+geo_detached_collision__LEAST = 0.01
+
+geo_detached_collision__OFTEN = 0.25
+
+geo_detached_collision__MOST = 0.45
+
+def geo_detached_collision__is_apart(link):
+    visuals, collisions = (link.visual_box, link.collision_box)
+    return visuals is not None and collisions is not None and (visuals.distance_to(collisions) > 0)
+
+def geo_detached_collision__gap(link):
+    if not link.has('visual') or not link.has('collision') or (not link.has_mesh):
+        return 0.0
+    visuals, collisions = (link.visual_box, link.collision_box)
+    if visuals is None or collisions is None:
+        return 0.0
+    longest = max(*visuals.size, *collisions.size)
+    if min(max(visuals.size), max(collisions.size)) < geo_detached_collision__LEAST:
+        return 0.0
+    found = visuals.distance_to(collisions)
+    if found <= geo_detached_collision__OFTEN * longest:
+        return 0.0
+    if found > geo_detached_collision__MOST * longest or not any((geo_detached_collision__is_apart(other) for other in link.counterparts)):
+        return found
+    return 0.0
+
+def GEO003_applies(link):
+    return geo_detached_collision__gap(link) > 0
+
+geo_mismatched_collision_size__LEAST = 0.005
+
+geo_mismatched_collision_size__MOST = 10.0
+
+def geo_mismatched_collision_size__differs(link):
+    if not link.has('visual') or not link.has('collision') or link.may_be_static or (not link.has_mesh):
+        return False
+    if any((joint.is_fixed for joint in link.parent_joints)):
+        return False
+    visuals, collisions = (link.visual_box, link.collision_box)
+    if visuals is None or collisions is None or link.size_to_reach > 100:
+        return False
+    short, long = sorted((max(visuals.size), max(collisions.size)))
+    return short >= geo_mismatched_collision_size__LEAST and long >= geo_mismatched_collision_size__MOST * short
+
+def GEO004_applies(link):
+    return geo_mismatched_collision_size__differs(link)
+
+geo_mismatched_mesh_scale__MOST = 10.0
+
+def geo_mismatched_mesh_scale__pair(link):
+    seen = {}
+    for shape in link.shapes:
+        geometry = shape.geometry
+        scale = geometry.scale
+        if geometry.shape != 'mesh' or not geometry.uri or len(scale) != 3 or (not all(scale)):
+            continue
+        other = seen.setdefault(geometry.uri, shape)
+        factor = abs(scale[0] / other.geometry.scale[0])
+        if not 1 / geo_mismatched_mesh_scale__MOST < factor < geo_mismatched_mesh_scale__MOST:
+            return (other, shape)
+    return None
+
+def GEO005_applies(link):
+    return geo_mismatched_mesh_scale__pair(link) is not None
+
+geo_unreadable_mesh__READ = {'STL': ('stl',), 'OBJ': ('obj',), 'COLLADA': ('dae',), 'glTF': ('gltf',), 'GLB': ('glb',)}
+
+def geo_unreadable_mesh__fault(geometry):
+    read = geometry.mesh if geometry.shape == 'mesh' else None
+    if read is None or read.fault:
+        return read.fault if read is not None else ''
+    ending = geometry.uri.rpartition('.')[2].lower()
+    promised = next((form for form, endings in geo_unreadable_mesh__READ.items() if ending in endings), '')
+    if not read.format or not promised or promised == read.format:
+        return ''
+    article = 'an' if read.format[0] in 'SO' else 'a'
+    return f'is {article} {read.format} file, and consumers read it by its ending'
+
+def GEO006_applies(geometry):
+    return bool(geo_unreadable_mesh__fault(geometry))
+
+geo_dense_collision_mesh__MOST = 200000
+
+def GEO007_applies(collision):
+    read = collision.geometry.mesh if collision.geometry.shape == 'mesh' else None
+    return read is not None and read.triangles > geo_dense_collision_mesh__MOST
+
+def geo_missing_collision__moves(link):
+    return any((joint.moves for joint in link.parent_joints))
+
+geo_missing_collision__NUMBER = re_.compile('[0-9]+')
+
+geo_missing_collision__CHAIN = re_.compile('(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\\W_])*[a-z]?')
+
+def geo_missing_collision__numbered(link):
+    key = geo_missing_collision__NUMBER.sub('', link.name)
+    if key == link.name or geo_missing_collision__CHAIN.fullmatch(key):
+        return []
+    return [other for other in link.model.links if other is not link and geo_missing_collision__NUMBER.sub('', other.name) == key]
+
+geo_missing_collision__LEAST = 5
+
+def geo_missing_collision__is_small(link, others):
+    own = link.visual_box
+    lengths = [max(box.size) for other in others if other is not link and (box := other.visual_box) is not None]
+    return own is not None and bool(lengths) and (max(own.size) < statistics_median(lengths) / 2)
+
+def geo_missing_collision__lacking(model):
+    if not model.joints or model.may_be_static:
+        return []
+    moving = [link for link in model.links if link.has('visual') and geo_missing_collision__moves(link)]
+    bare = [link for link in moving if not link.has('collision') and (not link.misspells('collision'))]
+    if not bare or len(bare) * 2 > len(moving):
+        return []
+    found = []
+    for link in bare:
+        alike = [other for other in link.counterparts or geo_missing_collision__numbered(link) if other in moving]
+        complete = [other for other in alike if other.has('collision')]
+        if len(complete) * 2 > len(alike):
+            found.append((link, complete[0]))
+        elif not alike and len(bare) == 1 and (len(moving) > geo_missing_collision__LEAST) and (not geo_missing_collision__is_small(link, moving)):
+            found.append((link, None))
+    return found
+
+def GEO008_applies(model):
+    return bool(geo_missing_collision__lacking(model))
+
+def geo_exchanged_drive_sides__is_exchanged(plugin):
+    drive = plugin.drive
+    if drive is None or not drive.distance < 0:
+        return False
+    return sum((left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True))) > 0.5
+
+def GEO009_applies(plugin):
+    return geo_exchanged_drive_sides__is_exchanged(plugin)
+
+def geo_opposed_drive_axes__is_opposed(plugin):
+    drive = plugin.drive
+    if drive is None:
+        return False
+    return sum((left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True))) < -0.5
+
+def GEO010_applies(plugin):
+    return geo_opposed_drive_axes__is_opposed(plugin)
+
+geo_mismatched_wheel_separation__MOST = 0.1
+
+def geo_mismatched_wheel_separation__is_mismatched(plugin):
+    drive = plugin.drive
+    if drive is None or drive.separation is None or (not drive.separation.own_value.number > 0):
+        return False
+    distance = abs(drive.distance)
+    return distance > 0.01 and abs(drive.separation.own_value.number - distance) > geo_mismatched_wheel_separation__MOST * distance
+
+def GEO011_applies(plugin):
+    return geo_mismatched_wheel_separation__is_mismatched(plugin)
+
+geo_mismatched_wheel_radius__ALIKE = 0.01
+
+def geo_mismatched_wheel_radius__differ(plugin):
+    drive = plugin.drive
+    return drive is not None and abs(drive.left.radius - drive.right.radius) > geo_mismatched_wheel_radius__ALIKE * drive.left.radius
+
+geo_mismatched_wheel_radius__MOST = 0.1
+
+def geo_mismatched_wheel_radius__is_mismatched(plugin):
+    drive = plugin.drive
+    return drive is not None and abs(drive.written_radius - drive.left.radius) > geo_mismatched_wheel_radius__MOST * drive.left.radius
+
+def GEO012_applies(plugin):
+    return geo_mismatched_wheel_radius__differ(plugin) or geo_mismatched_wheel_radius__is_mismatched(plugin)
+
+def geo_wheel_across_axis__is_endless(joint):
+    low, high = joint.axis.limit.range
+    return joint.type == 'continuous' or (low < -1000.0 and high > 1000.0)
+
+geo_wheel_across_axis__SMALLEST = 0.005
+
+def geo_wheel_across_axis__alignment(joint):
+    if joint.type not in {'continuous', 'revolute'} or joint.axis.expressed_in or (not geo_wheel_across_axis__is_endless(joint)):
+        return -1.0
+    link, own = (joint.child_link, joint.find('pose'))
+    shapes = link.collisions or link.visuals if link is not None else ()
+    if len(shapes) != 1 or (own is not None and own.content):
+        return -1.0
+    geometry, axis = (shapes[0].geometry, joint.axis.xyz)
+    radius, length = (float(geometry.radius), float(geometry.length))
+    if geometry.shape != 'cylinder' or geometry.solid is None or (not radius >= geo_wheel_across_axis__SMALLEST) or (not length < 2 * radius):
+        return -1.0
+    way, place = (shapes[0].along, shapes[0].position)
+    if way is None or place is None or math_dist(place, (0, 0, 0)) > 0.6 * radius or (not math_hypot(*axis) > 0) or (len(axis) != 3):
+        return -1.0
+    return abs(sum((one * other for one, other in zip(way, axis, strict=True)))) / math_hypot(*axis)
+
+geo_wheel_across_axis__MOST = math_cos(math_radians(10))
+
+def GEO013_applies(joint):
+    return 0 <= geo_wheel_across_axis__alignment(joint) < geo_wheel_across_axis__MOST
+
+geo_mismatched_heightmaps__NAMES = ('pos', 'size')
+
+def geo_mismatched_heightmaps__numbers(value):
+    try:
+        return [float(word) for word in value.text.split()]
+    except ValueError:
+        return None
+
+def geo_mismatched_heightmaps__pairs(link):
+    seen = {shape.geometry.uri: shape.geometry.shape_element for shape in link.visuals if shape.geometry.shape == 'heightmap'}
+    for shape in link.collisions:
+        own, other = (shape.geometry.shape_element, seen.get(shape.geometry.uri))
+        if own is None or other is None or shape.geometry.shape != 'heightmap':
+            continue
+        for name in geo_mismatched_heightmaps__NAMES:
+            first, second = (own.value(name), other.value(name))
+            if first is not None and second is not None and (geo_mismatched_heightmaps__numbers(first) != geo_mismatched_heightmaps__numbers(second)):
+                yield (name, first, second)
+
+def GEO014_applies(link):
+    return any((True for _ in geo_mismatched_heightmaps__pairs(link)))
+
 def inr_moments__is_remarkable(inertial):
     return not (inertial.is_unremarkable or inertial.is_automatic)
 
@@ -464,13 +736,16 @@ def INR001_applies(inertial):
         return not inertial.is_urdf or inr_moments__has_moments_only(inertial)
     return mass.number < 0 or mass.text.lower() == 'nan'
 
-def inr_moments__has_moments(inertial):
-    if not inr_moments__is_remarkable(inertial) or not inertial.is_legible:
+def inr_moments__is_weighed(inertial):
+    if not inertial.is_legible:
         return False
     mass = inertial.mass
     if mass.number == 0 and mass.is_given:
         return not inertial.is_urdf
     return not mass.is_given or mass.number > 0 or '$' in mass.text
+
+def inr_moments__has_moments(inertial):
+    return inr_moments__is_remarkable(inertial) and inr_moments__is_weighed(inertial)
 
 def inr_moments__is_indefinite(inertial):
     return inertial.tensor.is_indefinite
@@ -489,22 +764,41 @@ def INR004_applies(link):
         return False
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
+def inr_moments__is_doubtful(inertial):
+    if inertial.fits_shapes and (not inertial.link.has_mesh):
+        return False
+    return inertial.is_given and (not inertial.is_automatic) and (not inertial.link.may_be_static)
+
+inr_moments___FACTOR = 100.0
+
+def inr_moments__is_out_of_scale(inertial):
+    link = inertial.link
+    if link.size_to_reach > inr_moments___FACTOR or link.size_to_reach < 1 / inr_moments___FACTOR:
+        return True
+    return link.holder is not None and link.holder.kind == 'model' and link.model.is_out_of_scale
+
 def inr_moments__ratio(inertial):
-    if inertial.link.may_be_static or not inr_moments__has_moments(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial):
         return math_.nan
     if inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
         return math_.nan
     expected, trace = (inertial.solid_trace, inertial.tensor.trace)
-    return trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
+    found = trace / expected if 0 < expected < math_.inf and 0 < trace < math_.inf else math_.nan
+    return math_.nan if (found > inr_moments___FACTOR or found < 1 / inr_moments___FACTOR) and inr_moments__is_out_of_scale(inertial) else found
 
-inr_moments___FACTOR = 100.0
+inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
+
+inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
 
 def inr_moments__is_about_origin(inertial):
-    if not inr_moments__ratio(inertial) > 10 or inertial.inertia is None or inertial.center is None:
+    found = inr_moments__ratio(inertial)
+    if not found > inr_moments___LITTLE or inertial.inertia is None or inertial.center is None:
         return False
     offset = math_.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
-    return offset > 0 and 1 / 3 < shifted < 3
+    if not offset > 0:
+        return False
+    return 1 / 3 < shifted < 3 if found > 10 else bool(inertial.link.solids) and abs(shifted - 1) < inr_moments___EXACTLY
 
 def inr_moments__is_far_off(inertial):
     found = inr_moments__ratio(inertial)
@@ -542,7 +836,9 @@ def INR009_applies(inertial):
     if not (inertial.mass.is_given and inertial.mass.number > 0):
         return False
     link = inertial.link
-    if link.child_joints or link.parent_joints or link in inertial.root.parent_joints:
+    if link.parent_joints:
+        return bool(link.shapes) and link.parent_joints[0].moves
+    if link.child_joints or link in inertial.root.parent_joints:
         return False
     return not any((link.name in {joint.parent_name, joint.child_name} for joint in inertial.root.each(sdfcheck_.Joint)))
 
@@ -568,7 +864,7 @@ inr_distant_center_of_mass__MOST = 10.0
 def INR011_applies(inertial):
     if inertial.is_unremarkable or not (inertial.has('pose') or inertial.has('origin')):
         return False
-    return inr_distant_center_of_mass__distance(inertial) > inr_distant_center_of_mass__MOST and (not inertial.link.may_be_static)
+    return inr_distant_center_of_mass__distance(inertial) > inr_distant_center_of_mass__MOST and (not inertial.link.may_be_static) and (inertial.link.extent is None)
 
 inr_negative_added_mass__DIAGONAL = ('xx', 'yy', 'zz', 'pp', 'qq', 'rr')
 
@@ -581,6 +877,129 @@ def inr_negative_added_mass__negative(inertial):
 
 def INR012_applies(inertial):
     return not inertial.is_unremarkable and inertial.has('fluid_added_mass') and any(inr_negative_added_mass__negative(inertial))
+
+inr_places___LEAST = 0.001
+
+def inr_places__is_compared(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
+        return False
+    return inertial.link.extent is not None and (not inr_moments__is_out_of_scale(inertial))
+
+inr_places___MARK = 0.015
+
+def inr_places__outside(inertial):
+    center, box = (inertial.center, inertial.link.fixed_extent if inr_places__is_compared(inertial) else None)
+    if box is None or center is None or (not max(box.size) > inr_places___MARK):
+        return 0.0
+    return box.distance_to(center) / max(box.size)
+
+inr_center_outside_link__MOST = 0.7
+
+def inr_places__place_of(inertial):
+    place = inertial.find('origin' if inertial.is_urdf else 'pose')
+    value = None if place is None else place.attribute('xyz') if inertial.is_urdf else place.own_value
+    return value if value is not None and value.text.strip() else None
+
+inr_places___APART, inr_places___AT_END = (0.4, 0.49)
+
+inr_places___APART, inr_places___AT_END = (0.4, 0.49)
+
+def inr_places__is_off_origin(inertial):
+    if not inr_places__is_compared(inertial) or any(inertial.center or ()):
+        return False
+    apart = inr_places___APART if inr_places__place_of(inertial) is None else inr_places___AT_END
+    boxes = (inertial.link.extent, inertial.link.fixed_extent)
+    return all((box is not None and max(box.size) > inr_places___MARK and any((abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))) for box in boxes))
+
+def INR013_applies(inertial):
+    return inr_places__outside(inertial) > inr_center_outside_link__MOST and (not inr_places__is_off_origin(inertial))
+
+def INR014_applies(inertial):
+    return inr_places__is_off_origin(inertial)
+
+def inr_exchanged_moments__is_turned(inertial):
+    place = inertial.find('origin' if inertial.is_urdf else 'pose')
+    if place is None:
+        return False
+    words = place.text_of('rpy') or '' if inertial.is_urdf else ' '.join(place.content.split()[3:])
+    return any((word.strip('+-0.') for word in words.split())) or place.text_of('quat_xyzw') is not None
+
+def inr_exchanged_moments__off(moments, others):
+    return max((max(one / other, other / one) for one, other in zip(moments, others, strict=True)))
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
+inr_exchanged_moments__PAIRS = ((1, 2), (0, 1), (0, 2))
+
+def inr_exchanged_moments__exchanged(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
+        return ()
+    moments, box = (inertial.tensor, inertial.link.box)
+    mass = inertial.mass.number
+    if box is None or not mass > 0 or (not min(moments[:3]) > 0) or (max(map(abs, moments[3:])) > min(moments[:3]) / 10):
+        return ()
+    if inertial.link.extent is None or not all((moment.is_given for moment in list(inertial.moments.values())[:3])):
+        return ()
+    squares = [length * length for length in box.size]
+    solid = [mass / 12 * (sum(squares) - square) for square in squares]
+    if not min(solid) > 0 or inr_exchanged_moments__off(moments[:3], solid) <= inr_exchanged_moments__DIFFERS:
+        return ()
+    for first, second in inr_exchanged_moments__PAIRS:
+        turned = list(moments[:3])
+        turned[first], turned[second] = (turned[second], turned[first])
+        if inr_exchanged_moments__off(turned, solid) <= inr_exchanged_moments__FITS:
+            return (first, second)
+    return ()
+
+def INR015_applies(inertial):
+    return bool(inr_exchanged_moments__exchanged(inertial))
+
+def inr_excess_density__density(inertial):
+    box = inertial.link.extent if inr_moments__is_doubtful(inertial) else None
+    volume = math_prod(box.size) if box is not None else 0.0
+    return inertial.mass.number / volume if volume > 0 else 0.0
+
+inr_excess_density__HEAVIEST = 25000.0
+
+inr_excess_density__LEAST = 0.2
+
+inr_excess_density__BEYOND = 100000.0
+
+inr_excess_density__HEAVIER = 20.0
+
+def inr_excess_density__is_too_dense(inertial):
+    if not inertial.mass.is_given:
+        return False
+    link = inertial.link
+    if link.holder is not None and link.holder.kind == 'model' and link.model.joints and (not link.parent_joints):
+        return False
+    mass, found = (inertial.mass.number, inr_excess_density__density(inertial))
+    if not found > inr_excess_density__HEAVIEST or not mass >= inr_excess_density__LEAST or any((joint.is_fixed for joint in inertial.link.parent_joints)):
+        return False
+    if inr_moments__is_out_of_scale(inertial):
+        return False
+    if found > inr_excess_density__BEYOND:
+        return True
+    others = [link.inertial.mass.number for link in inertial.link.model.links if link is not inertial.link]
+    known = [other for other in others if other > 0]
+    return len(known) > 1 and mass > inr_excess_density__HEAVIER * statistics_median(known)
+
+def INR016_applies(inertial):
+    return inr_excess_density__is_too_dense(inertial)
+
+def inr_shapes_without_mass__weight(link):
+    if link.has('inertial') or not link.has('collision') or link.misspells('inertial'):
+        return None
+    if not any((joint.moves for joint in link.parent_joints)):
+        return None
+    tied = [joint.child_link for joint in link.child_joints if joint.is_fixed]
+    weighed = [other for other in tied if other is not None and other.has_mass]
+    return weighed[0] if weighed and all((other.shapes for other in weighed)) else None
+
+def INR017_applies(link):
+    return inr_shapes_without_mass__weight(link) is not None
 
 def jnt_unknown_joint_end___joint_name(end):
     joint = end.element.parent
@@ -739,18 +1158,25 @@ jnt_non_unit_axis__ROUNDING = 0.001
 def JNT013_applies(axis):
     return abs(axis.length - 1) > jnt_non_unit_axis__ROUNDING and (not jnt_directions__has_no_length(axis)) and jnt_directions__is_used(axis)
 
-jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (30.0, 720.0)
+jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (20.0, 720.0)
 
-jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (30.0, 720.0)
+jnt_limits_in_degrees__LEAST, jnt_limits_in_degrees__MOST = (20.0, 720.0)
 
 jnt_limits_in_degrees__TURNING = frozenset({'revolute', 'revolute2', 'universal'})
+
+jnt_limits_in_degrees__ROUND = 30.0
+
+jnt_limits_in_degrees__LITTLE = 3.0
 
 def JNT014_applies(limit):
     lower, upper = (limit.lower, limit.upper)
     if not (lower.is_given and upper.is_given and (jnt_limits_in_degrees__LEAST <= max(-lower, upper) <= jnt_limits_in_degrees__MOST)):
         return False
-    is_whole = lower.number % 1 == 0 == upper.number % 1
-    return is_whole and limit.joint.type in jnt_limits_in_degrees__TURNING and (-lower <= jnt_limits_in_degrees__MOST) and (limit.axis.limit is limit)
+    if limit.joint.type not in jnt_limits_in_degrees__TURNING or -lower > jnt_limits_in_degrees__MOST or limit.axis.limit is not limit:
+        return False
+    if lower.number % 1 == 0 == upper.number % 1:
+        return max(-lower, upper) >= jnt_limits_in_degrees__ROUND
+    return all((not 0 < abs(end) < jnt_limits_in_degrees__LITTLE for end in (lower.number, upper.number)))
 
 jnt_missing_upper_limit__BOUNDED = frozenset({'revolute', 'prismatic'})
 
@@ -815,6 +1241,72 @@ def jnt_zero_ratio__zeros(joint):
 
 def JNT019_applies(joint):
     return joint.type in {'gearbox', 'screw'} and bool(jnt_zero_ratio__zeros(joint))
+
+def jnt_asymmetric_joint__place(joint):
+    origin = joint.find('origin')
+    text = '0 0 0' if origin is None else origin.text_of('xyz', '0 0 0')
+    try:
+        return sorted((abs(float(word)) for word in text.split()))
+    except ValueError:
+        return []
+
+jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE = (0.005, 0.05)
+
+jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE = (0.005, 0.05)
+
+def jnt_asymmetric_joint__displacement(joint, mirror):
+    own, other = (jnt_asymmetric_joint__place(joint), jnt_asymmetric_joint__place(mirror))
+    if len(own) != 3 or len(other) != 3:
+        return 0.0
+    found = math_dist(own, other)
+    return found if found > max(jnt_asymmetric_joint__LEAST, jnt_asymmetric_joint__SHARE * max(math_hypot(*own), math_hypot(*other))) else 0.0
+
+jnt_asymmetric_joint__MOST = 3
+
+def jnt_asymmetric_joint__displaced(model):
+    pairs = [(joint, mirror) for joint in model.joints if joint.moves and (mirror := joint.mirror) is not None]
+    found = [(joint, mirror) for joint, mirror in pairs if mirror.moves and joint.span.start > mirror.span.start and (jnt_asymmetric_joint__displacement(joint, mirror) > 0)]
+    return found if len(found) <= jnt_asymmetric_joint__MOST else []
+
+def JNT020_applies(model):
+    return bool(jnt_asymmetric_joint__displaced(model))
+
+jnt_opposed_axis__LEAST = 3
+
+def jnt_opposed_axis__turns(joint):
+    origin = joint.find('origin')
+    return (joint.type, '' if origin is None else ' '.join(origin.text_of('rpy', '0 0 0').split()))
+
+def jnt_opposed_axis__is_opposed(joint):
+    if not joint.moves or not joint.axis.xyz.is_given or len(joint.axis.xyz) != 3:
+        return False
+    others = joint.counterparts
+    if len(others) < jnt_opposed_axis__LEAST or jnt_opposed_axis__turns(joint) != jnt_opposed_axis__turns(others[0]):
+        return False
+    first = tuple(others[0].axis.xyz)
+    if any((tuple(other.axis.xyz) != first or jnt_opposed_axis__turns(other) != jnt_opposed_axis__turns(joint) for other in others[1:])):
+        return False
+    return any(first) and tuple((-number for number in joint.axis.xyz)) == first
+
+def JNT021_applies(joint):
+    return jnt_opposed_axis__is_opposed(joint)
+
+jnt_mimic_beyond_limits__SHARE = 0.05
+
+def jnt_mimic_beyond_limits__span(mimic):
+    leader, joint = (mimic.leader, mimic.joint)
+    if leader is None or joint.is_fixed or leader.is_fixed or (leader.axis.mimic is not None):
+        return None
+    low, high = leader.axis.limit.range
+    own_low, own_high = joint.axis.limit.range
+    if not -math_inf < low < high < math_inf or not own_low < own_high:
+        return None
+    ends = sorted((float(mimic.multiplier) * end + float(mimic.offset) for end in (low, high)))
+    room = jnt_mimic_beyond_limits__SHARE * (ends[1] - ends[0])
+    return (ends[0], ends[1]) if ends[0] < own_low - room or ends[1] > own_high + room else None
+
+def JNT022_applies(mimic):
+    return jnt_mimic_beyond_limits__span(mimic) is not None
 
 def muj_meshes__compiler(model):
     found = {}
@@ -1563,6 +2055,46 @@ def sch_dropped_by_update__dropped(root):
 def SCH031_applies(root):
     return root.is_older_than(sch_dropped_by_update__OLD) and next(sch_dropped_by_update__dropped(root), None) is not None
 
+sch_resolution_of_scan__MOST = 0.2
+
+def sch_resolution_of_scan__thinned(sensor):
+    for name in ('lidar', 'ray'):
+        settings = sensor.find(name)
+        scan = None if settings is None else settings.find('scan')
+        for direction in () if scan is None else scan.children():
+            resolution, samples = (direction.value('resolution'), direction.value('samples'))
+            if resolution is None or samples is None or (not samples.number > 1):
+                continue
+            if 0 < resolution.number < sch_resolution_of_scan__MOST:
+                yield (resolution, samples)
+
+def SCH032_applies(sensor):
+    return any((True for _ in sch_resolution_of_scan__thinned(sensor)))
+
+def sch_mismatched_intrinsics__within(element, *path):
+    found = element
+    for name in path:
+        found = None if found is None else found.find(name)
+    return None if found is None else found.own_value
+
+sch_mismatched_intrinsics__MOST = 0.1
+
+def sch_mismatched_intrinsics__focal(sensor):
+    camera = sensor.find('camera')
+    if camera is None:
+        return None
+    view, width = (sch_mismatched_intrinsics__within(camera, 'horizontal_fov'), sch_mismatched_intrinsics__within(camera, 'image', 'width'))
+    given = sch_mismatched_intrinsics__within(camera, 'lens', 'intrinsics', 'fx')
+    if view is None or width is None or given is None:
+        return None
+    if not 0 < view.number < math_pi or not width.number > 0 or (not given.number > 0):
+        return None
+    right = width.number / 2 / math_tan(view.number / 2)
+    return (given, width, view) if abs(given.number - right) > sch_mismatched_intrinsics__MOST * right else None
+
+def SCH033_applies(sensor):
+    return sch_mismatched_intrinsics__focal(sensor) is not None
+
 def SRD001_applies(semantics):
     return bool(semantics.robots) and any((True for _ in semantics.unknown))
 
@@ -1773,6 +2305,20 @@ CONDITIONS = {
     'GAZ014': GAZ014_applies,
     'GAZ015': GAZ015_applies,
     'GAZ016': GAZ016_applies,
+    'GEO001': GEO001_applies,
+    'GEO002': GEO002_applies,
+    'GEO003': GEO003_applies,
+    'GEO004': GEO004_applies,
+    'GEO005': GEO005_applies,
+    'GEO006': GEO006_applies,
+    'GEO007': GEO007_applies,
+    'GEO008': GEO008_applies,
+    'GEO009': GEO009_applies,
+    'GEO010': GEO010_applies,
+    'GEO011': GEO011_applies,
+    'GEO012': GEO012_applies,
+    'GEO013': GEO013_applies,
+    'GEO014': GEO014_applies,
     'INR001': INR001_applies,
     'INR002': INR002_applies,
     'INR003': INR003_applies,
@@ -1785,6 +2331,11 @@ CONDITIONS = {
     'INR010': INR010_applies,
     'INR011': INR011_applies,
     'INR012': INR012_applies,
+    'INR013': INR013_applies,
+    'INR014': INR014_applies,
+    'INR015': INR015_applies,
+    'INR016': INR016_applies,
+    'INR017': INR017_applies,
     'JNT001': JNT001_applies,
     'JNT002': JNT002_applies,
     'JNT003': JNT003_applies,
@@ -1804,6 +2355,9 @@ CONDITIONS = {
     'JNT017': JNT017_applies,
     'JNT018': JNT018_applies,
     'JNT019': JNT019_applies,
+    'JNT020': JNT020_applies,
+    'JNT021': JNT021_applies,
+    'JNT022': JNT022_applies,
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,
@@ -1898,6 +2452,8 @@ CONDITIONS = {
     'SCH029': SCH029_applies,
     'SCH030': SCH030_applies,
     'SCH031': SCH031_applies,
+    'SCH032': SCH032_applies,
+    'SCH033': SCH033_applies,
     'SRD001': SRD001_applies,
     'SRD002': SRD002_applies,
     'SRD003': SRD003_applies,

@@ -15,6 +15,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 @pytest.fixture(autouse=True)
+def _no_cache(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tests leave nothing in the cache of the person who runs them, nor read it."""
+    monkeypatch.setenv("SDFCHECK_CACHE_DIR", "")
+
+
+@pytest.fixture(autouse=True)
 def _accounts(monkeypatch: pytest.MonkeyPatch) -> None:
     """In tests a conversion fails where it has no outcome for an item; users get a loss."""
     from sdfcheck.convert.ledger import Ledger

@@ -18,7 +18,7 @@ RULES = ROOT / "rules"
 _FLOORS = (
     ("source",),
     ("files", "formats"),
-    ("xacro",),
+    ("bodies", "xacro"),
     ("robot",),
     ("consumers",),
     ("convert", "lint"),
@@ -35,6 +35,7 @@ BELOW = {
         for room in rooms
     },
     "formats": {"source", "files"},
+    "bodies": {"source", "files"},
     "convert": {"source", "files", "formats", "xacro", "robot", "consumers", "lint"},
 }
 """Layer → the layers that it may import in addition to itself."""

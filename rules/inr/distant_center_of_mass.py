@@ -12,7 +12,7 @@ class DistantCenterOfMass(Rule):
     """The center of mass of a link is more than ten meters from its origin.
 
     Lengths are in meters: a part that was drawn in millimeters has such numbers, and would
-    drag its joint around by a lever as long as a house.
+    drag its joint around by a lever as long as a house. Links with shapes are compared with those.
     """
 
     code = "INR011"
@@ -40,7 +40,7 @@ class DistantCenterOfMass(Rule):
     def applies(inertial: Inertial) -> bool:
         if inertial.is_unremarkable or not (inertial.has("pose") or inertial.has("origin")):
             return False
-        return distance(inertial) > MOST and not inertial.link.may_be_static
+        return distance(inertial) > MOST and not inertial.link.may_be_static and inertial.link.extent is None
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the center of mass is {distance(inertial):.3g} m from the origin of {inertial.link.title}"

@@ -9,7 +9,8 @@ class ImplausibleInertia(Rule):
     """An inertia is off by more than a hundredfold from a solid of the link's mass and shapes.
 
     Hollow or weighted bodies differ by a small factor from solid ones; a factor of a hundred
-    is usually a unit (mm for m, g for kg) or another link's numbers.
+    is usually a unit (mm for m, g for kg) or another link's numbers. Of meshes the boxes around them
+    count, where their files are there.
     """
 
     code = "INR006"
@@ -39,7 +40,7 @@ class ImplausibleInertia(Rule):
         Good(
             "<inertial><mass>2</mass><inertia><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia></inertial>"
             '<collision name="c"><geometry><mesh><uri>https://example.org/a.dae</uri></mesh></geometry></collision>',
-            why="a mesh may be of any size",
+            why="a mesh that is not on this computer may be of any size",
         ),
     )
 
@@ -49,5 +50,6 @@ class ImplausibleInertia(Rule):
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"
-        labels = {inertial.link: "this link", inertial.link.solids[0]: "compared with this shape"}
+        compared = (inertial.link.solids or inertial.link.shapes)[0]
+        labels = {inertial.link: "this link", compared: "compared with this shape"}
         yield self.diagnostic(inertial.moments_element, message, labels=labels)

@@ -32,8 +32,22 @@ class InertiaAboutWrongPoint(Rule):
             "</collision>",
             says="0.5 m away",
         ),
+        Bad(
+            "<inertial><pose>0 0 0.5 0 0 0</pose><mass>1</mass>"
+            "<«inertia»><ixx>0.33356</ixx><iyy>0.33356</iyy><izz>0.00045</izz></inertia></inertial>"
+            '<collision name="c"><pose>0 0 0.5 0 0 0</pose><geometry><cylinder><radius>0.03</radius><length>1</length>'
+            "</cylinder></geometry></collision>",
+            says="it is 4.0 times that of a solid",
+        ),
     )
     good = (
+        Good(
+            "<inertial><pose>0 0 0.5 0 0 0</pose><mass>1</mass>"
+            "<inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.001</izz></inertia></inertial>"
+            '<collision name="c"><pose>0 0 0.5 0 0 0</pose><geometry><cylinder><radius>0.03</radius><length>1</length>'
+            "</cylinder></geometry></collision>",
+            why="a rod about its middle, and a little more",
+        ),
         Good(
             "<inertial><pose>0 0 0.5 0 0 0</pose><mass>1</mass>"
             "<inertia><ixx>0.0017</ixx><iyy>0.0017</iyy><izz>0.0017</izz></inertia></inertial>"

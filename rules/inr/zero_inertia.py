@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Joint, Rule, Severity, warns
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Inertial,
+    Joint,
+    Rule,
+    Severity,
+    accepts,
+    refuses,
+    warns,
+)
 from sdfcheck_rules.inr.moments import has_moments
 
 ZERO = "<ixx>0</ixx><iyy>0</iyy><izz>0</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz>"
@@ -10,18 +24,30 @@ CHILD = '<link name="b"/><joint name="j" type="continuous"><parent link="a"/><ch
 PART = '<joint name="j" type="fixed"><parent link="body"/><child link="a"/></joint>'
 
 
-class ZeroInertia(Rule):
-    """A link that floats alone has mass, and moments of inertia that are all 0.
+MOVED = (
+    '<robot name="r"><link name="a"><inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="b">{}</link>'
+    '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
+)
+BODY = (
+    f'<inertial><mass value="1"/>{INERTIA.format("«inertia»")}</inertial>'
+    '<collision><geometry><box size="1 1 1"/></geometry></collision>'
+)
 
-    Nothing resists when it is turned. Drake loads it and cannot simulate it: the mass matrix is not
-    positive definite. A point mass on a joint may be meant: what it is tied to resists.
+
+class ZeroInertia(Rule):
+    """A body has mass, and moments of inertia that are all 0.
+
+    Nothing resists when it is turned. Where it floats alone, Drake loads it and cannot simulate it: the mass
+    matrix is not positive definite. On a joint that moves MuJoCo refuses it. A point mass without a shape may be
+    meant there, for what it is tied to resists; a link with a shape is a body.
     """
 
     code = "INR009"
     name = "zero-inertia"
     severity = Severity.WARNING
     looks_at = (Inertial,)
-    affects = {Consumer.DRAKE: warns("cannot simulate it")}
+    affects = {Consumer.DRAKE: warns("cannot simulate it"), Consumer.MUJOCO: refuses("refuses it on a joint")}
     scaffold = IN_LINK
 
     bad = (
@@ -30,6 +56,7 @@ class ZeroInertia(Rule):
             says="link `base` has a mass of 1 kg and moments of 0",
         ),
         Bad(ROBOT.format("«inertia»", ""), scaffold="", says="moments of 0"),
+        Bad(MOVED.format(BODY), scaffold="", says="link `b` has a mass of 1 kg and moments of 0"),
     )
     good = (
         Good("<inertial><mass>1</mass></inertial>", why="the moments are 1 where they are not written"),
@@ -49,7 +76,9 @@ class ZeroInertia(Rule):
         if not (inertial.mass.is_given and inertial.mass.number > 0):
             return False
         link = inertial.link
-        if link.child_joints or link.parent_joints or link in inertial.root.parent_joints:
+        if link.parent_joints:
+            return bool(link.shapes) and link.parent_joints[0].moves
+        if link.child_joints or link in inertial.root.parent_joints:
             return False
         # In a part or a macro the other end of a joint is where nobody can see it.
         return not any(
@@ -59,4 +88,10 @@ class ZeroInertia(Rule):
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         link, mass = inertial.link, inertial.mass
         message = f"{link.title} has a mass of {mass.text.strip()} kg and moments of 0"
-        yield self.diagnostic(inertial.moments_element, message, labels={link: "this link"})
+        affects = {
+            Consumer.DRAKE: accepts("takes it for a point mass"),
+            Consumer.MUJOCO: REFUSES,
+        }
+        if not link.parent_joints:
+            affects = {Consumer.MUJOCO: accepts("makes it part of the world")}
+        yield self.diagnostic(inertial.moments_element, message, labels={link: "this link"}, affects=affects)

@@ -16,15 +16,20 @@ from sdfcheck import (
     warns,
 )
 
-LEAST, MOST = 30.0, 720.0
-"""Whole numbers from here to there are usual limits in degrees. More is a way to write no limit."""
+ROUND = 30.0
+"""Whole numbers from here on are usual limits in degrees; others are so from ``LEAST`` on."""
+LITTLE = 3.0
+"""A limit of less is in radians."""
+LEAST, MOST = 20.0, 720.0
+"""Numbers from here to there are usual limits in degrees. More is a way to write no limit."""
 
 
 class LimitsInDegrees(Rule):
-    """The limits of a joint that turns are whole numbers, as one would write them in degrees.
+    """The limits of a joint that turns are as one would write them in degrees.
 
     Both formats measure angles in radians: a joint from -90 to 90 turns fourteen times each way. Of 9,598
-    pairs of limits in public robots none that was meant in radians had two whole numbers and one of 30 or more.
+    pairs of limits in public robots none that was meant in radians had two whole numbers and one of 30 or more;
+    of 3,520 joints in others none had a limit between 13 and 720 that was meant so.
     """
 
     code = "JNT014"
@@ -47,8 +52,18 @@ class LimitsInDegrees(Rule):
             unsafe=True,
             scaffold=IN_URDF_JOINT,
         ),
+        Bad(
+            '<limit lower="«-166.003»" upper="166.003" effort="5" velocity="2"/>',
+            fixed='<limit lower="-2.8972989" upper="2.8972989" effort="5" velocity="2"/>',
+            unsafe=True,
+            scaffold=IN_URDF_JOINT,
+        ),
     )
     good = (
+        Good(
+            "<axis><xyz>0 0 1</xyz><limit><lower>-9.42</lower><upper>9.42</upper></limit></axis>",
+            why="three turns",
+        ),
         Good("<axis><xyz>0 0 1</xyz><limit><lower>-1.5</lower><upper>45</upper></limit></axis>"),
         Good(
             "<axis><xyz>0 0 1</xyz><limit><lower>-1000</lower><upper>1000</upper></limit></axis>",
@@ -67,8 +82,11 @@ class LimitsInDegrees(Rule):
         lower, upper = limit.lower, limit.upper
         if not (lower.is_given and upper.is_given and LEAST <= max(-lower, upper) <= MOST):
             return False
-        is_whole = lower.number % 1 == 0 == upper.number % 1
-        return is_whole and limit.joint.type in TURNING and -lower <= MOST and limit.axis.limit is limit
+        if limit.joint.type not in TURNING or -lower > MOST or limit.axis.limit is not limit:
+            return False
+        if lower.number % 1 == 0 == upper.number % 1:
+            return max(-lower, upper) >= ROUND
+        return all(not 0 < abs(end) < LITTLE for end in (lower.number, upper.number))
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper = limit.lower, limit.upper

@@ -10,6 +10,7 @@ from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.naming.link_names import LinkNames
     from sdfcheck.robot.naming.material_names import MaterialNames
@@ -258,6 +259,45 @@ class Model(Scope):
         from sdfcheck.robot.motion.mass import of_model
 
         return of_model(self)
+
+    @lazy
+    def reach(self) -> float:
+        """The longest distance (m) from a joint of the robot to the one that carries it; 0 where that is unknown.
+
+        In SDFormat the longest distance of a link from the first one.
+        """
+        from sdfcheck.robot.motion.bounds import reach_of
+
+        return reach_of(self)
+
+    @lazy
+    def has_mesh(self) -> bool:
+        """Has one of its links a shape whose mesh file is there?"""
+        return any(link.has_mesh for link in self.links)
+
+    @lazy
+    def density(self) -> float:
+        """The mass of its links by the volume of the boxes around their shapes (kg/m³); nan where few are known."""
+        from sdfcheck.robot.motion.bounds import density_of
+
+        return density_of(self)
+
+    @property
+    def is_out_of_scale(self) -> bool:
+        """Is it, as a whole, lighter than any gas, or heavier than any material by far?"""
+        if not self.joints or self.may_be_static or not self.has_mesh:
+            return False
+        return 0 < self.density < 0.05 or self.density > 1e6
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around the bounds of all its links, all joints at zero: lowest and highest x, y, z.
+
+        In m, in its frame, shape (2, 3); None where no shape has a known size. Raises PoseError.
+        """
+        from sdfcheck.robot.motion.bounds import as_array, of_model
+
+        return as_array(of_model(self))
 
     # Parts by name
 

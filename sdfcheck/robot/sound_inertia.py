@@ -17,6 +17,11 @@ _PLAUSIBLE = (0.01, 10.0)
 _REACH = 5.0
 """So are centers of mass this near to the origin, and links without shapes whose mass is not farther out (m)."""
 
+_DENSEST = 20_000.0
+"""kg/m³: so is nothing that is heavier than any material."""
+_EVEN = 1.2
+"""Moments of a body within this factor of each other fit whatever way it is turned."""
+
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _ORIGIN = [0.0, 0.0, 0.0]
 
@@ -30,8 +35,8 @@ _MAKERS = {
 }
 
 
-def is_sound(link: Element) -> bool:
-    """True only if there is surely nothing to say about a link's mass properties."""
+def soundness(link: Element) -> int:
+    """A 1 only if a link's mass properties are surely those of a body, a 2 if they also fit its shapes; else 0."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
@@ -45,9 +50,9 @@ def is_sound(link: Element) -> bool:
             inertial = child
     try:
         mass, moments, center = _read(inertial)
-        return bool(moments) and _is_plausible(mass, moments, center, collisions or visuals)
+        return _plausibility(mass, moments, center, collisions or visuals) if moments else 0
     except (KeyError, TypeError, ValueError, ZeroDivisionError):
-        return False
+        return 0
 
 
 def _read(inertial: Element | None) -> tuple[float, tuple[float, ...], list[float]]:
@@ -99,29 +104,50 @@ def _possible(mass: str, *texts: str | None) -> tuple[float, ...]:
     return moments if low > 0 and low + middle >= high else ()
 
 
-def _is_plausible(
-    mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]
-) -> bool:
+def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]) -> int:
     if math.hypot(*center) > _REACH:
-        return False
+        return 0
+    placed = [found for shape in shapes if (found := _placed(shape)) is not None]
+    if not placed:
+        return 2 if max(moments[:3]) <= _REACH * _REACH * mass else 0
     volume = total = 0.0
-    for shape in shapes:
-        at, geometry = _ORIGIN, None
-        for child in shape.children():
-            tag = child.name
-            if tag == "geometry":
-                geometry = child
-            elif tag in {"pose", "origin"}:
-                at = _position(child)
-        solid = _solid_of(geometry)
-        if solid is not None:
-            distance = math.dist(at, center) if at != center else 0.0
-            volume += solid.volume
-            total += solid.volume * (solid.moments.trace + 2 * distance * distance)
-    if not volume:
-        return max(moments[:3]) <= _REACH * _REACH * mass
+    is_inside = is_turned = False
+    diagonal = [0.0, 0.0, 0.0]
+    for solid, at, turned in placed:
+        x, y, z = (a - b for a, b in zip(at, center, strict=True))
+        distance = x * x + y * y + z * z
+        volume += solid.volume
+        total += solid.volume * (solid.moments.trace + 2 * distance)
+        is_inside = is_inside or 2 * distance <= solid.moments.trace
+        is_turned = is_turned or turned
+        for axis, offset in enumerate((x, y, z)):
+            diagonal[axis] += solid.volume * (solid.moments[axis] + distance - offset * offset)
     low, high = _PLAUSIBLE
-    return low <= sum(moments[:3]) / (mass * total / volume) <= high
+    if not low <= sum(moments[:3]) * volume / (mass * total) <= high:
+        return 0
+    if not is_inside or mass > _DENSEST * volume:
+        return 1
+    if is_turned:
+        return 2 if max(moments[:3]) < _EVEN * min(moments[:3]) else 1
+    ratios = (moment * volume / (mass * each) for moment, each in zip(moments[:3], diagonal, strict=True))
+    return 2 if all(1 / 2 < found < 2 for found in ratios) else 1
+
+
+def _placed(shape: Element) -> tuple[solids.Solid, list[float], bool] | None:
+    """The solid of a visual or collision, its center, and whether it is turned; None without a solid."""
+    at, is_turned, geometry = _ORIGIN, False, None
+    for child in shape.children():
+        tag = child.name
+        if tag == "geometry":
+            geometry = child
+        elif tag in {"pose", "origin"}:
+            at = _position(child)
+            words = (
+                (child.text_of("rpy") or "").split() if tag == "origin" else (child.text or "").split()[3:]
+            )
+            is_turned = any(map(float, words))
+    solid = _solid_of(geometry)
+    return None if solid is None else (solid, at, is_turned)
 
 
 def _solid_of(geometry: Element | None) -> solids.Solid | None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from typing import TypeAlias
 
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.parts.solids import Moments
 from sdfcheck.source.element import Element
@@ -62,6 +63,26 @@ def origin_in(element: Element) -> Origin:
     if origin.text_of("quat_xyzw") is not None:
         return Origin(of_quaternion(*numbers_of(origin, "quat_xyzw", (0.0, 0.0, 0.0, 1.0))), (x, y, z))
     return Origin(of_rpy(*numbers_of(origin, "rpy", (0.0, 0.0, 0.0))), (x, y, z))
+
+
+def pose_in(pose: Element | None) -> Origin:
+    """The pose that a ``pose`` of SDFormat writes, whatever it is relative to; no displacement without one.
+
+    Raises DescriptionError if its numbers cannot be read.
+    """
+    if pose is None or not pose.content:
+        return Origin()
+    numbers = floats(pose.content)
+    attributes = pose.attributes
+    is_quaternion = attributes.get("rotation_format", "").strip() == "quat_xyzw"
+    if numbers is None or len(numbers) != (7 if is_quaternion else 6) or not all(map(math.isfinite, numbers)):
+        raise DescriptionError(f"{pose.content!r} is not a pose", pose)
+    x, y, z, *turn = numbers
+    if is_quaternion:
+        return Origin(of_quaternion(*turn), (x, y, z))
+    if attributes.get("degrees", "").strip().lower() in {"true", "1"}:
+        turn = [math.radians(angle) for angle in turn]
+    return Origin(of_rpy(*turn), (x, y, z))
 
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Rows:

@@ -6,15 +6,13 @@ applies them to documents of every version.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.motion.origin import origin_in
-from sdfcheck.robot.motion.rotations import Array, from_quaternion, from_rpy, inverse, transform
+from sdfcheck.robot.motion.origin import origin_in, pose_in
+from sdfcheck.robot.motion.rotations import Array, inverse, transform
 from sdfcheck.robot.parts.placement import reference_of
 
 if TYPE_CHECKING:
@@ -35,21 +33,11 @@ def written_pose(pose: Element | None) -> Array:
 
     Raises PoseError if its numbers cannot be read.
     """
-    if pose is None or not pose.content:
-        return np.eye(4)
-    numbers = floats(pose.content)
-    attributes = pose.attributes
-    is_quaternion = attributes.get("rotation_format", "").strip() == "quat_xyzw"
-    if numbers is None or len(numbers) != (7 if is_quaternion else 6) or not all(map(math.isfinite, numbers)):
-        raise PoseError(f"{pose.content!r} is not a pose", pose)
-    if is_quaternion:
-        rotation = from_quaternion(*numbers[3:])
-    else:
-        angles = numbers[3:]
-        if attributes.get("degrees", "").strip().lower() in {"true", "1"}:
-            angles = tuple(math.radians(angle) for angle in angles)
-        rotation = from_rpy(*angles)
-    return transform(rotation, numbers[:3])
+    try:
+        origin = pose_in(pose)
+    except DescriptionError as error:
+        raise PoseError(str(error), error.element) from None
+    return transform(np.array(origin.rotation), origin.position)
 
 
 def origin_of(element: Element) -> Array:

@@ -6,8 +6,9 @@ import math
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.part import Part
-from sdfcheck.robot.parts.solids import Moments
-from sdfcheck.robot.sound_inertia import is_sound
+from sdfcheck.robot.parts import solids
+from sdfcheck.robot.parts.solids import Moments, Solid
+from sdfcheck.robot.sound_inertia import soundness
 from sdfcheck.robot.values import Number, is_true, lazy, number
 
 if TYPE_CHECKING:
@@ -115,18 +116,32 @@ class Inertial(Part):
 
     @lazy
     def solid_trace(self) -> float:
-        """The trace (kg·m²) that its mass has when it fills the solids of the link evenly; nan if there are none."""
-        solids, center, mass = self.link.solids, self.center, self.mass.number
-        if not solids or center is None:
+        """The trace (kg·m²) that its mass has when it fills the solids of the link evenly; nan if there are none.
+
+        Where there are meshes alone, each counts as the box around it.
+        """
+        center, mass = self.center, self.mass.number
+        parts = self._solid_parts if center is not None else ()
+        if center is None or not parts:
             return math.nan
-        placed = [(shape.geometry.solid, shape.position) for shape in solids]
-        parts = [(solid, at) for solid, at in placed if solid is not None and at is not None]
         volume = sum(solid.volume for solid, _ in parts)
         trace = 0.0
         for solid, at in parts:
             distance = math.dist(at, center)
             trace += mass * solid.volume / volume * (solid.moments.trace + 2 * distance * distance)
         return trace
+
+    @property
+    def _solid_parts(self) -> list[tuple[Solid, tuple[float, ...]]]:
+        """The solids of the link with their centers; without any, the boxes around its meshes."""
+        link = self.link
+        placed = [(shape.geometry.solid, shape.position) for shape in link.solids]
+        found: list[tuple[Solid, tuple[float, ...]]]
+        found = [(solid, at) for solid, at in placed if solid is not None and at is not None]
+        if found or not link.has_mesh or link.extent is None:
+            return found
+        boxes = (shape.box for shape in link.collisions or link.visuals)
+        return [(solids.box(*box.size), box.center) for box in boxes if box is not None and all(box.size)]
 
     @property
     def is_automatic(self) -> bool:
@@ -140,13 +155,22 @@ class Inertial(Part):
         """The center of mass in the link's frame (m); None where that is not plain to read."""
         return position(self)
 
-    @lazy
+    @property
     def is_unremarkable(self) -> bool:
         """Are mass and moments surely those of a body, near to those of a solid of the link's shapes?
 
         Worked out quickly; False proves nothing.
         """
-        return self.is_given and is_sound(self.link.element)
+        return self._soundness > 0
+
+    @property
+    def fits_shapes(self) -> bool:
+        """Are they also near to those of the link's primitive shapes, axis by axis? False proves nothing."""
+        return self._soundness > 1
+
+    @lazy
+    def _soundness(self) -> int:
+        return soundness(self.link.element) if self.is_given else 0
 
 
 def position(part: Part) -> tuple[float, float, float] | None:

@@ -179,6 +179,25 @@ class Joint(Node):
         return AXES.get(self.type, 0)
 
     @property
+    def counterparts(self) -> tuple[Joint, ...]:
+        """The other joints of its model whose names differ only by the side: those of the other wheels or legs."""
+        from sdfcheck.robot.naming.sides import without_sides
+
+        key = without_sides(self.name)
+        if key == self.name or self.model is None:
+            return ()
+        joints = self.model.joints
+        return tuple(joint for joint in joints if joint is not self and without_sides(joint.name) == key)
+
+    @property
+    def mirror(self) -> Joint | None:
+        """The joint whose name says left where its own says right; None without one."""
+        from sdfcheck.robot.naming.sides import mirrored
+
+        name = mirrored(self.name)
+        return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
+
+    @property
     def moves(self) -> bool:
         """Is it of a type of URDF that lets its child move?"""
         return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"

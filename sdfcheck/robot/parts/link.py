@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, cast
 
@@ -11,6 +12,7 @@ from sdfcheck.robot.values import lazy, parts
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.bodies.box import Box
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.rotations import Array
@@ -96,15 +98,79 @@ class Link(Node):
         """The ``<gazebo>`` blocks about it, in URDF."""
         return tuple(self.model.blocks_by_reference.get(self.name, ())) if self.is_urdf else ()
 
+    @lazy
+    def box(self) -> Box | None:
+        """The box around its collisions, or its visuals where it has none of known size (m), in plain numbers."""
+        from sdfcheck.robot.motion.bounds import of_shapes
+
+        return of_shapes(self.collisions) or of_shapes(self.visuals)
+
     @property
     def bounds(self) -> Array | None:
         """The box around its collisions, or its visuals where it has none: lowest and highest x, y, z.
 
-        In m, in its frame, shape (2, 3); None where no shape has a known size (meshes have none).
+        In m, in its frame, shape (2, 3), meshes included; None where no shape has a known size.
         """
+        from sdfcheck.robot.motion.bounds import as_array
+
+        return as_array(self.box)
+
+    @lazy
+    def visual_box(self) -> Box | None:
+        """The box around its visuals (m); None unless the size of each of them is known."""
+        return self._around(self.visuals)
+
+    @lazy
+    def collision_box(self) -> Box | None:
+        """The box around its collisions (m); None unless the size of each of them is known."""
+        return self._around(self.collisions)
+
+    @lazy
+    def extent(self) -> Box | None:
+        """The box around its visuals and collisions (m); of either kind only if the size of each is known."""
+        from sdfcheck.bodies.box import around
+
+        return around((self.visual_box, self.collision_box))
+
+    @lazy
+    def fixed_extent(self) -> Box | None:
+        """The same, with the links that fixed joints of URDF tie to it from below; None unless all are known."""
+        from sdfcheck.robot.motion.bounds import with_fixed
+
+        return with_fixed(self)
+
+    def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
+        """The box around shapes that are all known; None in a macro of xacro, where more may be added."""
+        if self.document.kind is Kind.XACRO:
+            return None
         from sdfcheck.robot.motion.bounds import of_shapes
 
-        return of_shapes(self.collisions or self.visuals)
+        return of_shapes(shapes) if all(shape.box is not None for shape in shapes) else None
+
+    @lazy
+    def has_mesh(self) -> bool:
+        """Has it a shape whose mesh file is there?"""
+        if not self.document.source.contains("<mesh") and not self.document.source.contains(":mesh"):
+            return False
+        return any(shape.geometry.mesh is not None for shape in self.shapes)
+
+    @lazy
+    def size_to_reach(self) -> float:
+        """Its greatest length to the longest distance between joints of its model; nan where one is not known."""
+        reach = self.model.reach if self.holder is not None and self.holder.kind == "model" else 0.0
+        box = self.box if reach else None
+        return max(box.size) / reach if box is not None else math.nan
+
+    @property
+    def counterparts(self) -> tuple[Link, ...]:
+        """The other links of its model whose names differ only by the side: those of the other wheels or legs."""
+        from sdfcheck.robot.naming.sides import without_sides
+
+        key = without_sides(self.name)
+        if key == self.name:
+            return ()
+        links = self.model.links
+        return tuple(link for link in links if link is not self and without_sides(link.name) == key)
 
     # How it hangs together with others
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from sdfcheck.formats.plugins import PluginFacts
     from sdfcheck.robot.naming.plugin_names import PluginReference
+    from sdfcheck.robot.parts.drive import Drive
     from sdfcheck.source.element import Element, Value
 
 
@@ -75,6 +76,15 @@ class Plugin(Part):
             return parent is own
         is_block = parent.name == own.name == "gazebo"
         return is_block and parent.attributes.get("reference", "") == own.attributes.get("reference", "")
+
+    @lazy
+    def drive(self) -> Drive | None:
+        """The differential drive that it makes, where it names one wheel on each side, and both are known."""
+        if "drive" not in self.filename.lower():
+            return None
+        from sdfcheck.robot.parts.drive import drive_of
+
+        return drive_of(self)
 
     @lazy
     def meant_file(self) -> str | None:

@@ -11,7 +11,10 @@ from sdfcheck.robot.parts.material import Material
 from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
+    from sdfcheck.bodies.box import Box
+    from sdfcheck.bodies.mesh import Mesh
     from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.robot.parts.solids import Solid
@@ -97,6 +100,27 @@ class Geometry(Part):
     def uri(self) -> str:
         """The file of a mesh, heightmap or image; empty if there is none."""
         return self.uri_value.text.strip() if self.uri_value is not None else ""
+
+    @lazy
+    def mesh(self) -> Mesh | None:
+        """The content of its mesh file; None without one on this computer, and where only a part of it is meant."""
+        if self.shape != "mesh" or not self.uri or (not self.is_urdf and self._shape_place.has("submesh")):
+            return None
+        from sdfcheck.bodies.mesh import mesh_at
+        from sdfcheck.files.library import library_of
+        from sdfcheck.files.uris import locate
+
+        path, library = locate(self.document, self.uri).path, library_of(self.document)
+        if path is None or library is None or not path.is_file():
+            return None
+        return mesh_at(path, lambda file, limit: library.read(file, self.document, limit))
+
+    @lazy
+    def box(self) -> Box | None:
+        """The box around it along its own axes (m), in plain numbers; None where its size is not known."""
+        from sdfcheck.robot.motion.bounds import of_geometry
+
+        return of_geometry(self)
 
     @property
     def measures(self) -> tuple[float, ...]:
@@ -188,6 +212,35 @@ class Shape(Part):
     def position(self) -> tuple[float, float, float] | None:
         """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
         return position(self)
+
+    @property
+    def along(self) -> tuple[float, float, float] | None:
+        """The direction of its z axis in its link's frame; None where that cannot be worked out."""
+        from sdfcheck.robot.errors import DescriptionError
+        from sdfcheck.robot.motion.bounds import placement_of
+
+        try:
+            return placement_of(self, self.link).turned((0.0, 0.0, 1.0))
+        except DescriptionError:
+            return None
+
+    @lazy
+    def box(self) -> Box | None:
+        """The box around it in its link's frame (m), in plain numbers; None where size or place is not known."""
+        from sdfcheck.robot.motion.bounds import of_shape
+
+        return of_shape(self)
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around it in its link's frame: lowest and highest x, y, z (m), shape (2, 3).
+
+        Of round shapes and of meshes the box around their own axes counts. None where size or place is not
+        known: of planes, submeshes, and meshes that are not found or cannot be read.
+        """
+        from sdfcheck.robot.motion.bounds import as_array
+
+        return as_array(self.box)
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in the link's frame, or relative to what a reference names; raises PoseError."""

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -85,3 +86,37 @@ def test_the_bounds_of_a_link_are_those_of_its_shapes(shape: str, half: tuple[fl
     low, high = bounds.tolist()
     assert low == pytest.approx([at - size for at, size in zip((1, 2, 3), half, strict=True)])
     assert high == pytest.approx([at + size for at, size in zip((1, 2, 3), half, strict=True)])
+
+
+def test_the_bounds_of_meshes_are_those_of_their_files(tmp_path: Path) -> None:
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1000 0 0\nv 0 2000 -500\nf 1 2 3\n")
+    geometry = '<geometry><mesh filename="a.obj" scale="0.001 0.001 -0.001"/></geometry>'
+    mesh = f'<visual><origin xyz="0 0 1"/>{geometry}</visual>'
+    joint = '<joint name="j" type="fixed"><origin xyz="5 0 0"/><parent link="a"/><child link="b"/></joint>'
+    file = tmp_path / "r.urdf"
+    file.write_text(
+        f'<robot name="r"><link name="a">{mesh}</link><link name="b">{mesh}</link>{joint}</robot>'
+    )
+    model = sdfcheck.load(file).models[0]
+    bounds, whole = model.link("a").bounds, model.bounds
+    assert bounds is not None
+    assert bounds.tolist() == [[0, 0, 1], pytest.approx([1, 2, 1.5])]
+    assert whole is not None
+    assert whole.tolist() == [[0, 0, 1], pytest.approx([6, 2, 1.5])]
+
+
+def test_a_submesh_and_a_mesh_that_is_not_there_have_no_bounds(tmp_path: Path) -> None:
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n")
+    file = tmp_path / "m.sdf"
+    shapes = "".join(
+        f'<visual name="v{number}"><geometry><mesh>{mesh}</mesh></geometry></visual>'
+        for number, mesh in enumerate(
+            (
+                "<uri>a.obj</uri><submesh><name>s</name></submesh>",
+                "<uri>b.obj</uri>",
+                "<uri>http://x/a.obj</uri>",
+            )
+        )
+    )
+    file.write_text(f'<sdf version="1.12"><model name="m"><link name="l">{shapes}</link></model></sdf>')
+    assert sdfcheck.load(file).models[0].link("l").bounds is None

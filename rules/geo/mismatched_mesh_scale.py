@@ -1,0 +1,92 @@
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_LINK,
+    IN_URDF_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Link,
+    Rule,
+    Severity,
+    Shape,
+    warns,
+)
+from sdfcheck_rules.geo.scaffolds import mesh
+
+MOST = 10.0
+"""Of 18,970 uses of meshes in public files one pair differs so much, by mistake."""
+
+
+class MismatchedMeshScale(Rule):
+    """One mesh is used twice in a link, with scales that differ tenfold or more.
+
+    A file in millimeters needs `scale="0.001 0.001 0.001"` each time it is named: in the collision as in the visual.
+    """
+
+    code = "GEO005"
+    name = "mismatched-mesh-scale"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
+    looks_at = (Link,)
+    needs = ("<mesh", ":mesh")
+    scaffold = IN_URDF_LINK
+
+    bad = (
+        Bad(
+            mesh("visual", "arm.stl", ' scale="0.001 0.001 0.001"') + mesh("collision", "«arm.stl»"),
+            says="`arm.stl` has no scale here, and 0.001 0.001 0.001 in the visual of the same link",
+        ),
+        Bad(
+            '<visual name="v"><geometry><mesh><uri>a.stl</uri></mesh></geometry></visual>'
+            '<collision name="c"><geometry><mesh><uri>a.stl</uri><scale>«0.01 0.01 0.01»</scale></mesh></geometry>'
+            "</collision>",
+            scaffold=IN_LINK,
+            says="`a.stl` has a scale of 0.01 0.01 0.01 here, and none in the visual of the same link",
+        ),
+    )
+    good = (
+        Good(
+            mesh("visual", "arm.stl", ' scale="0.001 0.001 0.001"')
+            + mesh("collision", "arm.stl", ' scale="0.0011 -0.0011 0.0011"')
+        ),
+        Good(
+            mesh("visual", "arm.stl", ' scale="0.001 0.001 0.001"') + mesh("collision", "arm_in_meters.stl"),
+            why="two files",
+        ),
+    )
+
+    @staticmethod
+    def applies(link: Link) -> bool:
+        return pair(link) is not None
+
+    def check(self, link: Link) -> Iterator[Diagnostic]:
+        found = pair(link)
+        if found is None:
+            return
+        other, shape = found
+        own, their = shape.geometry.scale, other.geometry.scale
+        what = f"a scale of {own.text}" if own.is_given else "no scale"
+        theirs = their.text if their.is_given else "none"
+        place = own.value if own.is_given else shape.geometry.uri_value
+        yield self.diagnostic(
+            place or shape,
+            f"`{shape.geometry.uri}` has {what} here, and {theirs} in the {other.kind} of the same link",
+            labels={other: "the other one"},
+        )
+
+
+def pair(link: Link) -> tuple[Shape, Shape] | None:
+    """Two shapes of a link that use one file with scales that differ too much, the second one the faulty one's."""
+    seen: dict[str, Shape] = {}
+    for shape in link.shapes:
+        geometry = shape.geometry
+        scale = geometry.scale
+        if geometry.shape != "mesh" or not geometry.uri or len(scale) != 3 or not all(scale):
+            continue
+        other = seen.setdefault(geometry.uri, shape)
+        factor = abs(scale[0] / other.geometry.scale[0])
+        if not 1 / MOST < factor < MOST:
+            return other, shape
+    return None

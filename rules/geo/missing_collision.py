@@ -1,0 +1,111 @@
+import re
+from collections.abc import Iterator
+from statistics import median
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
+
+NUMBER = re.compile(r"[0-9]+")
+CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
+LEAST = 5
+"""Links that move and collide, so that the one without is the exception."""
+BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
+
+
+def robot(*links: str) -> str:
+    """A robot whose links hang on the first one by joints that move; each text is the name and the shapes."""
+    text = ""
+    for link in links:
+        name, *kinds = link.split()
+        mark = f'«link» name="{name}"' if name.startswith("!") else f'link name="{name}"'
+        text += f"<{mark.replace('!', '')}>" + "".join(BOX.format(kind) for kind in kinds) + "</link>"
+    first = links[0].split()[0].strip("!")
+    for number, link in enumerate(links[1:]):
+        child = link.split()[0].strip("!")
+        text += f'<joint name="j{number}" type="continuous"><parent link="{first}"/><child link="{child}"/></joint>'
+    return f'<robot name="r">{text}</robot>'
+
+
+class MissingCollision(Rule):
+    """A link that moves has a visual and no collision, and its counterparts have one.
+
+    It passes through everything. The counterparts are the links of the same name on the other sides (`left_wheel`
+    and `right_wheel`, `FL_hip` and `RR_hip`), or all others of the robot that move, at least five.
+    """
+
+    code = "GEO008"
+    name = "missing-collision"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("lets it pass through everything"))
+    looks_at = (Model,)
+
+    bad = (
+        Bad(
+            robot("base visual collision", "left_wheel visual collision", "!right_wheel visual"),
+            says="link `right_wheel` moves and has no collision, unlike `left_wheel`",
+        ),
+        Bad(
+            robot("base visual", *(f"{name} visual collision" for name in "abcde"), "!tip visual"),
+            says="link `tip` moves and has no collision, unlike all other links that move",
+        ),
+    )
+    good = (
+        Good(
+            robot("base visual collision", "left_wheel visual", "right_wheel visual"), why="neither of them"
+        ),
+        Good(
+            robot("base visual", *(f"{name} visual collision" for name in "abcde"), "tip"),
+            why="nothing to see",
+        ),
+    )
+
+    @staticmethod
+    def applies(model: Model) -> bool:
+        return bool(lacking(model))
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        for link, counterpart in lacking(model):
+            unlike = "all other links that move" if counterpart is None else f"`{counterpart.name}`"
+            labels = {} if counterpart is None else {counterpart: "has one"}
+            message = f"{link.title} moves and has no collision, unlike {unlike}"
+            yield self.diagnostic(link, message, labels=labels)
+
+
+def lacking(model: Model) -> list[tuple[Link, Link | None]]:
+    """The links without collision, each with a counterpart that has one; None for all others."""
+    if not model.joints or model.may_be_static:
+        return []
+    moving = [link for link in model.links if link.has("visual") and moves(link)]
+    bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]
+    if not bare or len(bare) * 2 > len(moving):
+        return []
+    found: list[tuple[Link, Link | None]] = []
+    for link in bare:
+        alike = [other for other in link.counterparts or numbered(link) if other in moving]
+        complete = [other for other in alike if other.has("collision")]
+        if len(complete) * 2 > len(alike):
+            found.append((link, complete[0]))
+        elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_small(link, moving):
+            found.append((link, None))
+    return found
+
+
+def numbered(link: Link) -> list[Link]:
+    """The other links of its name with other numbers (`rotor_0`); none where that is just a chain of links."""
+    key = NUMBER.sub("", link.name)
+    if key == link.name or CHAIN.fullmatch(key):
+        return []
+    return [other for other in link.model.links if other is not link and NUMBER.sub("", other.name) == key]
+
+
+def is_small(link: Link, others: list[Link]) -> bool:
+    """Is it less than half as long as most others, as parts inside of a joint are?"""
+    own = link.visual_box
+    lengths = [
+        max(box.size) for other in others if other is not link and (box := other.visual_box) is not None
+    ]
+    return own is not None and bool(lengths) and max(own.size) < median(lengths) / 2
+
+
+def moves(link: Link) -> bool:
+    """Does a joint that is not fixed carry it?"""
+    return any(joint.moves for joint in link.parent_joints)

@@ -1,0 +1,50 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck_rules.geo.scaffolds import rover
+
+
+class OpposedDriveAxes(Rule):
+    """The wheels of a differential drive turn in opposite directions.
+
+    The plugin gives both the same speed to drive straight on. With opposite axes the robot spins on its place, and
+    drives on the command to turn.
+    """
+
+    code = "GEO010"
+    name = "opposed-drive-axes"
+    severity = Severity.WARNING
+    affects = {Consumer.GAZEBO: warns("spins instead of driving")}
+    looks_at = (Plugin,)
+
+    bad = (
+        Bad(
+            rover(axis="«0 -1 0»"),
+            says="the axes of `left_joint` and `right_joint` are opposite, and drive `gz::sim::systems::DiffDrive`"
+            " turns both alike",
+        ),
+    )
+    good = (Good(rover()),)
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return is_opposed(plugin)
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        drive = plugin.drive
+        if drive is None:
+            return
+        yield self.diagnostic(
+            drive.right.joint.axis.xyz,
+            f"the axes of `{drive.left.joint.name}` and `{drive.right.joint.name}` are opposite, and drive"
+            f" `{plugin.name}` turns both alike",
+            labels={drive.left.joint.axis.xyz: "the other axis", plugin: "this drive"},
+        )
+
+
+def is_opposed(plugin: Plugin) -> bool:
+    """Do the axes of the two wheels point in opposite directions?"""
+    drive = plugin.drive
+    if drive is None:
+        return False
+    return sum(left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True)) < -0.5

@@ -1,0 +1,94 @@
+from collections.abc import Iterator
+from math import inf
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Shape, Value, used, warns
+from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
+
+MOST = 100.0
+"""Times the longest distance between joints; the longest of 250 public robots is 71 times that long (a table)."""
+HUGE = 3.0
+"""m: a robot lighter than helium whose shapes are longer is in millimeters as a whole."""
+LEAST = 1.0
+"""m: smaller shapes are not that of a machine in millimeters."""
+
+
+class OversizedShape(Rule):
+    """A shape is a hundred times longer than the distances between the joints of its robot.
+
+    Meshes have no unit in STL and OBJ: exported in millimeters, they are a thousand times too large, unless
+    `scale` says 0.001. Joints were then placed in meters, and the shapes do not fit them. Robots are looked at where
+    at least one mesh is on this computer.
+    """
+
+    code = "GEO001"
+    name = "oversized-shape"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
+    looks_at = (Model,)
+    needs = ("<mesh", ":mesh")
+    scaffold = ARM
+
+    bad = (
+        Bad(
+            mesh("visual", "«arm.obj»"),
+            files={"arm.obj": wedge(300)},
+            says="the mesh `arm.obj` is 300 m long, and the joints of robot `r` are at most 0.3 m apart:"
+            " is it in millimeters?",
+        ),
+        Bad(
+            mesh("visual", "arm.obj") + '<visual><geometry><box size="«200 20 20»"/></geometry></visual>',
+            files={"arm.obj": wedge(0.3)},
+            says="the box is 200 m long",
+        ),
+    )
+    good = (
+        Good(mesh("visual", "arm.obj", ' scale="0.001 0.001 0.001"'), files={"arm.obj": wedge(300)}),
+        Good(mesh("visual", "arm.obj"), files={"arm.obj": wedge(5)}, why="a platform"),
+    )
+
+    @staticmethod
+    def applies(model: Model) -> bool:
+        return bool(oversized(model))
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        shapes = oversized(model)
+        shape = shapes[0]
+        box, geometry = shape.geometry.box, shape.geometry
+        assert box is not None, "it was compared"
+        is_mesh = geometry.shape == "mesh"
+        what = f"mesh `{geometry.uri.rpartition('/')[2]}`" if is_mesh else geometry.shape
+        place = geometry.scale.value or geometry.uri_value if is_mesh else written_size(shape)
+        kind = "robot" if model.is_urdf else "model"
+        compared = f"the joints of {kind} `{model.name}` are at most {model.reach:.3g} m apart"
+        if max(box.size) <= MOST * model.reach:
+            compared = (
+                f"{kind} `{model.name}` has {model.density:.2g} kg/m³ within its shapes, less than any gas"
+            )
+        yield self.diagnostic(
+            place or shape,
+            f"the {what} is {max(box.size):.4g} m long, and {compared}{used(len(shapes))}: is it in millimeters?",
+            labels=dict.fromkeys(shapes[1:4], "this one as well"),
+            help='give the mesh a scale of "0.001 0.001 0.001"' if is_mesh else "",
+        )
+
+
+def written_size(shape: Shape) -> Value | None:
+    """The first measure of a primitive shape that is written."""
+    geometry = shape.geometry
+    measures = (geometry.size, geometry.length, geometry.radius, geometry.radii)
+    return next((each.value for each in measures if each.is_given), None)
+
+
+def oversized(model: Model) -> list[Shape]:
+    """The shapes that are too long for the robot."""
+    if not model.joints or model.may_be_static or not model.has_mesh:
+        return []
+    most = max(MOST * model.reach, LEAST) if model.reach > 0.005 else inf
+    if model.is_out_of_scale and model.density < 1:
+        most = HUGE
+    return [
+        shape
+        for link in model.links
+        for shape in link.shapes
+        if (box := shape.geometry.box) is not None and most < max(box.size)
+    ]

@@ -1,0 +1,93 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Shape, warns
+from sdfcheck_rules.geo.scaffolds import mesh, wedge
+
+LEAST = 0.01
+"""Of the longest distance between joints: in 250 public robots the longest shape is more, where two links have any."""
+TINY = 0.02
+"""m: a robot heavier than any material whose shapes are all shorter is a thousand times too small as a whole."""
+ROBOT = (
+    '<robot name="r"><link name="base">{0}</link><link name="arm">{1}</link>'
+    '<joint name="j" type="revolute"><origin xyz="0 0 0.3"/><parent link="base"/>'
+    '<child link="arm"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>'
+)
+
+
+class UndersizedShapes(Rule):
+    """All shapes of a robot are a hundred times shorter than the distances between its joints.
+
+    A `scale` of 0.001 for meshes that are in meters already, or a COLLADA file that says millimeters and is in
+    meters, leaves nothing to see, and nothing to touch.
+    """
+
+    code = "GEO002"
+    name = "undersized-shapes"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
+    looks_at = (Model,)
+    needs = ("<mesh", ":mesh")
+
+    bad = (
+        Bad(
+            ROBOT.format(
+                mesh("visual", "base.obj", ' scale="«0.001 0.001 0.001»"'),
+                mesh("visual", "base.obj", ' scale="0.001 0.001 0.001"'),
+            ),
+            files={"base.obj": wedge(0.3)},
+            says="the longest shape of robot `r` is 0.0003 m long, and its joints are up to 0.3 m apart",
+        ),
+    )
+    good = (
+        Good(
+            ROBOT.format(mesh("visual", "base.obj"), mesh("visual", "base.obj")),
+            files={"base.obj": wedge(0.3)},
+        ),
+        Good(
+            ROBOT.format('<visual><geometry><box size="0.001 0.001 0.001"/></geometry></visual>', ""),
+            why="a mark, and the other link has no shape",
+        ),
+    )
+
+    @staticmethod
+    def applies(model: Model) -> bool:
+        return longest(model) is not None
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        shape = longest(model)
+        box = shape.geometry.box if shape is not None else None
+        if shape is None or box is None:
+            return
+        kind = "robot" if model.is_urdf else "model"
+        value = shape.geometry.scale.value or shape.geometry.uri_value
+        compared = f"its joints are up to {model.reach:.3g} m apart"
+        if max(box.size) > LEAST * model.reach:
+            compared = f"it has {model.density:.2g} kg/m³ within its shapes, more than any material"
+        yield self.diagnostic(
+            value or shape,
+            f"the longest shape of {kind} `{model.name}` is {max(box.size):.3g} m long, and {compared}:"
+            " are scale and unit right?",
+        )
+
+
+def longest(model: Model) -> Shape | None:
+    """The longest of the shapes of at least two links, if it is too short for the robot, and all are known."""
+    if not model.joints or model.may_be_static or not model.has_mesh:
+        return None
+    most = LEAST * model.reach if model.reach > 0.005 else 0.0
+    is_dense = model.is_out_of_scale and model.density > 1
+    if is_dense:
+        most = max(TINY, most)
+    sizes: dict[Shape, float] = {}
+    links = set()
+    for link in model.links:
+        for shape in link.shapes:
+            box = shape.geometry.box
+            if box is None and is_dense:
+                continue
+            if box is None or max(box.size) > most:
+                return None
+            sizes[shape] = max(box.size)
+            links.add(link)
+    is_known = len(sizes) * 2 >= sum(len(link.shapes) for link in model.links)
+    return max(sizes, key=sizes.__getitem__) if len(links) > 1 and is_known else None

@@ -1,0 +1,64 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Geometry, Good, Rule, Severity, warns
+from sdfcheck_rules.geo.scaffolds import mesh, wedge
+
+READ = {"STL": ("stl",), "OBJ": ("obj",), "COLLADA": ("dae",), "glTF": ("gltf",), "GLB": ("glb",)}
+"""Format → the endings of its files."""
+
+
+class UnreadableMesh(Rule):
+    """The file of a mesh is empty, broken, or of another format than its ending says.
+
+    Consumers choose the program that reads a mesh by the ending of its name, and draw and touch nothing where
+    that fails; MuJoCo and Drake refuse the robot. A file that begins with `version https://git-lfs` was not
+    fetched: `git lfs pull` does that.
+    """
+
+    code = "GEO006"
+    name = "unreadable-mesh"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("has no shape there, or refuses the file"))
+    looks_at = (Geometry,)
+    needs = ("<mesh", ":mesh")
+    scaffold = IN_URDF_LINK
+
+    bad = (
+        Bad(mesh("visual", "«arm.stl»"), files={"arm.stl": ""}, says="the mesh `arm.stl` is empty"),
+        Bad(mesh("visual", "«arm.stl»"), files={"arm.stl": "<html/>"}, says="is not an STL file"),
+        Bad(
+            mesh("visual", "«arm.stl»"),
+            files={"arm.stl": wedge(1)},
+            says="the mesh `arm.stl` is an OBJ file, and consumers read it by its ending",
+        ),
+        Bad(
+            mesh("visual", "«arm.dae»"),
+            files={"arm.dae": "<COLLADA><asset>"},
+            says="the mesh `arm.dae` is not well-formed XML",
+        ),
+    )
+    good = (
+        Good(mesh("visual", "arm.OBJ"), files={"arm.OBJ": wedge(1)}),
+        Good(mesh("visual", "arm.fbx"), files={"arm.fbx": "Kaydara"}, why="a format that is not known here"),
+    )
+
+    @staticmethod
+    def applies(geometry: Geometry) -> bool:
+        return bool(fault(geometry))
+
+    def check(self, geometry: Geometry) -> Iterator[Diagnostic]:
+        name = geometry.uri.rpartition("/")[2]
+        yield self.diagnostic(geometry.uri_value or geometry, f"the mesh `{name}` {fault(geometry)}")
+
+
+def fault(geometry: Geometry) -> str:
+    """The reason why consumers cannot read the mesh; empty where they can, or nobody knows."""
+    read = geometry.mesh if geometry.shape == "mesh" else None
+    if read is None or read.fault:
+        return read.fault if read is not None else ""
+    ending = geometry.uri.rpartition(".")[2].lower()
+    promised = next((form for form, endings in READ.items() if ending in endings), "")
+    if not read.format or not promised or promised == read.format:
+        return ""
+    article = "an" if read.format[0] in "SO" else "a"
+    return f"is {article} {read.format} file, and consumers read it by its ending"

@@ -1,0 +1,89 @@
+from collections.abc import Iterator
+from math import acos, cos, degrees, dist, hypot, radians
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+
+MOST = cos(radians(10))
+"""Of 329 wheels in public robots four are turned farther, all of one robot, and by mistake."""
+SMALLEST = 0.005
+"""m."""
+WHEEL = (
+    '<robot name="r"><link name="base"/><link name="wheel"><collision><origin rpy="{}"/><geometry>'
+    '<cylinder radius="0.1" length="{}"/></geometry></collision></link><joint name="j" type="continuous">'
+    '<parent link="base"/><child link="wheel"/><axis xyz="{}"/></joint></robot>'
+)
+
+
+class WheelAcrossAxis(Rule):
+    """The cylinder of a wheel lies across the axis that it turns about.
+
+    A cylinder stands along z. As a wheel it has to be turned (`rpy="1.5708 0 0"` for an axis along y); as it
+    is, it tumbles.
+    """
+
+    code = "GEO013"
+    name = "wheel-across-axis"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("tumbles on its edges"))
+    looks_at = (Joint,)
+
+    bad = (
+        Bad(
+            WHEEL.format("0 0 0", "0.04", "«0 1 0»"),
+            says="wheel `wheel` is a cylinder that stands 90° off the axis of joint `j`",
+        ),
+    )
+    good = (
+        Good(WHEEL.format("1.5708 0 0", "0.04", "0 1 0")),
+        Good(WHEEL.format("0 0 0", "0.4", "0 1 0"), why="longer than wide: no wheel"),
+    )
+
+    @staticmethod
+    def applies(joint: Joint) -> bool:
+        return 0 <= alignment(joint) < MOST
+
+    def check(self, joint: Joint) -> Iterator[Diagnostic]:
+        link = joint.child_link
+        if link is None:
+            return
+        off = degrees(acos(min(1.0, alignment(joint))))
+        yield self.diagnostic(
+            joint.axis.xyz if joint.axis.xyz.is_given else joint,
+            f"wheel `{link.name}` is a cylinder that stands {off:.0f}° off the axis of {joint.title}",
+            labels={(link.collisions or link.visuals)[0]: "the cylinder, which is along its z axis"},
+        )
+
+
+def alignment(joint: Joint) -> float:
+    """The cosine of the angle between the axis of a joint and the wheel that it turns; -1 where there is no wheel."""
+    if joint.type not in {"continuous", "revolute"} or joint.axis.expressed_in or not is_endless(joint):
+        return -1.0
+    link, own = joint.child_link, joint.find("pose")
+    shapes = (link.collisions or link.visuals) if link is not None else ()
+    if len(shapes) != 1 or (own is not None and own.content):
+        return -1.0
+    geometry, axis = shapes[0].geometry, joint.axis.xyz
+    radius, length = float(geometry.radius), float(geometry.length)
+    if (
+        geometry.shape != "cylinder"
+        or geometry.solid is None
+        or not radius >= SMALLEST
+        or not length < 2 * radius
+    ):
+        return -1.0
+    way, place = shapes[0].along, shapes[0].position
+    if (
+        way is None
+        or place is None
+        or dist(place, (0, 0, 0)) > 0.6 * radius
+        or not hypot(*axis) > 0
+        or len(axis) != 3
+    ):
+        return -1.0
+    return abs(sum(one * other for one, other in zip(way, axis, strict=True))) / hypot(*axis)
+
+
+def is_endless(joint: Joint) -> bool:
+    """Does it turn without end?"""
+    low, high = joint.axis.limit.range
+    return joint.type == "continuous" or (low < -1e3 and high > 1e3)

@@ -1,0 +1,131 @@
+from collections.abc import Iterator, Sequence
+
+from sdfcheck import (
+    IN_LINK,
+    IN_URDF_LINK,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Edit,
+    Good,
+    Inertial,
+    Rule,
+    Severity,
+    make_fix,
+    warns,
+)
+from sdfcheck_rules.inr.moments import is_doubtful, is_weighed
+
+FITS, DIFFERS = 1.5, 2.2
+"""Moments within the first factor of those of a box are those of the body; beyond the second one they are not."""
+PAIRS = ((1, 2), (0, 1), (0, 2))
+NAMES = ("ixx", "iyy", "izz")
+WHEEL = (
+    '<collision name="c"><pose>0 0 0 1.5708 0 0</pose><geometry><cylinder><radius>0.18</radius>'
+    "<length>0.05</length></cylinder></geometry></collision>"
+)
+INERTIAL = "<inertial>{}<mass>2.6</mass><inertia><ixx>{}</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
+BEAM = (
+    '<inertial><mass value="1.37"/><inertia ixx="{}" ixy="0" ixz="0" iyy="0.0303" iyz="0" izz="{}"/></inertial>'
+    '<collision><geometry><box size="0.508 0.09 0.09"/></geometry></collision>'
+)
+
+
+class ExchangedMoments(Rule):
+    """Two moments of inertia of a link are exchanged.
+
+    The other way round they fit the box around the link's shapes; as they are, they belong to a body that lies
+    across. Often the shape is turned by its own pose (a wheel), and the inertia is that of the unturned one.
+    Seven such mistakes were corrected by the maintainers of public robots.
+    """
+
+    code = "INR015"
+    name = "exchanged-moments"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("turns it as another body"))
+    looks_at = (Inertial,)
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            INERTIAL.format("", "0.024", "«0.024»", "0.044") + WHEEL,
+            fixed=INERTIAL.format("", "0.024", "0.044", "0.024") + WHEEL,
+            unsafe=True,
+            says="iyy 0.024 and izz 0.044 look exchanged: the shapes of link `base` fill 0.36 × 0.05 × 0.36 m",
+        ),
+        Bad(
+            BEAM.format("«0.0303»", "0.0018"),
+            fixed=BEAM.format("0.0018", "0.0303"),
+            unsafe=True,
+            scaffold=IN_URDF_LINK,
+        ),
+    )
+    good = (
+        Good(INERTIAL.format("", "0.024", "0.044", "0.024") + WHEEL),
+        Good(
+            INERTIAL.format("<pose>0 0 0 1.5708 0 0</pose>", "0.024", "0.024", "0.044") + WHEEL,
+            why="the inertia is turned with the shape",
+        ),
+    )
+
+    @staticmethod
+    def applies(inertial: Inertial) -> bool:
+        return bool(exchanged(inertial))
+
+    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
+        box = inertial.link.box
+        assert box is not None, "it was compared"
+        first, second = (inertial.moments[NAMES[axis]] for axis in exchanged(inertial))
+        one, other = (NAMES[axis] for axis in exchanged(inertial))
+        lengths = " × ".join(f"{length:.3g}" for length in box.size)
+        edits = (Edit(first.span, second.text), Edit(second.span, first.text))
+        yield self.diagnostic(
+            first,
+            f"{one} {first.text} and {other} {second.text} look exchanged: the shapes of {inertial.link.title}"
+            f" fill {lengths} m",
+            labels={second: "the other one", inertial.link.shapes[0]: "the first of its shapes"},
+            fix=make_fix(f"exchange {one} and {other}", edits, unsafe=True),
+        )
+
+
+def exchanged(inertial: Inertial) -> tuple[int, ...]:
+    """The axes of the two moments that fit the link's shapes the other way round; none where they fit."""
+    if not is_doubtful(inertial) or not is_weighed(inertial) or is_turned(inertial):
+        return ()
+    moments, box = inertial.tensor, inertial.link.box
+    mass = inertial.mass.number
+    if (
+        box is None
+        or not mass > 0
+        or not min(moments[:3]) > 0
+        or max(map(abs, moments[3:])) > min(moments[:3]) / 10
+    ):
+        return ()
+    if inertial.link.extent is None or not all(
+        moment.is_given for moment in list(inertial.moments.values())[:3]
+    ):
+        return ()
+    squares = [length * length for length in box.size]
+    solid = [mass / 12 * (sum(squares) - square) for square in squares]
+    if not min(solid) > 0 or off(moments[:3], solid) <= DIFFERS:
+        return ()
+    for first, second in PAIRS:
+        turned = list(moments[:3])
+        turned[first], turned[second] = turned[second], turned[first]
+        if off(turned, solid) <= FITS:
+            return first, second
+    return ()
+
+
+def off(moments: Sequence[float], others: Sequence[float]) -> float:
+    """The greatest factor between moments about one axis."""
+    return max(max(one / other, other / one) for one, other in zip(moments, others, strict=True))
+
+
+def is_turned(inertial: Inertial) -> bool:
+    """Does its own pose turn its axes?"""
+    place = inertial.find("origin" if inertial.is_urdf else "pose")
+    if place is None:
+        return False
+    words = (place.text_of("rpy") or "") if inertial.is_urdf else " ".join(place.content.split()[3:])
+    return any(word.strip("+-0.") for word in words.split()) or place.text_of("quat_xyzw") is not None

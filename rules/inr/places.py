@@ -1,0 +1,55 @@
+"""Where the shapes of links are, for the rules about centers of mass."""
+
+from __future__ import annotations
+
+from sdfcheck import Inertial, Value
+from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
+
+_LEAST = 1e-3
+"""kg: lighter links mark places; where their mass is makes no difference."""
+_MARK = 0.015
+"""m: smaller shapes are marks."""
+_APART, _AT_END = 0.4, 0.49
+"""Of the length of the shapes: so far from the middle of them is near their end."""
+
+
+def is_compared(inertial: Inertial) -> bool:
+    """Is there a mass, and are all shapes of the link known?"""
+    if not is_doubtful(inertial) or not inertial.mass.number >= _LEAST or inertial.center is None:
+        return False
+    return inertial.link.extent is not None and not is_out_of_scale(inertial)
+
+
+def is_off_origin(inertial: Inertial) -> bool:
+    """Is the center of mass at the origin of the link, and that near the end of its shapes or beyond?
+
+    Where zeros are written, at the end or beyond: they may be a rough guess.
+    """
+    if not is_compared(inertial) or any(inertial.center or ()):
+        return False
+    apart = _APART if place_of(inertial) is None else _AT_END
+    boxes = (inertial.link.extent, inertial.link.fixed_extent)
+    return all(
+        box is not None
+        and max(box.size) > _MARK
+        and any(abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))
+        for box in boxes
+    )
+
+
+def place_of(inertial: Inertial) -> Value | None:
+    """The position that is written for the center of mass."""
+    place = inertial.find("origin" if inertial.is_urdf else "pose")
+    value = None if place is None else place.attribute("xyz") if inertial.is_urdf else place.own_value
+    return value if value is not None and value.text.strip() else None
+
+
+def outside(inertial: Inertial) -> float:
+    """How far the center of mass is outside of the link's shapes, by their greatest length; 0 inside of them.
+
+    The shapes of links that are fixed to it count as well.
+    """
+    center, box = inertial.center, inertial.link.fixed_extent if is_compared(inertial) else None
+    if box is None or center is None or not max(box.size) > _MARK:
+        return 0.0
+    return box.distance_to(center) / max(box.size)

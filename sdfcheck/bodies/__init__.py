@@ -1,0 +1,1 @@
+"""Meshes: what their files hold, and what consumers can read of them."""

@@ -1,0 +1,223 @@
+"""Mesh files of every kind: bounds, triangles, and what makes them unreadable."""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.bodies.box import Box, around
+from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh
+
+CORNERS = ((0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 3.0, -1.0))
+WEDGE = Box((0.0, 0.0, -1.0), (2.0, 3.0, 0.0))
+"""The box around these corners."""
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SDFCHECK_CACHE_DIR", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "meshes"
+
+
+def binary_stl(header: bytes = b"", triangles: int = 1) -> bytes:
+    corners = [number for corner in CORNERS for number in corner]
+    facet = struct.pack("<12fH", 0, 0, 1, *corners, 0)
+    return header.ljust(80, b"\0") + struct.pack("<I", triangles) + facet * triangles
+
+
+def text_stl(between: str = "") -> bytes:
+    vertices = "\n".join(f"vertex {x} {y} {z}" for x, y, z in CORNERS)
+    facet = f"facet normal 0 0 1\nouter loop\n{vertices}\nendloop\nendfacet\n"
+    return f"solid part of a robot\n{facet}{between}{facet}endsolid\n".encode()
+
+
+def collada(*, unit: str = "", node: str = "", polygons: str = "triangles", scene: bool = True) -> bytes:
+    positions = " ".join(str(number) for corner in CORNERS for number in corner)
+    vcount = "<vcount>3</vcount>" if polygons == "polylist" else ""
+    shown = (
+        '<library_visual_scenes><visual_scene id="s"><node id="n">'
+        f'{node}<instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>'
+        '<scene><instance_visual_scene url="#s"/></scene>'
+    )
+    return (
+        '<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">'
+        f"<asset>{unit}<up_axis>Y_UP</up_axis></asset><library_geometries>"
+        f'<geometry id="g"><mesh><source id="p"><float_array id="f" count="9">{positions}</float_array>'
+        '<technique_common><accessor source="#f" count="3" stride="3"/></technique_common></source>'
+        '<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>'
+        f'<{polygons} count="1"><input semantic="VERTEX" source="#v" offset="0"/>{vcount}<p>0 1 2</p></{polygons}>'
+        f"</mesh></geometry></library_geometries>{shown if scene else ''}</COLLADA>"
+    ).encode()
+
+
+def gltf(**node: object) -> bytes:
+    position = {"count": 3, "min": WEDGE.low, "max": WEDGE.high, "type": "VEC3", "componentType": 5126}
+    primitive = {"attributes": {"POSITION": 0}}
+    return json.dumps(
+        {
+            "asset": {"version": "2.0"},
+            "scene": 0,
+            "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0, **node}],
+            "meshes": [{"primitives": [primitive]}],
+            "accessors": [position],
+        }
+    ).encode()
+
+
+def glb(text: bytes) -> bytes:
+    text += b" " * (-len(text) % 4)
+    return struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text), len(text), b"JSON") + text
+
+
+def written(folder: Path, name: str, content: bytes) -> Path:
+    path = folder / name
+    path.write_bytes(content)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "form", "triangles"),
+    [
+        ("a.stl", binary_stl(triangles=3), "STL", 3),
+        ("a.STL", binary_stl(b"solid but binary", 2), "STL", 2),
+        ("a.stl", text_stl(), "STL", 2),
+        ("a.stl", text_stl("endsolid\nsolid second\n"), "STL", 2),
+        ("a.obj", b"# quad\nv 0 0 0\nv 2 0 0 1 0 0\nv 2 3 -1\nv 0 3 0\nf 1//1 2//1 3//1 4//1\n", "OBJ", 2),
+        ("a.dae", collada(), "COLLADA", 1),
+        ("a.dae", collada(polygons="polylist"), "COLLADA", 1),
+        ("a.dae", collada(scene=False), "COLLADA", 1),
+        ("a.gltf", gltf(), "glTF", 1),
+        ("a.glb", glb(gltf()), "GLB", 1),
+    ],
+)
+def test_bounds_and_triangles(tmp_path: Path, name: str, content: bytes, form: str, triangles: int) -> None:
+    mesh = read_mesh(written(tmp_path, name, content))
+    assert (mesh.format, mesh.bounds, mesh.triangles, mesh.fault) == (form, WEDGE, triangles, "")
+
+
+def test_the_unit_of_collada_is_applied_and_its_up_axis_is_not(tmp_path: Path) -> None:
+    mesh = read_mesh(written(tmp_path, "a.dae", collada(unit='<unit name="millimeter" meter="0.001"/>')))
+    assert mesh.unit == 0.001
+    assert mesh.bounds is not None
+    assert mesh.bounds.high == pytest.approx((0.002, 0.003, 0))
+
+
+@pytest.mark.parametrize(
+    ("node", "low", "high"),
+    [
+        ("<translate>1 0 0</translate><scale>1 2 1</scale>", (1, 0, -1), (3, 6, 0)),
+        ("<rotate>0 0 1 90</rotate>", (-3, 0, -1), (0, 2, 0)),
+        ("<matrix>1 0 0 5 0 1 0 0 0 0 1 0 0 0 0 1</matrix>", (5, 0, -1), (7, 3, 0)),
+    ],
+)
+def test_the_nodes_of_collada_place_its_geometries(
+    tmp_path: Path, node: str, low: tuple[float, ...], high: tuple[float, ...]
+) -> None:
+    bounds = read_mesh(written(tmp_path, "a.dae", collada(node=node))).bounds
+    assert bounds is not None
+    assert bounds.low == pytest.approx(low, abs=1e-9)
+    assert bounds.high == pytest.approx(high, abs=1e-9)
+
+
+def test_the_nodes_of_gltf_place_its_meshes(tmp_path: Path) -> None:
+    half = 0.5**0.5
+    content = gltf(translation=[0, 0, 10], rotation=[0, 0, half, half], scale=[2, 1, 1])
+    mesh = read_mesh(written(tmp_path, "a.gltf", content))
+    assert mesh.bounds is not None
+    assert mesh.bounds.low == pytest.approx((-3, 0, 9), abs=1e-9)
+    assert mesh.bounds.high == pytest.approx((0, 4, 10), abs=1e-9)
+    assert not mesh.is_upright
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "fault"),
+    [
+        ("a.stl", b"", "is empty"),
+        ("a.stl", b"not a mesh", "is not an STL file"),
+        ("a.stl", binary_stl(triangles=4)[:-30], "ends after 3 of the 4 triangles that its header announces"),
+        ("a.stl", binary_stl(triangles=0), "has no triangle"),
+        ("a.stl", b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "is a pointer of Git LFS"),
+        ("a.obj", b"v 0 0 0\nv 1 x 0\nf 1 2 2\n", "cannot be decoded"),
+        ("a.obj", b"v 0 0 0\n", "has no face"),
+        ("a.obj", b"v 0 0 nan\nf 1 1 1\n", "has coordinates that are not finite numbers"),
+        ("a.dae", b"<COLLADA><asset>", "is not well-formed XML"),
+        ("a.dae", b"<html/>", "is not a COLLADA file"),
+        ("a.gltf", b'{"asset": ', "is not valid JSON"),
+        ("a.glb", b"glTF\2\0\0\0", "ends before its JSON part does"),
+    ],
+)
+def test_faults(tmp_path: Path, name: str, content: bytes, fault: str) -> None:
+    mesh = read_mesh(written(tmp_path, name, content))
+    assert mesh.bounds is None
+    assert fault in mesh.fault
+
+
+def test_the_content_says_what_a_file_is_not_its_ending(tmp_path: Path) -> None:
+    assert read_mesh(written(tmp_path, "a.stl", collada())).format == "COLLADA"
+    assert read_mesh(written(tmp_path, "a.dae", binary_stl())).format == "STL"
+
+
+def test_a_format_that_is_not_known_has_no_fault(tmp_path: Path) -> None:
+    assert read_mesh(written(tmp_path, "a.fbx", b"Kaydara FBX Binary")) == Mesh("")
+
+
+def test_a_ring_of_nodes_ends(tmp_path: Path) -> None:
+    content = collada(node='<instance_node url="#n"/>')
+    assert read_mesh(written(tmp_path, "a.dae", content)).bounds == WEDGE
+
+
+def test_an_entity_is_not_resolved(tmp_path: Path) -> None:
+    (tmp_path / "secret").write_text("0 0 0 9 9 9")
+    head = b'<!DOCTYPE COLLADA [<!ENTITY e SYSTEM "secret">]>'
+    content = collada().replace(b"<COLLADA", head + b"<COLLADA").replace(b"0.0 0.0 0.0 ", b"&e; ")
+    bounds = read_mesh(written(tmp_path, "a.dae", content)).bounds
+    assert bounds is None or max(bounds.high) < 9
+
+
+def test_measurements_are_kept_until_the_file_changes(tmp_path: Path, cache: Path) -> None:
+    path = written(tmp_path, "a.stl", binary_stl())
+    assert mesh_at(path).triangles == 1
+    (kept,) = cache.iterdir()
+    kept.write_text(kept.read_text().replace('"STL"', '"from the cache"'))
+    assert mesh_at(path) == Mesh("from the cache", WEDGE, 1)
+    path.write_bytes(binary_stl(triangles=2))
+    assert mesh_at(path) == Mesh("STL", WEDGE, 2)
+    assert len(list(cache.iterdir())) == 1
+
+
+@pytest.mark.parametrize("rubbish", [b"", b"\xff", b"[1]", b'["x"]', b'{"a": 1}'])
+def test_a_broken_cache_does_not_matter(tmp_path: Path, cache: Path, rubbish: bytes) -> None:
+    path = written(tmp_path, "a.stl", binary_stl())
+    mesh_at(path)
+    (kept,) = cache.iterdir()
+    kept.write_bytes(rubbish)
+    assert mesh_at(path) == Mesh("STL", WEDGE, 1)
+
+
+def test_no_cache_where_none_can_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = written(tmp_path, "a.stl", binary_stl())
+    for folder in ("", "relative", str(path)):
+        monkeypatch.setenv("SDFCHECK_CACHE_DIR", folder)
+        assert mesh_at(path).triangles == 1
+    assert [each.name for each in tmp_path.iterdir()] == ["a.stl"]
+
+
+def test_a_file_that_is_gone_or_odd_has_a_fault(tmp_path: Path) -> None:
+    assert mesh_at(tmp_path / "a.stl").fault.startswith("cannot be read: ")
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(tmp_path / "b.stl")
+        assert mesh_at(tmp_path / "b.stl").fault == "cannot be read: a pipe, not a file"
+
+
+def test_boxes() -> None:
+    box = Box((0, 0, 0), (1, 2, 3))
+    assert box.scaled((-1, 1, 0.5)) == Box((-1, 0, 0), (0, 2, 1.5))
+    assert box.distance_to((1, 5, 7)) == 5
+    assert box.distance_to(Box((0.5, 1, 1), (9, 9, 9))) == 0
+    assert around([None, box, Box((-1, 1, 1), (0, 1, 9))]) == Box((-1, 0, 0), (1, 2, 9))
+    assert around([None]) is None
