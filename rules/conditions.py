@@ -407,7 +407,7 @@ def gaz_unmet_need__needs(world):
 def GAZ014_applies(world):
     return gaz_unmet_need__is_of_gz_sim(world) and next(gaz_unmet_need__needs(world), None) is not None
 
-def gaz_shared_topic__outermost(sensor):
+def gaz_contested_topic__outermost(sensor):
     if sensor.is_extension:
         return None
     model = sensor.within(sdfcheck_.Model)
@@ -415,24 +415,24 @@ def gaz_shared_topic__outermost(sensor):
         model = outer
     return model
 
-gaz_shared_topic__MOTORS = 'gz-sim-multicopter-motor-model-system'
+gaz_contested_topic__MOTORS = 'gz-sim-multicopter-motor-model-system'
 
-gaz_shared_topic__NUMBERS = ('actuator_number', 'motorNumber')
+gaz_contested_topic__NUMBERS = ('actuator_number', 'motorNumber')
 
-def gaz_shared_topic__doubled(root):
+def gaz_contested_topic__doubled(root):
     elements = root.elements
     topics = {}
     for sensor in root.each(sdfcheck_.Sensor) if len(elements.get('sensor', ())) > 1 else ():
         value = sensor.value('topic')
         if value is None or not sensor.topic or '$' in sensor.topic or ('{' in sensor.topic):
             continue
-        first, other = topics.setdefault((gaz_shared_topic__outermost(sensor), sensor.topic), (value, sensor))
+        first, other = topics.setdefault((gaz_contested_topic__outermost(sensor), sensor.topic), (value, sensor))
         if first is not value and other is not sensor:
             yield (first, value, f'{sensor.title} publishes on topic `{sensor.topic}`, as {other.title} does')
     numbers = {}
-    for plugin in root.each(sdfcheck_.Plugin) if gaz_shared_topic__MOTORS.removeprefix('gz-sim-') in root.document.source.text else ():
-        value = next((found for name in gaz_shared_topic__NUMBERS if (found := plugin.value(name)) is not None), None)
-        if plugin.known is None or plugin.known.file != gaz_shared_topic__MOTORS or value is None or ('$' in value.text):
+    for plugin in root.each(sdfcheck_.Plugin) if gaz_contested_topic__MOTORS.removeprefix('gz-sim-') in root.document.source.text else ():
+        value = next((found for name in gaz_contested_topic__NUMBERS if (found := plugin.value(name)) is not None), None)
+        if plugin.known is None or plugin.known.file != gaz_contested_topic__MOTORS or value is None or ('$' in value.text):
             continue
         key = (plugin.holder, plugin.get('robotNamespace'), plugin.get('commandSubTopic'), value.text.strip())
         first_number = numbers.setdefault(key, value)
@@ -440,7 +440,7 @@ def gaz_shared_topic__doubled(root):
             yield (first_number, value, f'motor number {value.text.strip()} is given before')
 
 def GAZ015_applies(root):
-    return next(gaz_shared_topic__doubled(root), None) is not None
+    return next(gaz_contested_topic__doubled(root), None) is not None
 
 gaz_unread_mimic__CONTROL = 'libgazebo_ros_control.so'
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.vendor.definitions import REFUSED, Effect, Tag, Vendor
 from sdfcheck.formats.vendor.values import misreading, numbers, out_of_range
 from sdfcheck.robot.vendor.siblings import FirstChildren, first_child
@@ -165,7 +165,7 @@ def lacks(use: Use) -> Iterator[Lack]:
 def meant(vendor: Vendor, name: str) -> str | None:
     """The tag that a misspelled name was probably to be."""
     mark = f"{vendor.prefix}:"
-    found = suggest(name.removeprefix(mark), (tag.removeprefix(mark) for tag in vendor.tags))
+    found = nearest(name.removeprefix(mark), (tag.removeprefix(mark) for tag in vendor.tags))
     return f"{mark}{found}" if found else None
 
 

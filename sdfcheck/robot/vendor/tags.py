@@ -6,9 +6,9 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST
-from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Vendor
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.robot.values import lazy
@@ -152,7 +152,7 @@ def _below(use: VendorTag, element: Element, definition: Definition) -> Iterator
             continue
         inner = definition.children.get(bare)
         if inner is None:
-            near = suggest(bare, definition.children)
+            near = nearest(bare, definition.children)
             yield MirroredTag(use.tags, child, f"{mark}{near}" if near else None, IGNORED)
         elif inner.type is None and not inner.open:
             yield from _below(use, child, inner)

@@ -31,7 +31,7 @@ MOTORS = "gz-sim-multicopter-motor-model-system"
 NUMBERS = ("actuator_number", "motorNumber")
 
 
-class SharedTopic(Rule):
+class ContestedTopic(Rule):
     """Two sensors of a robot publish on one topic, or two of its motors have one number.
 
     The messages of both sensors come mixed on the topic, of one type or of two. Motors take their speed from a list, by
@@ -39,7 +39,7 @@ class SharedTopic(Rule):
     """
 
     code = "GAZ015"
-    name = "shared-topic"
+    name = "contested-topic"
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("mixes them")}
     looks_at = (Root,)
