@@ -1721,7 +1721,7 @@ res_absolute_path__HOME = re_.compile('(?:file://)?/(?:home|Users)/[^/\\s]+/\\S+
 
 def res_absolute_path__of_somebody(plugin):
     for parameter in plugin.parameters:
-        if not len(parameter) and res_absolute_path__HOME.match(parameter.content):
+        if not parameter.nodes and res_absolute_path__HOME.match(parameter.content):
             yield parameter.own_value
 
 def RES006_applies(named):
@@ -1869,7 +1869,7 @@ def res_unknown_world_topic__foreign(plugin):
         return
     worlds = {world.name for world in plugin.root.worlds}
     for parameter in plugin.parameters:
-        match = res_unknown_world_topic__TOPIC.fullmatch(parameter.content) if not len(parameter) else None
+        match = res_unknown_world_topic__TOPIC.fullmatch(parameter.content) if not parameter.nodes else None
         if match is not None and match[1] not in worlds:
             yield (parameter.own_value, match[1])
 

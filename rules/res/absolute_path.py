@@ -83,5 +83,5 @@ class AbsolutePath(Rule):
 def of_somebody(plugin: Plugin) -> Iterator[Value]:
     """The parameters of a plugin that name a file in somebody's home folder."""
     for parameter in plugin.parameters:
-        if not len(parameter) and HOME.match(parameter.content):
+        if not parameter.nodes and HOME.match(parameter.content):
             yield parameter.own_value

@@ -55,6 +55,6 @@ def foreign(plugin: Plugin) -> Iterator[tuple[Value, str]]:
         return
     worlds = {world.name for world in plugin.root.worlds}
     for parameter in plugin.parameters:
-        match = TOPIC.fullmatch(parameter.content) if not len(parameter) else None
+        match = TOPIC.fullmatch(parameter.content) if not parameter.nodes else None
         if match is not None and match[1] not in worlds:
             yield parameter.own_value, match[1]
