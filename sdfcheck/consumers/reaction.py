@@ -26,6 +26,10 @@ class Consumer(Enum):
     DRAKE = "drake"
     URDFDOM = "urdfdom"
     MUJOCO = "mujoco"
+    ROS = "ros"
+    PYBULLET = "pybullet"
+    PINOCCHIO = "pinocchio"
+    ISAAC = "isaac"
 
     @property
     def title(self) -> str:
@@ -38,6 +42,10 @@ _TITLES = {
     Consumer.DRAKE: "Drake",
     Consumer.URDFDOM: "urdfdom",
     Consumer.MUJOCO: "MuJoCo",
+    Consumer.ROS: "ROS",
+    Consumer.PYBULLET: "PyBullet",
+    Consumer.PINOCCHIO: "Pinocchio",
+    Consumer.ISAAC: "Isaac Sim",
 }
 
 
@@ -46,6 +54,10 @@ READS: Mapping[Consumer, tuple[str, ...]] = {
     Consumer.DRAKE: ("sdf", "urdf"),
     Consumer.URDFDOM: ("urdf",),
     Consumer.MUJOCO: ("urdf",),
+    Consumer.ROS: ("urdf",),
+    Consumer.PYBULLET: ("urdf",),
+    Consumer.PINOCCHIO: ("urdf",),
+    Consumer.ISAAC: ("urdf",),
 }
 """Consumer → the dialects that it reads."""
 
