@@ -9,6 +9,7 @@
 # make gallery  draw the pictures of docs/gallery.md again (needs Chromium)
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make mutants  change the code a little, many times: which changes does no test notice?
+# make reactions measure what consumers do with the examples of rules, for consumers/data/reactions.txt
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
 PYTHON ?= python3
@@ -24,7 +25,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package vscode viewer viewer-check gallery bench fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated reactions golden docs package vscode viewer viewer-check gallery bench fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -67,6 +68,10 @@ generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.conditions --check
 	$(BIN)/python -m tables.rule_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
+
+# Asks the consumers that are installed; SDFCHECK_ENGINES names a Python with the others.
+reactions: $(TOOLS)
+	$(BIN)/python -m sdfcheck.lint.rulebook.reactions
 
 golden: $(TOOLS)
 	$(BIN)/python -m pytest -q -n0 tests/test_golden*.py tests/test_docs.py --golden

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.cli.convert.options import Request
+from sdfcheck.lint.wording import listed
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ class Outcome(NamedTuple):
     broken: Span | None = None
     """Where the text of the source is not XML."""
     also_by: str = ""
-    """The library that has read the URDF as well."""
+    """The consumers that have read source and result as well."""
     encoding: str = ""
     """That of the source, where the result has another."""
 
@@ -65,9 +66,7 @@ class Outcome(NamedTuple):
         if self.failed:
             return "; ".join(filter(None, ("not converted, nothing written", self.way_out)))
         if self.verification is not None:
-            return f"verified: {self.verification}" + (
-                f", poses also by {self.also_by}" if self.also_by else ""
-            )
+            return f"verified: {self.verification}" + (f", also by {self.also_by}" if self.also_by else "")
         if self.broken is not None:
             line, column = self.broken.begin
             return f"not verified: the text is broken at {line}:{column}; `sdfcheck lint` says how"
@@ -109,7 +108,7 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
         bool(different),
         stopping=different,
         broken=guess_in(given.document) if request.verify else None,
-        also_by=request.verify_with or "",
+        also_by=listed(request.verify_with),
         encoding=given.encoding,
     )
 
@@ -117,10 +116,10 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
 def _differences(done: Conversion, document: Document, request: Request) -> list[Diagnostic]:
     """The findings of the comparison, as diagnostics of the source."""
     found = list(done.verification.differences) if done.verification is not None else []
-    if request.verify_with is not None:
-        from sdfcheck.convert.independent import differences
+    if request.verify_with:
+        from sdfcheck.convert.independent import Judge, differences
 
-        found += differences(done, document)
+        found += differences(done, document, map(Judge, request.verify_with))
     if not found or document.root is None:
         return []
     from sdfcheck.convert.loss import Loss, LossKind, to_diagnostic

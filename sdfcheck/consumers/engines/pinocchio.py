@@ -45,14 +45,12 @@ def facts(model: Any, settings: dict[str, Any]) -> dict[str, Any]:
 
 
 def _body(model: Any, frame: Any) -> list[Any] | None:
-    """What a joint carries is one body, that of its link; links that are fixed to it have none."""
+    """What a joint carries is one body, that of its link; links that are fixed to it have none, nor the base."""
     import pinocchio
 
-    inertia = frame.inertia
-    if frame.parentJoint:
-        if model.frames[frame.parentFrame].type != pinocchio.FrameType.JOINT:
-            return None
-        inertia = frame.placement.actInv(model.inertias[frame.parentJoint])
+    if not frame.parentJoint or model.frames[frame.parentFrame].type != pinocchio.FrameType.JOINT:
+        return None
+    inertia = frame.placement.actInv(model.inertias[frame.parentJoint])
     return [inertia.mass, inertia.lever.tolist(), inertia.inertia.tolist()]
 
 
