@@ -203,7 +203,9 @@ class BulletWorld(World):
             return {}
         states = [self.bullet.getJointState(self.robot, joint[0], self.client)[0] for joint in moving]
         none = [0.0] * len(states)
-        forces = self.bullet.calculateInverseDynamics(self.robot, states, none, none, self.client)
+        forces = self.bullet.calculateInverseDynamics(
+            self.robot, states, none, none, physicsClientId=self.client
+        )
         return {
             joint[1].decode("utf-8", "replace"): force for joint, force in zip(moving, forces, strict=True)
         }
