@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from lxml import etree
 
-from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question, ask
+from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question, ask_all
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.files.library import library_of
@@ -146,7 +146,7 @@ def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progres
     try:
         subject = Subject(model)
     except (DescriptionError, NotConvertible) as error:
-        span = error.loss.span if isinstance(error, NotConvertible) else model.element.span
+        span = error.loss.span if isinstance(error, NotConvertible) else error.element.span
         yield Diagnostic(
             SimKind.NOT_LOADED.code,
             SimKind.NOT_LOADED.title,
@@ -269,6 +269,13 @@ class Subject:
                     found.add(joint.child)
         return found
 
+    @cached_property
+    def mobile_base(self) -> str:
+        """The root link of a robot with wheels that nothing holds; empty for others."""
+        roots = self.robot.roots()
+        held = any(joint.parent == "world" for joint in self.robot.joints.values())
+        return roots[0] if len(roots) == 1 and len(self.wheels) > 1 and not held else ""
+
 
 class Trial:
     """A model in one simulator."""
@@ -318,6 +325,10 @@ class Trial:
             mesh.set("filename", str(place))
         return ""
 
+    def _is_ball(self, name: str) -> bool:
+        joint = self.subject.robot.joints.get(name)
+        return joint is not None and joint.kind == "ball"
+
     def _set_compiler(self, tree: Any) -> None:
         extension = tree.find("mujoco")
         if extension is None:
@@ -325,43 +336,53 @@ class Trial:
         compiler = extension.find("compiler")
         if compiler is None:
             compiler = etree.SubElement(extension, "compiler")
+        for joint in tree.iterfind("joint"):
+            name = joint.get("name", "")
+            if self._is_ball(self.subject.joints.get(name, name)) and joint.get("type") == "floating":
+                joint.set("type", "spherical")  # its own word
         compiler.attrib.pop("meshdir", None)
         compiler.attrib.update({"strippath": "false", "fusestatic": "false"})
 
     def findings(self) -> Iterator[Diagnostic]:
         """Ask, and judge the answers."""
-        facts = self._ask("facts", {"configurations": [{}]})
+        facts, held, *stood = self._answers()
         if not facts.is_accepted:
             yield self._refused(facts)
             return
         for link, why in self.left_out:
-            yield self._at_link(
-                SimKind.LEFT_OUT, link, f"collides with nothing in {self.title}: {why}", "info"
-            )
+            text = f"collides with nothing in {self.title}: {why}"
+            yield self._at_link(SimKind.LEFT_OUT, link, text, "info")
         if facts.result:
-            yield from self._masses(facts.result["bodies"])
+            if not self.subject.converted:
+                yield from self._masses(facts.result["bodies"])
             yield from self._joints(facts.result["joints"])
-        held = self._ask("behave", self._experiments("overlaps", "fall", "sweep", "loads"))
         if not held.is_accepted or held.error:
             yield self._refused(held)
             return
         self.measured = held.result
         yield from self._overlaps(held.result["overlaps"])
-        if not held.result["overlaps"]:
-            yield from self._fall(held.result["fall"])
         yield from self._sweep(held.result["sweep"])
         yield from self._loads(held.result["loads"])
-        if len(self.subject.wheels) > 1 and not held.result["overlaps"]:
-            yield from self._stand()
+        if held.result["overlaps"]:
+            return  # these push, so that nothing else is as it was meant
+        yield from self._fall(held.result["fall"])
+        for answer in stood:
+            yield from self._stand(answer.result.get("stand", {}))
 
-    def _experiments(self, *names: str) -> dict[str, Any]:
-        return {"experiments": names, "seconds": self.settings.seconds, "time_step": TIME_STEP}
-
-    def _ask(self, action: str, settings: Mapping[str, Any]) -> Answer:
-        answer = ask(self.engine, Question(self.path, action, settings), self.settings.limits)
-        if answer.outcome is Outcome.MISSING:
-            raise MissingEngine(f"{self.title} is not installed: {answer.error}")
-        return answer
+    def _answers(self) -> list[Answer]:
+        """What was measured: the numbers, the behavior, and on the ground."""
+        settings = {"seconds": self.settings.seconds, "time_step": TIME_STEP}
+        asked = [
+            ("facts", {"configurations": [{}]}),
+            ("behave", settings | {"experiments": ["overlaps", "fall", "sweep", "loads"]}),
+        ]
+        if root := self.subject.mobile_base:
+            asked.append(("behave", settings | {"experiments": ["stand"], "root": self._in_urdf(root)}))
+        questions = [Question(self.path, action, given) for action, given in asked]
+        answers = list(ask_all(self.engine, questions, self.settings.limits))
+        if answers[0].outcome is Outcome.MISSING:
+            raise MissingEngine(f"{self.title} is not installed: {answers[0].error}")
+        return answers
 
     def _refused(self, answer: Answer) -> Diagnostic:
         why = answer.error.replace(str(self.path), self.subject.document.path.name)
@@ -371,9 +392,13 @@ class Trial:
         return self._found(SimKind.NOT_LOADED, self.subject.model.element, text, "error")
 
     def _masses(self, bodies: Mapping[str, Any]) -> Iterator[Diagnostic]:
+        given: dict[str, float] = {}
         for name, own in self.subject.robot.links.items():
             body = bodies.get(self._in_urdf(name))
             if body is None:
+                continue
+            if own.body is None and body[0] > 0:
+                given[name] = body[0]
                 continue
             mass = own.body.mass if own.body is not None else 0.0
             if not math.isclose(body[0], mass, rel_tol=1e-3, abs_tol=1e-6):
@@ -386,6 +411,11 @@ class Trial:
                     yield self._at_link(
                         SimKind.OTHER_MASS, name, f"has other moments of inertia in {self.title} than here"
                     )
+
+        for name, mass in list(given.items())[:1]:
+            more = f", and so have {len(given) - 1} more links" if len(given) > 1 else ""
+            text = f"has no mass here, and {mass:.4g} kg by {self.title}'s own choice{more}"
+            yield self._at_link(SimKind.OTHER_MASS, name, text)
 
     def _joints(self, joints: Mapping[str, Any]) -> Iterator[Diagnostic]:
         for urdf, name in self.subject.joints.items():
@@ -473,24 +503,19 @@ class Trial:
                 text = f"needs up to {most:.3g} {unit} to hold the robot, and has {effort:g}"
                 yield self._at_joint(SimKind.WEAK_JOINT, own, f"{text} ({self.title})", "info")
 
-    def _stand(self) -> Iterator[Diagnostic]:
-        roots = self.subject.robot.roots()
-        if len(roots) != 1 or any(joint.parent == "world" for joint in self.subject.robot.joints.values()):
-            return
-        settings = self._experiments("stand") | {"root": self._in_urdf(roots[0])}
-        answer = self._ask("behave", settings)
-        stood = answer.result.get("stand", {})
+    def _stand(self, stood: Mapping[str, Any]) -> Iterator[Diagnostic]:
         if not stood.get("touches") or "tilt" not in stood:
             return
+        root = self.subject.mobile_base
         touching = {self._name(name) for name in stood["touches"]}
         after = f"within {self.settings.seconds:g} s on level ground in {self.title}"
         if stood["tilt"] > _TILT:
             text = f"tips over: it tilts by {math.degrees(stood['tilt']):.0f}° {after}"
-            yield self._at_link(SimKind.TIPPING, roots[0], text)
+            yield self._at_link(SimKind.TIPPING, root, text)
         elif touching.isdisjoint(self.subject.wheels):
             names = ", ".join(f"`{name}`" for name in sorted(touching)[:3])
             text = f"stands on {names} and not on its wheels, {after}"
-            yield self._at_link(SimKind.TIPPING, roots[0], text)
+            yield self._at_link(SimKind.TIPPING, root, text)
 
     def _name(self, urdf: str) -> str:
         return self.subject.links.get(urdf, urdf)

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 Pose = list[list[float]]
 """4×4."""
-SAMPLES = 40
-"""Looks at a robot while it moves."""
+SAMPLE = 0.02
+"""s: a robot that moves is looked at so often; a multiple of all time steps."""
 ALIKE = 0.2
 """After this time two runs are compared: later, chains of joints differ by the least rounding."""
 _STEPS = 8
@@ -131,18 +131,19 @@ def _fall(make: Make, time_step: float, seconds: float) -> dict[str, Any]:
     first = last = world.energy()
     fastest: dict[str, float] = {}
     found: dict[str, Any] = {"energy": first, "highest": first, "finite": True, "fastest": fastest}
-    for number in range(1, SAMPLES + 1):
+    for number in range(1, max(1, round(seconds / SAMPLE)) + 1):
+        time = number * SAMPLE
         try:
-            world.advance(seconds / SAMPLES)
+            world.advance(SAMPLE)
             speeds, last = world.speeds(), world.energy()
         except ArithmeticError as error:
-            return {**found, "finite": False, "reason": str(error), "time": seconds * number / SAMPLES}
+            return {**found, "finite": False, "reason": str(error), "time": time}
         if not all(map(math.isfinite, (last, *speeds.values()))):
-            return {**found, "finite": False, "reason": "", "time": seconds * number / SAMPLES}
+            return {**found, "finite": False, "reason": "", "time": time}
         for name, speed in speeds.items():
             fastest[name] = max(speed, fastest.get(name, 0.0))
         found["highest"] = max(found["highest"], last)
-        if "early" not in found and seconds * number / SAMPLES >= ALIKE - 1e-9:
+        if "early" not in found and time >= ALIKE - 1e-9:
             found["early"] = world.poses()
     found["last"] = max(world.speeds().values(), default=0.0)
     return found

@@ -92,7 +92,9 @@ class MujocoWorld(World):
         self.mj = mujoco
         spec = spec.copy()
         spec.option.timestep = motion.time_step
-        spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+        kinds = mujoco.mjtIntegrator
+        # What only falls keeps its energy; what stands on the ground wants damping.
+        spec.option.integrator = kinds.mjINT_IMPLICITFAST if motion.base == "free" else kinds.mjINT_RK4
         if not motion.gravity:
             spec.option.gravity = [0, 0, 0]
         self.free: list[str] = []
