@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -14,9 +15,17 @@ from sdfcheck.cli.parts.options import colored, limited, reported, require_file,
 from sdfcheck.cli.parts.output import FORMATS, inputs_of, outputs, refuse_inputs, write
 from sdfcheck.cli.parts.shown import exit_code, shown, view_of
 from sdfcheck.cli.parts.terminal import say
+from sdfcheck.consumers.engines import SIMULATORS as ENGINES
+from sdfcheck.consumers.engines import Engine, Limits, is_installed
+from sdfcheck.convert.simulation import MissingEngine, Settings
+from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.lint.run import Run
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage, suggestion
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.source.document import Document
 
 SIMULATORS = ("mujoco", "drake", "pybullet")
 
@@ -88,39 +97,43 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     moved through their ranges, and a robot with wheels is put on the ground. SDFormat is
     converted for the simulator.
     """
-    from sdfcheck.consumers.engines import SIMULATORS as ENGINES
-    from sdfcheck.consumers.engines import Engine, Limits, is_installed
-    from sdfcheck.convert.simulation import MissingEngine, Settings
-    from sdfcheck.convert.simulation import simulate as run
-
     require_file(file)
     surroundings = around(given)
     request = Request(**given)
     wanted = outputs(output_format or ("full",), output_file)
     refuse_inputs([output.file for output in wanted], [file])
-    usual = [engine for engine in ENGINES if is_installed(engine)][:1]
-    engines = tuple(map(Engine, simulators)) or tuple(usual)
-    if not engines:
-        raise WrongUsage(f"no simulator is installed: {Engine.MUJOCO.advice}")
+    engines = _engines(simulators)
     document = load(file, surroundings)
-    progress = _Progress(quiet=quiet)
-    try:
-        found = run(document, Settings(engines, seconds, Limits(time_limit)), progress)
-    except MissingEngine as error:
-        raise WrongUsage(str(error)) from None
-    finally:
-        progress.clear()
-    done = Run(tuple(found), (file,))
+    settings = Settings(engines, seconds, Limits(time_limit))
+    done = Run(tuple(_findings(document, settings, quiet=quiet)), (file,))
     refuse_inputs([output.file for output in wanted], inputs_of([file], done))
-    usual_failure = surroundings.settings_for(file).fail_on
-    view = view_of(request, usual_failure)
+    failing = surroundings.settings_for(file).fail_on
     for output in wanted:
-        write(output, done, color=color, view=view)
+        write(output, done, color=color, view=view_of(request, failing))
     if not quiet:
         names = ", ".join(engine.value for engine in engines)
         converted = ", converted to URDF for it" if document.kind is Kind.SDF else ""
         say(f"simulated in {names}{converted}: {seconds:g} s")
-    return exit_code(request, done, usual_failure)
+    return exit_code(request, done, failing)
+
+
+def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
+    """The simulators that are named, else the first that is installed."""
+    usual = (engine for engine in ENGINES if is_installed(engine))
+    chosen = tuple(map(Engine, names)) or tuple(usual)[:1]
+    if not chosen:
+        raise WrongUsage(f"no simulator is installed: {Engine.MUJOCO.advice}")
+    return chosen
+
+
+def _findings(document: Document, settings: Settings, *, quiet: bool) -> list[Diagnostic]:
+    progress = _Progress(quiet=quiet)
+    try:
+        return run(document, settings, progress)
+    except MissingEngine as error:
+        raise WrongUsage(str(error)) from None
+    finally:
+        progress.clear()
 
 
 class _Progress:

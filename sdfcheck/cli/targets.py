@@ -63,21 +63,20 @@ def targets_command(
     rows = verdicts(file, consumers, surroundings)
     real = asked(file, rows, surroundings, time_limit) if run else {}
     if form == "json":
-        import json
-
-        record_of_all = {
-            "version": VERSION,
-            "file": file.as_posix(),
-            "consumers": [
-                record(row) | (_record_of(row, real[row.consumer]) if row.consumer in real else {})
-                for row in rows
-            ],
-        }
-        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file, [file])
+        deliver(_json(file, rows, real), output_file, [file])
     else:
         deliver_lines(lines(rows, file, real), output_file, [file])
     refusing = [row for row in rows if row.verdict in {Verdict.REJECT, Verdict.UNREAD}]
     return int(bool(target) and bool(refusing or any(map(refuses, real.values()))))
+
+
+def _json(file: Path, rows: Sequence[Row], real: Mapping[Consumer, Answer]) -> str:
+    import json
+
+    records = [
+        record(row) | (_record_of(row, real[row.consumer]) if row.consumer in real else {}) for row in rows
+    ]
+    return json.dumps({"version": VERSION, "file": file.as_posix(), "consumers": records}, indent=2) + "\n"
 
 
 def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:

@@ -2,8 +2,8 @@
 
 A side that a consumer does not read is taken from our own reading, so that a library that knows
 URDF alone judges as well. Compared are the poses of links at random positions, the mass
-properties of what joints carry, and the ranges of joints. What a consumer itself merges, drops or
-invents on one side is not a difference of the conversion, and is left out.
+properties of what joints carry, and the ranges of joints. Parts that a consumer itself
+merges, drops or invents on one side are no difference of the conversion, and left out.
 """
 
 from __future__ import annotations

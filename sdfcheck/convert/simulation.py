@@ -2,7 +2,7 @@
 
 A simulator gets each model as URDF without visuals, with meshes found by us; SDFormat is converted.
 Its measurements (:mod:`sdfcheck.consumers.engines.behavior`) become findings of the family SIM.
-What a simulator does on its own (convex hulls, masses that it invents) is named as its doing.
+Its own doings (convex hulls, masses that it invents) are named as such.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.wording import counted
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
@@ -370,7 +371,7 @@ class Trial:
             yield from self._stand(answer.result.get("stand", {}))
 
     def _answers(self) -> list[Answer]:
-        """What was measured: the numbers, the behavior, and on the ground."""
+        """The measurements: the numbers, the behavior, and on the ground."""
         settings = {"seconds": self.settings.seconds, "time_step": TIME_STEP}
         asked = [
             ("facts", {"configurations": [{}]}),
@@ -413,7 +414,7 @@ class Trial:
                     )
 
         for name, mass in list(given.items())[:1]:
-            more = f", and so have {len(given) - 1} more links" if len(given) > 1 else ""
+            more = f"; so have {counted(len(given) - 1, 'other link')}" if len(given) > 1 else ""
             text = f"has no mass here, and {mass:.4g} kg by {self.title}'s own choice{more}"
             yield self._at_link(SimKind.OTHER_MASS, name, text)
 

@@ -35,7 +35,7 @@ class Contact(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """What a world is made for: its root link is ``held`` or ``free``, above a ground."""
+    """The purpose of a world: its root link is ``held`` or ``free``, above a ground."""
 
     base: str = "held"
     time_step: float = 0.001

@@ -47,7 +47,7 @@ def _body(model: Any, number: int) -> list[Any]:
 def _pose(data: Any, number: int) -> list[list[float]]:
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = data.xmat[number].reshape(3, 3), data.xpos[number]
-    return pose.tolist()  # type: ignore[no-any-return]
+    return pose.tolist()
 
 
 def _joint(model: Any, data: Any, number: int) -> dict[str, Any]:
@@ -93,7 +93,7 @@ class MujocoWorld(World):
         spec = spec.copy()
         spec.option.timestep = motion.time_step
         kinds = mujoco.mjtIntegrator
-        # What only falls keeps its energy; what stands on the ground wants damping.
+        # A robot that only falls keeps its energy; contacts with the ground want damping.
         spec.option.integrator = kinds.mjINT_IMPLICITFAST if motion.base == "free" else kinds.mjINT_RK4
         if not motion.gravity:
             spec.option.gravity = [0, 0, 0]
@@ -114,7 +114,9 @@ class MujocoWorld(World):
     def ranges(self) -> dict[str, tuple[float, float]]:
         model = self.model
         return {
-            name: tuple(map(float, model.jnt_range[n])) if model.jnt_limited[n] else (-math.inf, math.inf)
+            name: (float(model.jnt_range[n][0]), float(model.jnt_range[n][1]))
+            if model.jnt_limited[n]
+            else (-math.inf, math.inf)
             for name, n in self.single.items()
         }
 

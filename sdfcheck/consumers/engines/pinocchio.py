@@ -45,7 +45,7 @@ def facts(model: Any, settings: dict[str, Any]) -> dict[str, Any]:
 
 
 def _body(model: Any, frame: Any) -> list[Any] | None:
-    """What a joint carries is one body, that of its link; links that are fixed to it have none, nor the base."""
+    """The body that a joint carries, as that of its link; links that are fixed to it have none, nor the base."""
     import pinocchio
 
     if not frame.parentJoint or model.frames[frame.parentFrame].type != pinocchio.FrameType.JOINT:

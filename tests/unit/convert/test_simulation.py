@@ -129,7 +129,9 @@ def test_pairs_that_srdf_disables_may_overlap(tmp_path: Path, capsys: pytest.Cap
     assert codes(findings(text, Engine.MUJOCO, tmp_path, capsys)) == set()
 
 
-def test_what_cannot_be_loaded_is_a_finding(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_robot_that_cannot_be_loaded_is_a_finding(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     text = arm().replace('child link="tool"', 'child link="nothing"')
     (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys)
     assert (found["code"], found["severity"]) == ("SIM001", "error")
