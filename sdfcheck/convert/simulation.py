@@ -50,8 +50,10 @@ _HULLS = {Engine.MUJOCO, Engine.PYBULLET, Engine.DRAKE}
 """The simulators that take the convex hull of a mesh."""
 _TITLES = {Engine.MUJOCO: "MuJoCo", Engine.PYBULLET: "PyBullet", Engine.DRAKE: "Drake"}
 TIME_STEP = 0.001
-_DEPTH = 0.002
+_DEPTH = 0.005
 """m: parts that overlap less only touch."""
+_SMALL = 0.05
+"""Of the mass of the robot: so much more matters little."""
 _APART = 0.02
 """Of the size of the robot: runs that differ more are not alike."""
 _TILT = math.radians(25)
@@ -372,8 +374,8 @@ class Trial:
 
     def _answers(self) -> list[Answer]:
         """The measurements: the numbers, the behavior, and on the ground."""
-        settings = {"seconds": self.settings.seconds, "time_step": TIME_STEP}
-        asked = [
+        settings: dict[str, Any] = {"seconds": self.settings.seconds, "time_step": TIME_STEP}
+        asked: list[tuple[str, dict[str, Any]]] = [
             ("facts", {"configurations": [{}]}),
             ("behave", settings | {"experiments": ["overlaps", "fall", "sweep", "loads"]}),
         ]
@@ -416,7 +418,8 @@ class Trial:
         for name, mass in list(given.items())[:1]:
             more = f"; so have {counted(len(given) - 1, 'other link')}" if len(given) > 1 else ""
             text = f"has no mass here, and {mass:.4g} kg by {self.title}'s own choice{more}"
-            yield self._at_link(SimKind.OTHER_MASS, name, text)
+            matters = sum(given.values()) > _SMALL * self.subject.mass
+            yield self._at_link(SimKind.OTHER_MASS, name, text, "warning" if matters else "info")
 
     def _joints(self, joints: Mapping[str, Any]) -> Iterator[Diagnostic]:
         for urdf, name in self.subject.joints.items():

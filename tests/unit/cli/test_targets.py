@@ -140,8 +140,7 @@ def test_reactions_that_nobody_has_measured_are_not_acceptance(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "r.urdf"
-    shape = '<collision><geometry><box size="1,2,3"/></geometry></collision>'
-    file.write_text(f'<robot name="r"><link name="a">{shape}</link></robot>')
+    file.write_text('<robot name="r"><link name="a"/><link name="b"/></robot>')
     line = ["targets", str(file), "--isolated", "--target", "pybullet"]
     assert main(line) == 1
     assert capsys.readouterr().out.startswith("pybullet  reject")

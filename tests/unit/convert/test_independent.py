@@ -92,7 +92,7 @@ def test_a_source_that_it_cannot_read_is_reported(
 def test_a_result_that_it_alone_refuses_is_not_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    sound = {"poses": [], "bodies": {}, "joints": {}}
+    sound: dict[str, object] = {"poses": [], "bodies": {}, "joints": {}}
     crash = Answer(Engine.DRAKE, Outcome.CRASHED, error="it ended by SIGSEGV")
     answering(monkeypatch, Answer(Engine.DRAKE, Outcome.ACCEPTED, result=sound), crash)
     urdf = tmp_path / "arm.urdf"
