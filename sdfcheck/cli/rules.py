@@ -13,7 +13,7 @@ from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.simulation import SimKind
+from sdfcheck.convert.sim_kind import SimKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
