@@ -18,6 +18,8 @@ from typing import Any
 
 from sdfcheck.consumers.engines.child import Refused, say
 
+_VALID = "Valid."
+"""Printed where there is no error; the exit code does not say it in all releases."""
 _COLOR = re.compile(r"\x1b\[[0-9;]*m")
 _CANDIDATES = (("gz-sdformat-sdf",), ("gz", "sdf"), ("ign", "sdf"), ("sdf",))
 """Newest first; ``sdf`` may be another program, and must know the option ``--print``."""
@@ -72,22 +74,30 @@ def load(question: dict[str, Any]) -> dict[str, Any]:
     """Check a file, from the folder that it is in."""
     done = _call("--check", question)
     said = [line.strip() for line in _COLOR.sub("", done.stderr + done.stdout).splitlines() if line.strip()]
-    say("\n".join(line for line in said if line != "Valid."))
+    say("\n".join(line for line in said if line != _VALID))
     if done.returncode < 0:
         os.kill(os.getpid(), -done.returncode)
-    if done.returncode or any(line.startswith("Error") for line in said):
-        raise Refused(next((line for line in said if line.startswith("Error")), said[0] if said else ""))
+    if done.returncode or not any(line.endswith(_VALID) for line in said):
+        errors = [line for line in said if line.startswith("Error")]
+        raise Refused(next(iter([*(e for e in errors if e.startswith("Error Code")), *errors, *said]), ""))
     return question
 
 
 def _call(option: str, question: dict[str, Any]) -> subprocess.CompletedProcess[str]:
     path = question["path"]
-    places = os.pathsep.join([*question.get("model_paths", ()), os.environ.get("SDF_PATH", "")]).strip(":")
-    environment = {**os.environ, "SDF_PATH": places} if places else dict(os.environ)
+    folder = Path(path).parent
+    usual = [
+        *question.get("model_paths", ()),
+        os.environ.get("SDF_PATH", ""),
+        str(folder.parent),
+        str(folder),
+    ]
+    places = os.pathsep.join(filter(None, usual))  # as Gazebo has it, which looks beside models as well
+    environment = {**os.environ, "SDF_PATH": places}
     command = (*program(), option, path)
     if program() == (library(),):
         command = (sys.executable, "-I", "-c", _CALL, library(), _FUNCTIONS[option], path)
-    return _run(command, cwd=Path(path).parent, env=environment)
+    return _run(command, cwd=folder, env=environment)
 
 
 def facts(model: dict[str, Any], settings: dict[str, Any]) -> dict[str, Any]:
