@@ -10,6 +10,7 @@
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make growth   measure how the work of the commands grows with the size of a document
 # make mutants  change the code a little, many times: which changes does no test notice?
+# make reactions measure what consumers do with the examples of rules, for consumers/data/reactions.txt
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
 PYTHON ?= python3
@@ -26,7 +27,7 @@ RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
 
-.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated golden docs package lowest newest vscode viewer viewer-check gallery bench growth fuzz mutants clean
+.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode viewer viewer-check gallery bench growth fuzz mutants clean
 
 demo: $(RUNTIME)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -69,6 +70,10 @@ generated: $(TOOLS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.conditions --check
 	$(BIN)/python -m tables.rule_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
+
+# Asks the consumers that are installed; SDFCHECK_ENGINES names a Python with the others.
+reactions: $(TOOLS)
+	$(BIN)/python -m sdfcheck.lint.rulebook.reactions
 
 golden: $(TOOLS)
 	$(BIN)/python -m pytest -q -n0 tests/test_golden*.py tests/test_docs.py --golden

@@ -89,7 +89,7 @@ def targets(
     isolated: bool = False,
     trust_config: bool = False,
 ) -> tuple[Row, ...]:
-    """What Gazebo, Drake, urdfdom and MuJoCo make of a file, one row each.
+    """What Gazebo, Drake, urdfdom, MuJoCo and others make of a file, one row each.
 
     A row has the simulator (``consumer``), its ``verdict``, and the ``reasons``: diagnostics with
     what the simulator does about them.

@@ -13,6 +13,7 @@ from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.sim_kind import SimKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
@@ -67,14 +68,14 @@ def rules(
 def loaded(configuration: Configuration) -> tuple[RuleIndex, tuple[RuleFacts, ...]]:
     """The packs, and the facts of all rules, under the configuration of the current folder.
 
-    Losses that conversions report are listed with them."""
+    Losses that conversions report, and findings of simulations, are listed with them."""
     settings = configuration.settings_in(Path.cwd())
     book = RuleBook(SILENT, None)
-    losses = tuple(kind.facts for kind in LossKind)
+    reported = tuple(kind.facts for kind in (*LossKind, *SimKind))
     index = book.index(settings)
     for fault in index.faults:
         say(f"error: {fault}")
-    return index, (*book.rules(settings), *losses)
+    return index, (*book.rules(settings), *reported)
 
 
 def test(pack: str, selectors: tuple[str, ...]) -> int:

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described
-from sdfcheck.cli.parts.options import formatted, require_file, targeted, written
+from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
+from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.files.regular import read_named
-from sdfcheck.lint.session import Level, Notice, Options, run
+from sdfcheck.lint.session import Level, Notice, Options
+from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.consumers.engines import Answer, Engine
 
 _JUDGED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.BROKEN_XML))
 VERSION = 1
@@ -28,35 +33,52 @@ VERSION = 1
 @click.command(cls=Command, name="targets")
 @click.argument("file", type=click.Path(path_type=Path))
 @targeted("Ask about these consumers only, and exit with 1 if one rejects the file")
+@click.option("--run", is_flag=True, help="Also ask the consumers that are installed, and compare.")
+@limited
 @formatted("Lines to read, or JSON.", "text", "json")
 @written()
 @described
 def targets_command(
-    file: Path, target: tuple[str, ...] | None, form: str, output_file: Path | None, **given: Any
+    file: Path,
+    target: tuple[str, ...] | None,
+    run: bool,
+    time_limit: float,
+    form: str,
+    output_file: Path | None,
+    **given: Any,
 ) -> int:
     """Say which consumers accept an SDFormat, URDF or xacro file, and why others do not.
 
     \b
-    accept    it is read as it is written, as far as the rules know
-    warn      it is read, but not all of it, or not as it was meant
-    reject    it is not read to its end
-    not read  the consumer does not know the format
+    accept        it is read as it is written, as far as the rules know
+    warn          it is read, but not all of it, or not as it was meant
+    reject        it is not read to its end
+    not read      the consumer does not know the format
+    not measured  nobody knows what the consumer does with what is in the file
+
+    With --run each consumer that is installed reads the file in a process of its own, with
+    limits on time and memory. Where it does otherwise than predicted, that is marked.
     """
     require_file(file)
     consumers = tuple(map(Consumer, target or ())) or tuple(Consumer)
-    rows = verdicts(file, consumers, around(given))
+    surroundings = around(given)
+    rows = verdicts(file, consumers, surroundings)
+    real = asked(file, rows, surroundings, time_limit) if run else {}
     if form == "json":
-        import json
-
-        record_of_all = {
-            "version": VERSION,
-            "file": file.as_posix(),
-            "consumers": [record(row) for row in rows],
-        }
-        deliver(json.dumps(record_of_all, indent=2) + "\n", output_file)
+        deliver(_json(file, rows, real), output_file)
     else:
-        deliver_lines(lines(rows, file), output_file)
-    return int(bool(target) and any(row.verdict in {Verdict.REJECT, Verdict.UNREAD} for row in rows))
+        deliver_lines(lines(rows, file, real), output_file)
+    refusing = [row for row in rows if row.verdict in {Verdict.REJECT, Verdict.UNREAD}]
+    return int(bool(target) and bool(refusing or any(map(refuses, real.values()))))
+
+
+def _json(file: Path, rows: Sequence[Row], real: Mapping[Consumer, Answer]) -> str:
+    import json
+
+    records = [
+        record(row) | (_record_of(row, real[row.consumer]) if row.consumer in real else {}) for row in rows
+    ]
+    return json.dumps({"version": VERSION, "file": file.as_posix(), "consumers": records}, indent=2) + "\n"
 
 
 def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:
@@ -72,7 +94,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
 
     asked = tuple(consumer.value for consumer in consumers)
     check_arguments(around.arguments, [file], around.settings_for(file))
-    done = run([file], Options(**around._asdict(), target=asked), notify=notify)
+    done = lint([file], Options(**around._asdict(), target=asked), notify=notify)
     if failures:
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
@@ -83,13 +105,52 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
     return matrix(done, kind, file, consumers)
 
 
-def lines(rows: Sequence[Row], file: Path) -> Iterator[str]:
-    """A line a consumer, and below it the reasons."""
+def asked(file: Path, rows: Sequence[Row], around: Around, seconds: float) -> dict[Consumer, Answer]:
+    """The consumers' own answers, of those that know the format; xacro is expanded for them."""
+    from sdfcheck.consumers.engines import RUN_BY, Answer, Limits, Outcome, ask
+    from sdfcheck.consumers.engines.staging import Stage
+
+    found: dict[Consumer, Answer] = {}
+    known: dict[Engine, Answer] = {}
+    readers = [row.consumer for row in rows if row.verdict is not Verdict.UNREAD]
+    with Stage() as stage:
+        try:
+            question = stage.question(load(file, around, check=False))
+        except WrongUsage as error:
+            return {
+                one: Answer(RUN_BY[one], Outcome.REFUSED, error=f"it gets nothing to read: {error}")
+                for one in readers
+            }
+        for consumer in readers:
+            engine = RUN_BY[consumer]
+            if engine not in known:
+                known[engine] = ask(engine, question, Limits(seconds))
+            found[consumer] = known[engine]
+    return found
+
+
+def refuses(answer: Answer) -> bool:
+    """Whether a consumer that is installed did not get to the end of the file."""
+    return not answer.is_accepted and answer.outcome.value != "not installed"
+
+
+def differs(row: Row, answer: Answer) -> bool:
+    """Does a consumer do otherwise than predicted?"""
+    if answer.outcome.value == "not installed" or row.verdict is Verdict.UNMEASURED:
+        return False
+    return refuses(answer) is not (row.verdict is Verdict.REJECT)
+
+
+def lines(
+    rows: Sequence[Row], file: Path, real: Mapping[Consumer, Answer] = MappingProxyType({})
+) -> Iterator[str]:
+    """A line a consumer, and below it the reasons, and what the consumer said itself."""
     width = max(len(row.consumer.value) for row in rows)
     for row in rows:
         note = f": {row.note}" if row.note else ""
         yield f"{row.consumer.value:{width}}  {row.verdict.value}{note}"
-        yield from (f"{'':{width}}    {line}" for line in _reasons(row, file))
+        own = list(_said(row, real[row.consumer])) if row.consumer in real else []
+        yield from (f"{'':{width}}    {line}" for line in (*_reasons(row, file), *own))
 
 
 _SHOWN = 5
@@ -106,6 +167,34 @@ def _reasons(row: Row, file: Path) -> list[str]:
     if len(row.reasons) > _SHOWN:
         reasons.append(f"and {len(row.reasons) - _SHOWN} more")
     return reasons
+
+
+def _said(row: Row, answer: Answer) -> Iterator[str]:
+    """The verdict of the consumer itself, and what explains it where it is not the predicted one."""
+    if answer.outcome.value == "not installed":
+        yield f"run: not installed here: {answer.error}"
+        return
+    mark = "  (differs)" if differs(row, answer) else ""
+    yield f"run: {answer.engine.value} {answer.version}: {answer.outcome.value}{mark}"
+    if answer.error:
+        yield f"     {answer.error}"
+    if mark and not answer.error:
+        yield f"     it takes the file although it was expected to refuse it ({row.reasons[0].diagnostic.code})"
+    if mark and answer.error and not row.reasons:
+        yield "     no rule finds a reason in the file"
+
+
+def _record_of(row: Row, answer: Answer) -> dict[str, object]:
+    return {
+        "run": {
+            "engine": answer.engine.value,
+            "version": answer.version or None,
+            "verdict": answer.outcome.value,
+            "differs": differs(row, answer),
+            "error": answer.error or None,
+            "messages": list(answer.messages),
+        }
+    }
 
 
 def _place(reason: Reason, file: Path) -> str:

@@ -28,6 +28,10 @@ class Consumer(Enum):
     DRAKE = "drake"
     URDFDOM = "urdfdom"
     MUJOCO = "mujoco"
+    ROS = "ros"
+    PYBULLET = "pybullet"
+    PINOCCHIO = "pinocchio"
+    ISAAC = "isaac"
 
     @property
     def title(self) -> str:
@@ -48,6 +52,10 @@ _TITLES = {
     Consumer.DRAKE: "Drake",
     Consumer.URDFDOM: "urdfdom",
     Consumer.MUJOCO: "MuJoCo",
+    Consumer.ROS: "ROS",
+    Consumer.PYBULLET: "PyBullet",
+    Consumer.PINOCCHIO: "Pinocchio",
+    Consumer.ISAAC: "Isaac Sim",
 }
 
 
@@ -56,14 +64,23 @@ READS: Mapping[Consumer, tuple[str, ...]] = {
     Consumer.DRAKE: ("sdf", "urdf"),
     Consumer.URDFDOM: ("urdf",),
     Consumer.MUJOCO: ("urdf",),
+    Consumer.ROS: ("urdf",),
+    Consumer.PYBULLET: ("urdf",),
+    Consumer.PINOCCHIO: ("urdf",),
+    Consumer.ISAAC: ("urdf",),
 }
 """Consumer → the dialects that it reads."""
+
+MEASURED = frozenset(("ros", "pybullet", "pinocchio", "isaac"))
+"""The names of the consumers whose reactions are in a table (:mod:`sdfcheck.consumers.measured`), not in rules."""
 
 
 class Verdict(Enum):
     """The verdicts of a consumer on a file, the worst last."""
 
     ACCEPT = "accept"
+    UNMEASURED = "not measured"
+    """Nobody knows what it does with what is in the file."""
     WARN = "warn"
     """It reads the file, though not all of it, or not as it was meant."""
     REJECT = "reject"
@@ -125,9 +142,11 @@ Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
 
 
 def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
-    """Consumer → dialect → reaction, in full and as text: how an index holds it."""
+    """Consumer → dialect → reaction, in full and as text: how an index holds it; without measured ones."""
     texts = {}
     for consumer, said in sorted(affects.items(), key=lambda item: item[0].value):
+        if consumer.value in MEASURED:
+            continue
         reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
         texts[consumer.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
     return texts

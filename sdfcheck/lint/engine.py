@@ -177,8 +177,9 @@ def _adapted(
     if facts.affects:
         if dialect == EXTENSION and "gazebo" not in facts.affects:
             return []  # nobody concerned reads it
-        diagnostics = [d._replace(affects=reactions(facts, dialect, d.affects)) for d in diagnostics]
-        if targets := dispatch.targets:
+        targets = dispatch.targets
+        diagnostics = [d._replace(affects=reactions(facts, dialect, d.affects, targets)) for d in diagnostics]
+        if targets:
             concerned = [d for d in diagnostics if targets.intersection(d.concerned)]
             return concerned if severity is not None else [d.for_targets(targets) for d in concerned]
     return diagnostics

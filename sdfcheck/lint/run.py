@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -65,17 +65,28 @@ class RuleFacts(NamedTuple):
 
 
 def reactions(
-    facts: RuleFacts, dialect: str, special: Iterable[tuple[str, Reaction]] = ()
+    facts: RuleFacts,
+    dialect: str,
+    special: Iterable[tuple[str, Reaction]] = (),
+    targets: Collection[str] = (),
 ) -> tuple[tuple[str, Reaction], ...]:
-    """The reactions to a rule's defect in a document, sorted by consumer; ``special`` comes first."""
-    from sdfcheck.consumers.reaction import READS, Consumer, Reaction
+    """The reactions to a rule's defect in a document, sorted by consumer; ``special`` comes first.
+
+    Measured consumers count if they are among the ``targets``.
+    """
+    from sdfcheck.consumers.reaction import MEASURED, READS, Consumer, Reaction
 
     if dialect == EXTENSION:
         known = reactions(facts, "sdf", special)
         return tuple((consumer, said) for consumer, said in known if consumer == Consumer.GAZEBO.value)
     written = {consumer: by[dialect] for consumer, by in facts.affects.items() if dialect in by}
     found = {consumer: Reaction.of(said) for consumer, said in written.items()}
-    found.update((consumer, said) for consumer, said in special if dialect in READS[Consumer(consumer)])
+    own = {consumer: said for consumer, said in special if dialect in READS[Consumer(consumer)]}
+    found.update((consumer, said) for consumer, said in own.items() if consumer not in MEASURED)
+    if not MEASURED.isdisjoint(targets):
+        from sdfcheck.consumers.measured import in_this_case
+
+        found.update(in_this_case(facts.code, found, own, targets))
     return tuple(sorted(found.items(), key=lambda item: item[0]))
 
 

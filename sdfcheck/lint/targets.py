@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from sdfcheck.consumers.reaction import READS, Consumer, Reaction, Verdict
+from sdfcheck.consumers.measured import is_measured
+from sdfcheck.consumers.reaction import MEASURED, READS, Consumer, Reaction, Verdict
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.source.record import NamedTuple
@@ -53,7 +54,11 @@ def _row(run: Run, kind: Kind, path: Path, consumer: Consumer) -> Row:
         if name == consumer.value and not reaction.is_harmless
     ]
     reasons.sort(key=lambda reason: (_rank(reason), reason.diagnostic.sort_key))
-    return Row(consumer, reasons[0].reaction.verdict if reasons else Verdict.ACCEPT, tuple(reasons))
+    if reasons:
+        return Row(consumer, reasons[0].reaction.verdict, tuple(reasons))
+    if consumer.value in MEASURED and not is_measured(consumer):
+        return Row(consumer, Verdict.UNMEASURED, (), "nobody has measured what it does")
+    return Row(consumer, Verdict.ACCEPT, ())
 
 
 def _unread(kind: Kind, path: Path, consumer: Consumer) -> str:

@@ -2,39 +2,21 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
-from sdfcheck.consumers.reaction import Consumer
-from tests.peers import cmdcheck, drake, libsdformat, mujoco
+from sdfcheck.consumers.engines import RUN_BY, Engine, Question, ask_all, is_installed
+from sdfcheck.consumers.reaction import MEASURED, Consumer
 
 
-def _gazebo(paths: Sequence[Path]) -> dict[Path, bool]:
-    return {path: cmdcheck.check(path).accepted is True for path in paths}
-
-
-def _urdfdom(paths: Sequence[Path]) -> dict[Path, bool]:
-    return {
-        path: subprocess.run(["check_urdf", str(path)], capture_output=True, check=False).returncode == 0
-        for path in paths
-    }
-
-
-def _mujoco(paths: Sequence[Path]) -> dict[Path, bool]:
-    return {path: mujoco.verdict(path) for path in paths}
+def loads(engine: Engine, paths: Sequence[Path]) -> dict[Path, bool]:
+    """Which of some files an engine takes."""
+    answers = ask_all(engine, map(Question, paths))
+    return {path: answer.is_accepted for path, answer in zip(paths, answers, strict=True)}
 
 
 def installed() -> Mapping[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]]:
-    """Consumer → the function that finds out which of some files it takes."""
-    found: dict[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]] = {}
-    if libsdformat.library() is not None:
-        found[Consumer.GAZEBO] = _gazebo
-    if drake.is_installed():
-        found[Consumer.DRAKE] = drake.loads
-    if shutil.which("check_urdf"):
-        found[Consumer.URDFDOM] = _urdfdom
-    if mujoco.is_installed():
-        found[Consumer.MUJOCO] = _mujoco
-    return found
+    """Consumer → the function that finds out which of some files it takes; of those that rules speak of."""
+    stated = ((one, engine) for one, engine in RUN_BY.items() if one.value not in MEASURED)
+    return {consumer: partial(loads, engine) for consumer, engine in stated if is_installed(engine)}

@@ -8,12 +8,13 @@ from tempfile import TemporaryDirectory
 
 import pytest
 
+from sdfcheck.consumers.engines import Engine, is_installed
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.session import Options, run
 from sdfcheck.source.document import read
-from tests.peers import drake
+from tests.peers.consumers import loads
 from tests.peers.findings import SHARED
 from tests.vendor_documents import FILES, Case, cases
 from tests.vendor_rules import reported
@@ -44,7 +45,7 @@ def disagreements(chosen: list[Case], folder: Path) -> list[str]:
     paths = [folder / f"{number}.{case.dialect}" for number, case in enumerate(chosen)]
     for path, case in zip(paths, chosen, strict=True):
         path.write_text(case.text)
-    verdicts = drake.loads(paths)
+    verdicts = loads(Engine.DRAKE, paths)
     found = []
     for path, case in zip(paths, chosen, strict=True):
         tags = reported(read(path.read_bytes(), path))
@@ -60,7 +61,7 @@ def disagreements(chosen: list[Case], folder: Path) -> list[str]:
     return found
 
 
-@pytest.mark.skipif(not drake.is_installed(), reason="pydrake is not installed")
+@pytest.mark.skipif(not is_installed(Engine.DRAKE), reason="pydrake is not installed")
 def test_drake_refuses_what_we_say_it_does(tmp_path: Path) -> None:
     assert disagreements(cases()[::EVERY], tmp_path) == []
 

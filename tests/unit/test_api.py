@@ -267,7 +267,8 @@ def test_the_examples_of_the_manual_run(
     assert "\nleaf\n" in out
     assert "\n1 file\n1\n2 files\n" in out
     assert out.endswith(
-        "True True\n()\n['drake', 'gazebo', 'mujoco', 'urdfdom']\n1.5\n<robot name=\"arm\">\n"
+        "True True\n()\n['drake', 'gazebo', 'isaac', 'mujoco', 'pinocchio', 'pybullet', 'ros', 'urdfdom']\n1.5\n"
+        '<robot name="arm">\n'
     )
     assert "farm:coats" in (tmp_path / "copy.sdf").read_text()
     with pytest.raises(ValueError, match="not int") as caught:

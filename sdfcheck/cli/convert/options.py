@@ -10,8 +10,10 @@ import click
 from sdfcheck.cli.parts.descriptions import ARGUMENT, Around, around, surroundings
 from sdfcheck.cli.parts.options import colored, configured, path, reported, together, written
 from sdfcheck.cli.parts.output import FORMATS
+from sdfcheck.formats.near_names import did_you_mean
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Request(NamedTuple):
@@ -23,7 +25,7 @@ class Request(NamedTuple):
     flat: bool
     stdin_filename: Path | None
     verify: bool
-    verify_with: str | None
+    verify_with: tuple[str, ...]
     strict: bool
     lint: bool
     no_expand: bool
@@ -41,6 +43,18 @@ class Request(NamedTuple):
         return tuple(Path(text) for text in self.inputs if ARGUMENT not in text)
 
 
+JUDGES = ("gazebo", "drake", "mujoco", "pybullet", "pinocchio", "yourdfpy")
+
+
+def _judges(context: click.Context, parameter: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
+    names = tuple(word.strip() for text in value for word in text.split(",") if word.strip())
+    for name in names:
+        if name not in JUDGES:
+            near = did_you_mean(name, JUDGES) or f" (choose from {', '.join(JUDGES)})"
+            raise WrongUsage(f"--verify-with: unknown consumer `{name}`{near}")
+    return tuple(dict.fromkeys(names))
+
+
 _PATH = click.Path(path_type=Path)
 common_options = together(
     click.argument("inputs", nargs=-1, required=True, metavar="IN… [ARG:=VALUE]…"),
@@ -54,7 +68,11 @@ common_options = together(
         "--verify/--no-verify", default=True, help="Compare the result with its source.  [default: verify]"
     ),
     click.option(
-        "--verify-with", type=click.Choice(["yourdfpy"]), help="Let this library read the URDF as well."
+        "--verify-with",
+        multiple=True,
+        callback=_judges,
+        metavar="CONSUMERS",
+        help=f"Let these read source and result as well: {', '.join(JUDGES)}.",
     ),
     click.option("--strict", is_flag=True, help="Exit with 1 if anything is lost."),
     click.option(

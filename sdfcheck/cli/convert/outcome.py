@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.cli.convert.options import Request
 from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.lint.wording import listed
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ class Outcome(NamedTuple):
     broken: Span | None = None
     """Where the text of the source is not XML."""
     also_by: str = ""
-    """The library that has read the URDF as well."""
+    """The consumers that have read source and result as well."""
     encoding: str = ""
     """That of the source, where the result has another."""
     refusal: tuple[Consumer, Diagnostic] | None = None
@@ -74,7 +75,7 @@ class Outcome(NamedTuple):
             return "; ".join(filter(None, ("not converted, nothing written", self.way_out)))
         if self.verification is not None:
             text = f"verified: {self.verification}"
-            text += f", poses also by {self.also_by}" if self.also_by else ""
+            text += f", also by {self.also_by}" if self.also_by else ""
             return text + self._refused
         if self.broken is not None:
             line, column = self.broken.begin
@@ -124,7 +125,7 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
         bool(different),
         stopping=different,
         broken=guess_in(given.document) if request.verify else None,
-        also_by=request.verify_with or "",
+        also_by=listed(request.verify_with),
         encoding=given.encoding,
     )
 
@@ -132,10 +133,10 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
 def _differences(done: Conversion, document: Document, request: Request) -> list[Diagnostic]:
     """The findings of the comparison, as diagnostics of the source."""
     found = list(done.verification.differences) if done.verification is not None else []
-    if request.verify_with is not None:
-        from sdfcheck.convert.independent import differences
+    if request.verify_with:
+        from sdfcheck.convert.independent import Judge, differences
 
-        found += differences(done, document)
+        found += differences(done, document, map(Judge, request.verify_with))
     if not found or document.root is None:
         return []
     from sdfcheck.convert.loss import Loss, LossKind, to_diagnostic

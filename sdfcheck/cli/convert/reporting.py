@@ -135,7 +135,8 @@ class Reporting:
             losing = sum("," in row.how for row in rows)
             if rows:
                 counts.append(f"{len(rows)} {how}" + (f" ({losing} with losses)" if losing else ""))
-        also = f"; poses also compared by {self._request.verify_with}" if self._request.verify_with else ""
+        judges = self._request.verify_with
+        also = f"; also compared by {listed(judges)}" if judges else ""
         return f"{counted(len(self._rows), 'file')}: {listed(counts)}{also}"
 
     def _hidden(self) -> int:

@@ -34,8 +34,8 @@ def sdf_to_sdf(version: Version, keep_unknown: bool, **given: Any) -> int:
         return migrate(document, version, keep_unknown=keep_unknown, verified=verified)
 
     request = common(given)
-    if request.verify_with is not None:
+    if blind := [name for name in request.verify_with if name not in {"gazebo", "drake"}]:
         raise WrongUsage(
-            f"--verify-with {request.verify_with} reads URDF, and neither the source nor the result is URDF"
+            f"--verify-with {blind[0]} reads URDF, and neither the source nor the result is URDF"
         )
     return convert_files(request, {Kind.SDF: "SDFormat"}, ".sdf", convert)

@@ -11,6 +11,7 @@ _SECTIONS = {
     "Selection": "select extend_select ignore preview target baseline write_baseline".split(),
     "Fixes": "fix unsafe_fixes fix_only show_fixes diff add_ignore reason".split(),
     "Verification": "verify verify_with strict lint".split(),
+    "Simulation": "run simulators seconds time_limit".split(),
     "Output": """
         output_dir flat output_format output_file form losses statistics min_severity max_diagnostics no_fold
         color quiet
@@ -38,7 +39,12 @@ _EXAMPLES = {
     ),
     "targets": (
         ("sdfcheck targets arm.urdf", "who accepts it, and why others do not"),
+        ("sdfcheck targets --run arm.urdf", "and what those that are installed really do"),
         ("sdfcheck targets --output-format json model.sdf", "for a program"),
+    ),
+    "simulate": (
+        ("sdfcheck simulate arm.urdf", "in the first simulator that is installed"),
+        ("sdfcheck simulate --in mujoco,drake model.sdf", "in two, compared"),
     ),
     "describe": (
         ("sdfcheck describe joint/axis", "an element of SDFormat"),

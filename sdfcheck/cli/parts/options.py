@@ -173,9 +173,19 @@ def targeted(help: str) -> Callable[[Any], Any]:
         multiple=True,
         callback=_consumers,
         metavar="CONSUMERS",
-        help=f"{help}: gazebo, drake, urdfdom, mujoco.",
+        help=f"{help}: gazebo, drake, urdfdom, mujoco, ros, pybullet, pinocchio, isaac.",
         shell_complete=completing.targets,
     )
+
+
+limited = click.option(
+    "--time-limit",
+    type=click.FloatRange(min=0, min_open=True),
+    default=60.0,
+    metavar="SECONDS",
+    help="How long a consumer that is run may take for a question.  [default: 60]",
+)
+"""``--time-limit``."""
 
 
 def path(flag: str, help: str) -> Callable[[Any], Any]:

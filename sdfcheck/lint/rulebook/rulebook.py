@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -84,7 +85,8 @@ class RuleBook:
             for _, selectors in settings.per_file_ignores:
                 for selector in selectors:
                     covered(selector, rules)
-            return select(rules, settings.choice, given, severity=settings.severity, targets=target)
+            asked = _with_measured(rules, target)
+            return select(asked, settings.choice, given, severity=settings.severity, targets=target)
         except UnknownSelector as error:
             raise settings.misplaced(error.selector, f"{error}{faults}") from None
 
@@ -101,3 +103,24 @@ class RuleBook:
                 raise settings.misplaced(Path(error.plugin).name, str(error)) from None
             self._indexes[settings.plugins] = index, (*index.facts, *FACTS, INTERNAL_ERROR)
         return self._indexes[settings.plugins]
+
+
+def _with_measured(rules: tuple[RuleFacts, ...], targets: Collection[str]) -> tuple[RuleFacts, ...]:
+    """The rules with the reactions of those targets that are not in the index."""
+    from sdfcheck.consumers.reaction import MEASURED
+
+    if MEASURED.isdisjoint(targets):
+        return rules
+    from sdfcheck.consumers.measured import with_measured
+    from sdfcheck.lint.diagnostic import Severity
+
+    return tuple(
+        facts._replace(
+            affects=with_measured(
+                facts.code, facts.affects, targets, is_error=facts.severity is Severity.ERROR
+            )
+        )
+        if facts.affects
+        else facts
+        for facts in rules
+    )

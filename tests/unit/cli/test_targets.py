@@ -4,30 +4,34 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
 from sdfcheck.cli.main import main
+from sdfcheck.consumers import engines, measured
+from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 SOUND = str(ROBOTS / "two_link_arm" / "model.sdf")
+SOUND_URDF = str(ROBOTS / "desk_arm" / "desk_arm.urdf")
 BROKEN = str(ROBOTS / "with_mistakes" / "crane.urdf")
 
 
 def test_a_sound_file(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", SOUND, "--isolated"]) == 0
+    unread = "not read: it does not know SDFormat"
     assert capsys.readouterr().out.splitlines() == [
-        "drake    accept",
-        "gazebo   accept",
-        "mujoco   not read: it does not know SDFormat",
-        "urdfdom  not read: it does not know SDFormat",
+        "drake      accept",
+        "gazebo     accept",
+        *(f"{name:9}  {unread}" for name in ("isaac", "mujoco", "pinocchio", "pybullet", "ros", "urdfdom")),
     ]
 
 
 def test_reasons(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", BROKEN, "--isolated"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert "drake    reject" in lines
+    assert "drake      reject" in lines
     assert any(
         "reject 5:" in line and "mass -20 is negative [INR001] (refuses a negative mass)" in line
         for line in lines
@@ -49,7 +53,9 @@ def test_one_consumer_decides(
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["targets", BROKEN, "--isolated", "--output-format", "json"]) == 0
     output = json.loads(capsys.readouterr().out)
-    assert [row["consumer"] for row in output["consumers"]] == ["drake", "gazebo", "mujoco", "urdfdom"]
+    assert [row["consumer"] for row in output["consumers"]] == [
+        "drake", "gazebo", "isaac", "mujoco", "pinocchio", "pybullet", "ros", "urdfdom"
+    ]  # fmt: skip
     reason = output["consumers"][1]["reasons"][0]
     assert (reason["code"], reason["verdict"], reason["line"]) == ("INR001", "reject", 5)
 
@@ -67,3 +73,95 @@ def test_xacro_elements_left_in_urdf(tmp_path: Path, capsys: pytest.CaptureFixtu
         main(["targets", str(tmp_path / name), "--isolated", "--output-format", "json"])
         answer = json.loads(capsys.readouterr().out)
         assert {row["consumer"]: row["verdict"] for row in answer["consumers"]}["urdfdom"] == verdict
+
+
+class Stand(NamedTuple):
+    """An engine that gives one answer to every question, and keeps them."""
+
+    answer: Answer
+    questions: list[Question]
+
+    def ask(self, engine: Engine, question: Question, limits: Limits = engines.LIMITS) -> Answer:
+        self.questions.append(question)
+        return self.answer._replace(engine=engine)
+
+
+@pytest.mark.parametrize(
+    ("file", "outcome", "differs"),
+    [
+        (BROKEN, Outcome.REFUSED, False),
+        (BROKEN, Outcome.CRASHED, False),
+        (BROKEN, Outcome.ACCEPTED, True),
+        (SOUND_URDF, Outcome.ACCEPTED, False),
+        (SOUND_URDF, Outcome.REFUSED, True),
+        (SOUND_URDF, Outcome.MISSING, False),
+    ],
+)
+def test_predicted_and_real(
+    file: str,
+    outcome: Outcome,
+    differs: bool,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    stand = Stand(
+        Answer(Engine.URDFDOM, outcome, "7.1", "" if outcome is Outcome.ACCEPTED else "so it says"), []
+    )
+    monkeypatch.setattr(engines, "ask", stand.ask)
+    line = ["targets", file, "--isolated", "--run", "--target", "urdfdom"]
+    code = main(line)
+    out = capsys.readouterr().out
+    assert ("(differs)" in out) is differs
+    assert ("so it says" in out) is (outcome is not Outcome.ACCEPTED)
+    assert code == int(file == BROKEN or outcome is Outcome.REFUSED)
+    main([*line, "--output-format", "json"])
+    (row,) = json.loads(capsys.readouterr().out)["consumers"]
+    assert (row["run"]["verdict"], row["run"]["differs"]) == (outcome.value, differs)
+
+
+def test_engines_get_xacro_expanded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stand = Stand(Answer(Engine.URDFDOM, Outcome.ACCEPTED), [])
+    monkeypatch.setattr(engines, "ask", stand.ask)
+    file = tmp_path / "r.urdf.xacro"
+    file.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="${1 + 1}"/></robot>'
+    )
+    assert main(["targets", str(file), "--isolated", "--run", "--target", "urdfdom"]) == 0
+    (question,) = stand.questions
+    assert question.path != file
+    assert question.path.suffix == ".urdf"
+    assert not question.path.exists()
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_reactions_that_nobody_has_measured_are_not_acceptance(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text('<robot name="r"><link name="a"/><link name="b"/></robot>')
+    line = ["targets", str(file), "--isolated", "--target", "pybullet"]
+    assert main(line) == 1
+    assert capsys.readouterr().out.startswith("pybullet  reject")
+    monkeypatch.setattr(measured, "table", lambda: measured.Table("# pybullet: 1"))
+    assert main(line) == 0
+    assert capsys.readouterr().out.startswith("pybullet  not measured\n")
+    file.write_text('<robot name="r"><link name="a"/></robot>')
+    assert main(line) == 0
+    assert capsys.readouterr().out == "pybullet  accept\n"
+    monkeypatch.setattr(measured, "table", lambda: measured.Table(""))
+    assert main(line) == 0
+    assert capsys.readouterr().out.startswith("pybullet  not measured: ")
+
+
+def test_consumers_with_another_parser_do_as_it_does(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text('<robot name="r"><link name="a"/><link name="b"/></robot>')
+    assert main(["targets", str(file), "--isolated", "--target", "urdfdom,ros"]) == 1
+    assert [line.split()[:2] for line in capsys.readouterr().out.splitlines() if line[0] != " "] == [
+        ["ros", "reject"],
+        ["urdfdom", "reject"],
+    ]

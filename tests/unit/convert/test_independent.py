@@ -1,15 +1,15 @@
-"""``--verify-with yourdfpy``: another library reads the URDF side."""
+"""``--verify-with``: consumers read source and result as well."""
 
 from __future__ import annotations
 
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.convert.independent import differences
+from sdfcheck.consumers.engines import Answer, Engine, Outcome, is_installed
+from sdfcheck.convert.independent import Judge, differences
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
@@ -53,37 +53,83 @@ def test_it_reads_urdf_and_xacro_that_become_sdf_and_urdf_that_sdf_becomes(
     assert convert("urdf-to-sdf", urdf, sdf) == 0
     assert convert("sdf-to-urdf", sdf, back) == 0
     assert convert("urdf-to-sdf", xacro, tmp_path / "x.sdf") == 0
-    assert capsys.readouterr().err.count(", poses also by yourdfpy\n") == 3
+    assert capsys.readouterr().err.count(", also by yourdfpy\n") == 3
 
 
 def test_it_contradicts_a_result_that_is_another_robot() -> None:
     document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
     done = urdf_to_sdf(document, Options())
-    assert differences(done, document) == []
+    assert differences(done, document, [Judge.YOURDFPY]) == []
     (comparison,) = done.comparisons
     turn = comparison.result.joints["turn"]
     turned = replace(turn, axes=(replace(turn.axes[0], direction=-turn.axes[0].direction),))
     joints = {**comparison.result.joints, "turn": turned}
     result = replace(comparison.result, joints=joints)
     wrong = Comparison(comparison.source, result, comparison.correspondence)
-    found = differences(Conversion(done.text, done.document, comparisons=(wrong,)), document)
+    found = differences(
+        Conversion(done.text, done.document, comparisons=(wrong,)), document, [Judge.YOURDFPY]
+    )
     assert {one.name for one in found} == {"arm", "hand"}
 
 
-def test_a_part_that_it_cannot_read_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(*arguments: object, **options: object) -> None:
-        raise ValueError("no such thing")
+def answering(monkeypatch: pytest.MonkeyPatch, *answers: Answer) -> None:
+    """The consumers give these answers, one after the other."""
+    waiting = list(answers)
+    monkeypatch.setattr("sdfcheck.convert.independent.ask", lambda *_: waiting.pop(0))
 
-    monkeypatch.setattr("yourdfpy.URDF.load", refuse)
+
+def test_a_source_that_it_cannot_read_is_reported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    answering(monkeypatch, Answer(Engine.YOURDFPY, Outcome.REFUSED, error="no such thing"))
     urdf = tmp_path / "arm.urdf"
     urdf.write_text(ARM)
     assert convert("urdf-to-sdf", urdf, tmp_path / "arm.sdf") == 2
+    assert "--verify-with yourdfpy: it cannot read the source: no such thing" in capsys.readouterr().err
+    assert not (tmp_path / "arm.sdf").exists()
+
+
+def test_a_result_that_it_alone_refuses_is_not_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sound: dict[str, object] = {"poses": [], "bodies": {}, "joints": {}}
+    crash = Answer(Engine.DRAKE, Outcome.CRASHED, error="it ended by SIGSEGV")
+    answering(monkeypatch, Answer(Engine.DRAKE, Outcome.ACCEPTED, result=sound), crash)
+    urdf = tmp_path / "arm.urdf"
+    urdf.write_text(ARM)
+    line = ["convert", "urdf-to-sdf", "--isolated", str(urdf), "-o", str(tmp_path / "arm.sdf")]
+    assert main([*line, "--verify-with", "drake"]) == 1
+    assert "reading of `drake` fails: it ended by SIGSEGV" in capsys.readouterr().out
     assert not (tmp_path / "arm.sdf").exists()
 
 
 def test_without_the_library_the_conversion_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
     done = urdf_to_sdf(document, Options())
-    monkeypatch.setitem(sys.modules, "yourdfpy", None)
-    with pytest.raises(WrongUsage, match=r"needs the package yourdfpy: install sdfcheck\[verify\]"):
-        differences(done, document)
+    answering(monkeypatch, Answer(Engine.PYBULLET, Outcome.MISSING, error=Engine.PYBULLET.advice))
+    with pytest.raises(WrongUsage, match=r"not installed: pip install 'sdfcheck\[pybullet\]'"):
+        differences(done, document, [Judge.PYBULLET])
+
+
+def test_names_of_consumers_are_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    urdf = tmp_path / "arm.urdf"
+    urdf.write_text(ARM)
+    assert main(["convert", "urdf-to-sdf", str(urdf), "--verify-with", "drak"]) == 2
+    assert "--verify-with: unknown consumer `drak`, did you mean `drake`?" in capsys.readouterr().err
+
+
+@pytest.mark.peers
+@pytest.mark.parametrize("judge", list(Judge), ids=lambda judge: judge.value)
+def test_each_consumer_agrees_with_a_conversion(judge: Judge) -> None:
+    if not is_installed(judge.engine):
+        pytest.skip(f"not installed: {judge.engine.advice}")
+    document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
+    assert differences(urdf_to_sdf(document, Options()), document, [judge]) == []
+    heavier = read(ARM.replace('mass value="1"', 'mass value="2"').encode(), Path("arm.urdf"), Kind.URDF)
+    done = urdf_to_sdf(heavier, Options())
+    other = urdf_to_sdf(document, Options())
+    mixed = Conversion(other.text, other.document, comparisons=tuple(
+        Comparison(one.source, two.result, one.correspondence)
+        for one, two in zip(done.comparisons, other.comparisons, strict=True)
+    ))  # fmt: skip
+    assert {one.what for one in differences(mixed, heavier, [judge])} == {"mass"}

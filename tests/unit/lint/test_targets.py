@@ -8,7 +8,17 @@ import pytest
 
 from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.cli.targets import verdicts
-from sdfcheck.consumers.reaction import READS, REFUSES, Affects, Consumer, Reaction, by_dialect, lines, warns
+from sdfcheck.consumers.reaction import (
+    MEASURED,
+    READS,
+    REFUSES,
+    Affects,
+    Consumer,
+    Reaction,
+    by_dialect,
+    lines,
+    warns,
+)
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.session import Options, run
@@ -21,10 +31,14 @@ TEXTURED = (
 )
 
 
+STATED = tuple(consumer for consumer in Consumer if consumer.value not in MEASURED)
+"""The consumers whose reactions rules state."""
+
+
 def judged(text: str, name: str, folder: Path, *consumers: Consumer) -> dict[str, str]:
     file = folder / name
     file.write_text(text, encoding="utf-8")
-    rows = verdicts(file, consumers or tuple(Consumer), Around(Configuration(isolated=True)))
+    rows = verdicts(file, consumers or STATED, Around(Configuration(isolated=True)))
     return {row.consumer.value: row.verdict.value for row in rows}
 
 

@@ -1,0 +1,153 @@
+"""``sdfcheck simulate``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from sdfcheck.cli.parts.command import Command
+from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.options import colored, limited, reported, require_file, written
+from sdfcheck.cli.parts.output import FORMATS, outputs, refuse_to_write, write
+from sdfcheck.cli.parts.shown import exit_code, gate_of, shown, view_of
+from sdfcheck.cli.parts.terminal import say
+from sdfcheck.consumers.engines import SIMULATORS as ENGINES
+from sdfcheck.consumers.engines import Engine, Limits, is_installed
+from sdfcheck.convert.simulation import MissingEngine, Settings
+from sdfcheck.convert.simulation import simulate as run
+from sdfcheck.formats.near_names import did_you_mean
+from sdfcheck.lint.run import Run
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.source.document import Document
+
+SIMULATORS = ("mujoco", "drake", "pybullet")
+
+
+def _simulators(
+    context: click.Context, parameter: click.Parameter, value: tuple[str, ...]
+) -> tuple[str, ...]:
+    names = tuple(word.strip() for text in value for word in text.split(",") if word.strip())
+    for name in names:
+        if name not in SIMULATORS:
+            near = did_you_mean(name, SIMULATORS) or f" (choose from {', '.join(SIMULATORS)})"
+            raise WrongUsage(f"--in: unknown simulator `{name}`{near}")
+    return tuple(dict.fromkeys(names))
+
+
+class Request:
+    """The options about what is shown, as click read them."""
+
+    def __init__(self, **given: Any) -> None:
+        self.__dict__.update(given)
+
+    min_severity: str | None
+    max_diagnostics: int | None
+    no_fold: bool
+    fail_on: str | None
+    fail_on_missing: bool
+    max_warnings: int | None
+    exit_zero: bool
+
+
+@click.command(cls=Command)
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "--in",
+    "simulators",
+    multiple=True,
+    callback=_simulators,
+    metavar="SIMULATORS",
+    help=f"Where to run it: {', '.join(SIMULATORS)}.  [default: the first that is installed]",
+)
+@click.option(
+    "--seconds",
+    type=click.FloatRange(min=0, min_open=True, max=60),
+    default=2.0,
+    metavar="SECONDS",
+    help="How long the robot moves.  [default: 2]",
+)
+@limited
+@shown
+@reported(f"How to report: {', '.join(FORMATS)}. May be repeated, with a file each.  [default: full]")
+@written("Write the report there instead of to stdout.")
+@described
+@colored()
+@click.option("-q", "--quiet", is_flag=True, help="Report, and say nothing else.")
+def simulate(  # noqa: PLR0913, PLR0917 - one for each option
+    file: Path,
+    simulators: tuple[str, ...],
+    seconds: float,
+    time_limit: float,
+    output_format: tuple[str, ...],
+    output_file: Path | None,
+    color: str,
+    quiet: bool,
+    **given: Any,
+) -> int:
+    """Let a robot run in a simulator, and say what goes wrong, at its place in the text.
+
+    It is loaded, let fall with its root link held and no force in its joints, its joints are
+    moved through their ranges, and a robot with wheels is put on the ground. SDFormat is
+    converted for the simulator.
+    """
+    require_file(file)
+    surroundings = around(given)
+    request = Request(**given)
+    wanted = outputs(output_format or ("full",), output_file)
+    refuse_to_write([output.file for output in wanted], [file])
+    engines = _engines(simulators)
+    document = load(file, surroundings)
+    settings = Settings(engines, seconds, Limits(time_limit))
+    done = Run(tuple(_findings(document, settings, quiet=quiet)), (file,))
+    failing = surroundings.settings_for(file).fail_on
+    done = done._replace(gate=gate_of(request, failing))
+    for output in wanted:
+        write(output, done, color=color, view=view_of(request, failing))
+    if not quiet:
+        names = ", ".join(engine.value for engine in engines)
+        converted = ", converted to URDF for it" if document.kind is Kind.SDF else ""
+        say(f"simulated in {names}{converted}: {seconds:g} s")
+    return exit_code(request, done)
+
+
+def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
+    """The simulators that are named, else the first that is installed."""
+    usual = (engine for engine in ENGINES if is_installed(engine))
+    chosen = tuple(map(Engine, names)) or tuple(usual)[:1]
+    if not chosen:
+        raise WrongUsage(f"no simulator is installed: {Engine.MUJOCO.advice}")
+    return chosen
+
+
+def _findings(document: Document, settings: Settings, *, quiet: bool) -> list[Diagnostic]:
+    progress = _Progress(quiet=quiet)
+    try:
+        return run(document, settings, progress)
+    except MissingEngine as error:
+        raise WrongUsage(str(error)) from None
+    finally:
+        progress.clear()
+
+
+class _Progress:
+    """One line of a terminal that says what runs now."""
+
+    def __init__(self, *, quiet: bool) -> None:
+        self._shown = sys.stderr.isatty() and not quiet
+
+    def __call__(self, text: str) -> None:
+        if self._shown:
+            sys.stderr.write(f"\r\x1b[K{text} …")
+            sys.stderr.flush()
+
+    def clear(self) -> None:
+        if self._shown:
+            sys.stderr.write("\r\x1b[K")

@@ -1,0 +1,102 @@
+"""Reactions that were measured: each rule's examples, read by the consumers themselves.
+
+``data/reactions.txt`` is written by ``make reactions``. A line has rule, consumer, dialect and
+reaction. For a rule that it does not have, the reaction is not known, and is said to be so. A
+consumer that reads URDF through urdfdom does as urdfdom does, where nothing else was measured.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import cache
+from pathlib import Path
+
+from sdfcheck.consumers.reaction import MEASURED, READS, Consumer, Reaction, Verdict
+
+FILE = Path(__file__).with_name("data") / "reactions.txt"
+CONSUMERS = tuple(sorted(map(Consumer, MEASURED), key=lambda consumer: consumer.value))
+THROUGH: Mapping[Consumer, Consumer] = {
+    Consumer.ROS: Consumer.URDFDOM,
+    Consumer.PINOCCHIO: Consumer.URDFDOM,
+}
+"""Consumer → the one whose parser it uses."""
+AS_PARSER = "as urdfdom"
+"""Written in the place of a reaction: it is that of the parser, which may depend on the case."""
+UNKNOWN = Reaction(Verdict.UNMEASURED, "nobody has measured what it does")
+
+
+class Table:
+    """The table, as it is written."""
+
+    __slots__ = ("rows", "versions")
+
+    def __init__(self, text: str) -> None:
+        self.rows: dict[str, dict[str, dict[str, str]]] = {}
+        """Rule → consumer → dialect → reaction."""
+        self.versions: dict[str, str] = {}
+        """Consumer → what it was measured with."""
+        for line in text.splitlines():
+            if line.startswith("#"):
+                consumer, _, version = line.removeprefix("#").strip().partition(": ")
+                self.versions[consumer] = version
+            elif line:
+                code, consumer, dialect, said = line.split("\t")
+                self.rows.setdefault(code, {}).setdefault(consumer, {})[dialect] = said
+
+
+@cache
+def table() -> Table:
+    """The table that comes with sdfcheck."""
+    return Table(FILE.read_text("utf-8"))
+
+
+def is_measured(consumer: Consumer) -> bool:
+    """Whether the table knows anything of a consumer."""
+    return consumer.value in table().versions
+
+
+def with_measured(
+    code: str, affects: Mapping[str, Mapping[str, str]], targets: Collection[str], *, is_error: bool
+) -> dict[str, Mapping[str, str]]:
+    """The reactions to a rule's defect, with those of the measured consumers among ``targets``.
+
+    A reaction to an error that nobody has measured is :data:`UNKNOWN`, unless the error is about one consumer alone.
+    """
+    found = dict(affects)
+    is_about_one = len(affects) == 1
+    rows = table().rows.get(code, {})
+    for consumer in CONSUMERS:
+        if consumer.value not in targets:
+            continue
+        own = dict(rows.get(consumer.value, {}))
+        for dialect in READS[consumer]:
+            parser = THROUGH.get(consumer)
+            if parser is not None and dialect not in own:
+                own[dialect] = AS_PARSER
+            if own.get(dialect) == AS_PARSER and parser is not None:
+                own[dialect] = affects.get(parser.value, {}).get(dialect, "accept: takes it as it is")
+            elif dialect not in own and is_error and not is_about_one:
+                own[dialect] = str(UNKNOWN)
+        if any(not Reaction.of(said).is_harmless for said in own.values()):
+            found[consumer.value] = own
+    return found
+
+
+def in_this_case(
+    code: str, found: Mapping[str, Reaction], own: Mapping[str, Reaction], targets: Collection[str]
+) -> dict[str, Reaction]:
+    """The reactions of measured consumers among ``targets`` to one finding, where it has ``own`` reactions.
+
+    They do as their parser does; and what is harmless in this case is so for them, too.
+    """
+    rows, changed = table().rows.get(code, {}), {}
+    for consumer in CONSUMERS:
+        name, parser = consumer.value, THROUGH.get(consumer)
+        if name not in targets:
+            continue
+        through = rows.get(name, {}).get("urdf", AS_PARSER if parser else "") == AS_PARSER
+        if through and parser is not None and parser.value in own:
+            changed[name] = own[parser.value]
+        elif name in own and (own[name].is_harmless or found.get(name, UNKNOWN) == UNKNOWN):
+            changed[name] = own[name]
+    return changed

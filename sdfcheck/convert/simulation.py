@@ -1,0 +1,549 @@
+"""Lets a robot run in simulators, and says what goes wrong, at its place in the text.
+
+A simulator gets each model as URDF without visuals, with meshes found by us; SDFormat is converted.
+Its measurements (:mod:`sdfcheck.consumers.engines.behavior`) become findings of the family SIM.
+Its own doings (convex hulls, masses that it invents) are named as such.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import shutil
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from lxml import etree
+
+from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question, ask_all
+from sdfcheck.consumers.engines.staging import Stage
+from sdfcheck.convert.loss import NotConvertible
+from sdfcheck.convert.sim_kind import SimKind
+from sdfcheck.files.library import library_of
+from sdfcheck.files.uris import locate
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
+from sdfcheck.lint.wording import counted
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Joint, Mechanism
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.model import Model
+    from sdfcheck.source.document import Document
+    from sdfcheck.source.element import Element
+    from sdfcheck.source.text import Span
+
+_MESHES = {
+    Engine.MUJOCO: (".stl", ".obj", ".msh"),
+    Engine.PYBULLET: (".stl", ".obj", ".dae"),
+    Engine.DRAKE: (".obj", ".vtk", ".gltf"),
+}
+"""The meshes that a simulator reads for collisions."""
+_HULLS = {Engine.MUJOCO, Engine.PYBULLET, Engine.DRAKE}
+"""The simulators that take the convex hull of a mesh."""
+_TITLES = {Engine.MUJOCO: "MuJoCo", Engine.PYBULLET: "PyBullet", Engine.DRAKE: "Drake"}
+TIME_STEP = 0.001
+_DEPTH = 0.005
+"""m: parts that overlap less only touch."""
+_SMALL = 0.05
+"""Of the mass of the robot: so much more matters little."""
+_APART = 0.02
+"""Of the size of the robot: runs that differ more are not alike."""
+_TILT = math.radians(25)
+_GAIN = 0.05
+"""Of the energy with which the robot can fall: more is not rounding."""
+GRAVITY = 9.81
+_SEMANTICS = 200
+"""So many SRDF files are looked at, no more."""
+
+
+class Settings(NamedTuple):
+    """How to simulate."""
+
+    engines: tuple[Engine, ...]
+    seconds: float = 2.0
+    limits: Limits = Limits(120.0)
+
+
+Progress = Callable[[str], object]
+
+
+def simulate(document: Document, settings: Settings, progress: Progress = lambda _: None) -> list[Diagnostic]:
+    """The findings about all models of a description, sorted by place.
+
+    Raises:
+        MissingEngine: a simulator is not installed.
+    """
+    found: list[Diagnostic] = []
+    with Stage() as stage:
+        for model in _models(document):
+            if model.is_static:
+                continue
+            found += _simulated(model, settings, stage, progress)
+    return sorted(found, key=lambda one: one.sort_key)
+
+
+class MissingEngine(Exception):
+    """A simulator that is not installed; the text says how to install it."""
+
+
+def _models(document: Document) -> Iterator[Model]:
+    root = root_of(document)
+    yield from root.models
+    for world in root.worlds:
+        yield from world.models
+
+
+def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progress) -> Iterator[Diagnostic]:
+    try:
+        subject = Subject(model)
+    except (DescriptionError, NotConvertible) as error:
+        span = error.loss.span if isinstance(error, NotConvertible) else error.element.span
+        yield Diagnostic(
+            SimKind.NOT_LOADED.code,
+            SimKind.NOT_LOADED.title,
+            Severity.ERROR,
+            f"model `{model.name}` cannot be simulated: {error}",
+            span,
+        )
+        return
+    runs: dict[Engine, Mapping[str, Any]] = {}
+    for engine in settings.engines:
+        progress(f"{model.name} in {_TITLES[engine]}")
+        trial = Trial(subject, engine, settings, stage)
+        yield from trial.findings()
+        if trial.measured:
+            runs[engine] = trial.measured
+    yield from _disagreements(subject, runs)
+
+
+class Subject:
+    """A model, as the numbers that are written, and as URDF."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.document = model.document
+        self.robot: Mechanism = mechanism_of(model)
+        self.converted = self.document.kind is Kind.SDF
+        self.links = {name: name for name in self.robot.links}
+        """Names in URDF → names in the text."""
+        self.joints = {name: name for name in self.robot.joints}
+        if self.converted:
+            self._convert()
+        else:
+            self.text = self.document.source.text
+
+    def _convert(self) -> None:
+        from sdfcheck.convert.sdf_to_urdf import Options, convert
+
+        done = convert(self.document, Options(model=self.model.name), verified=False)
+        self.text = done.text
+        for comparison in done.comparisons:
+            to = comparison.correspondence
+            self.links = {to.link(name).link: name for name in comparison.source.links}
+            self.joints = {
+                to.joint_of_axis(name, 0)[0]: name
+                for name in comparison.source.joints
+                if name not in to.dropped_joints
+            }
+
+    @cached_property
+    def groups(self) -> dict[str, str]:
+        """Link → the first of the links that are rigidly connected with it."""
+        group = {name: name for name in (*self.robot.links, "world")}
+
+        def top(name: str) -> str:
+            while group[name] != name:
+                name = group[name]
+            return name
+
+        for joint in self.robot.joints.values():
+            if not joint.moves and joint.parent in group and joint.child in group:
+                group[top(joint.child)] = top(joint.parent)
+        return {name: top(name) for name in group}
+
+    @cached_property
+    def neighbors(self) -> set[frozenset[str]]:
+        """Pairs of groups with a joint between them."""
+        joints = self.robot.joints.values()
+        known = [joint for joint in joints if joint.parent in self.groups and joint.child in self.groups]
+        return {frozenset((self.groups[joint.parent], self.groups[joint.child])) for joint in known}
+
+    @cached_property
+    def disabled(self) -> set[frozenset[str]]:
+        """Pairs of links whose collisions an SRDF file of the project turns off."""
+        library = library_of(self.document)
+        found: set[frozenset[str]] = set()
+        if library is None or not self.document.path.exists():
+            return found
+        for path in library.packages(self.document.path).files(".srdf", _SEMANTICS):
+            semantics = library.document(path)
+            root = semantics.root if semantics is not None else None
+            if root is None or root.get("name") != self.model.name:
+                continue
+            for element in root.children("disable_collisions"):
+                found.add(frozenset((element.get("link1") or "", element.get("link2") or "")))
+        return found
+
+    def may_touch(self, a: str, b: str) -> bool:
+        """Are two links neighbors, rigidly connected, or meant to be ignored?"""
+        if a not in self.groups or b not in self.groups:
+            return True
+        pair = frozenset((self.groups[a], self.groups[b]))
+        return len(pair) == 1 or pair in self.neighbors or frozenset((a, b)) in self.disabled
+
+    @cached_property
+    def size(self) -> float:
+        """How far the links are apart, in m; at least 0.1."""
+        places = [link.pose[:3, 3] for link in self.robot.links.values()]
+        return max(0.1, *(float(np.linalg.norm(place - places[0])) for place in places)) if places else 0.1
+
+    @cached_property
+    def mass(self) -> float:
+        return sum(link.body.mass for link in self.robot.links.values() if link.body is not None)
+
+    def has_mesh(self, link: str) -> bool:
+        """Does a link, or what is fixed to it, collide with a mesh?"""
+        own = self.robot.links.get(link)
+        return own is not None and any(
+            one.role == "collision" and one.kind == "mesh" for one in own.geometries
+        )
+
+    @cached_property
+    def wheels(self) -> set[str]:
+        """The links that turn without end, and are round."""
+        found = set()
+        for joint in self.robot.joints.values():
+            turns = joint.kind in {"continuous", "revolute"} and bool(joint.axes)
+            if turns and joint.child in self.robot.links and math.isinf(joint.axes[0].upper):
+                shapes = self.robot.links[joint.child].geometries
+                if any(one.role == "collision" and one.kind in {"cylinder", "sphere"} for one in shapes):
+                    found.add(joint.child)
+        return found
+
+    @cached_property
+    def mobile_base(self) -> str:
+        """The root link of a robot with wheels that nothing holds; empty for others."""
+        roots = self.robot.roots()
+        held = any(joint.parent == "world" for joint in self.robot.joints.values())
+        return roots[0] if len(roots) == 1 and len(self.wheels) > 1 and not held else ""
+
+
+class Trial:
+    """A model in one simulator."""
+
+    def __init__(self, subject: Subject, engine: Engine, settings: Settings, stage: Stage) -> None:
+        self.subject, self.engine, self.settings, self.stage = subject, engine, settings, stage
+        self.title = _TITLES[engine]
+        self.measured: Mapping[str, Any] = {}
+        self.left_out: list[tuple[str, str]] = []
+        """Links whose collision meshes are not simulated, and why."""
+        name = f"{subject.document.path.name.partition('.')[0] or 'robot'}.urdf"
+        self.path = stage.write("", name)
+        self.path.write_text(self._prepared(), encoding="utf-8", errors="surrogateescape")
+
+    def _prepared(self) -> str:
+        """The URDF that the simulator gets: no visuals, meshes by absolute paths, nothing merged."""
+        tree = etree.fromstring(
+            self.subject.text.encode("utf-8", "surrogateescape"),
+            etree.XMLParser(resolve_entities=False, no_network=True, recover=True),
+        )
+        for link in tree.iterfind("link"):
+            for visual in link.findall("visual"):
+                link.remove(visual)
+            for collision in link.findall("collision"):
+                reason = self._unreadable(collision)
+                if reason:
+                    link.remove(collision)
+                    self.left_out.append((link.get("name", ""), reason))
+        if self.engine is Engine.MUJOCO:
+            self._set_compiler(tree)
+        return etree.tostring(tree, encoding="unicode")
+
+    def _unreadable(self, collision: Any) -> str:
+        """Finds the mesh of a collision; says why it cannot be simulated."""
+        for mesh in collision.iter("mesh"):
+            uri = mesh.get("filename", "").strip()
+            path = locate(self.subject.document, uri).path if uri else None
+            if path is None:
+                return f"`{uri}` is not found"
+            if path.suffix.lower() not in _MESHES[self.engine]:
+                return f"{self.title} does not read a `{path.suffix}` file"
+            place = self.path.parent / f"{len(list(self.path.parent.iterdir()))}-{path.name}"
+            try:
+                os.symlink(path.resolve(), place)
+            except OSError:
+                shutil.copyfile(path, place)
+            mesh.set("filename", str(place))
+        return ""
+
+    def _is_ball(self, name: str) -> bool:
+        joint = self.subject.robot.joints.get(name)
+        return joint is not None and joint.kind == "ball"
+
+    def _set_compiler(self, tree: Any) -> None:
+        extension = tree.find("mujoco")
+        if extension is None:
+            extension = etree.SubElement(tree, "mujoco")
+        compiler = extension.find("compiler")
+        if compiler is None:
+            compiler = etree.SubElement(extension, "compiler")
+        for joint in tree.iterfind("joint"):
+            name = joint.get("name", "")
+            if self._is_ball(self.subject.joints.get(name, name)) and joint.get("type") == "floating":
+                joint.set("type", "spherical")  # its own word
+        compiler.attrib.pop("meshdir", None)
+        compiler.attrib.update({"strippath": "false", "fusestatic": "false"})
+
+    def findings(self) -> Iterator[Diagnostic]:
+        """Ask, and judge the answers."""
+        facts, held, *stood = self._answers()
+        if not facts.is_accepted:
+            yield self._refused(facts)
+            return
+        for link, why in self.left_out:
+            text = f"collides with nothing in {self.title}: {why}"
+            yield self._at_link(SimKind.LEFT_OUT, link, text, "info")
+        if facts.result:
+            if not self.subject.converted:
+                yield from self._masses(facts.result["bodies"])
+            yield from self._joints(facts.result["joints"])
+        if not held.is_accepted or held.error:
+            yield self._refused(held)
+            return
+        self.measured = held.result
+        yield from self._overlaps(held.result["overlaps"])
+        yield from self._sweep(held.result["sweep"])
+        yield from self._loads(held.result["loads"])
+        if held.result["overlaps"]:
+            return  # these push, so that nothing else is as it was meant
+        yield from self._fall(held.result["fall"])
+        for answer in stood:
+            yield from self._stand(answer.result.get("stand", {}))
+
+    def _answers(self) -> list[Answer]:
+        """The measurements: the numbers, the behavior, and on the ground."""
+        settings: dict[str, Any] = {"seconds": self.settings.seconds, "time_step": TIME_STEP}
+        asked: list[tuple[str, dict[str, Any]]] = [
+            ("facts", {"configurations": [{}]}),
+            ("behave", settings | {"experiments": ["overlaps", "fall", "sweep", "loads"]}),
+        ]
+        if root := self.subject.mobile_base:
+            asked.append(("behave", settings | {"experiments": ["stand"], "root": self._in_urdf(root)}))
+        questions = [Question(self.path, action, given) for action, given in asked]
+        answers = list(ask_all(self.engine, questions, self.settings.limits))
+        if answers[0].outcome is Outcome.MISSING:
+            raise MissingEngine(f"{self.title} is not installed: {answers[0].error}")
+        return answers
+
+    def _refused(self, answer: Answer) -> Diagnostic:
+        why = answer.error.replace(str(self.path), self.subject.document.path.name)
+        verb = "does not load it" if answer.outcome is Outcome.REFUSED else "cannot run it"
+        after = ", as URDF" if self.subject.converted else ""
+        text = f"model `{self.subject.model.name}`: {self.title} {answer.version} {verb}{after}: {why}"
+        return self._found(SimKind.NOT_LOADED, self.subject.model.element, text, "error")
+
+    def _masses(self, bodies: Mapping[str, Any]) -> Iterator[Diagnostic]:
+        given: dict[str, float] = {}
+        for name, own in self.subject.robot.links.items():
+            body = bodies.get(self._in_urdf(name))
+            if body is None:
+                continue
+            if own.body is None and body[0] > 0:
+                given[name] = body[0]
+                continue
+            mass = own.body.mass if own.body is not None else 0.0
+            if not math.isclose(body[0], mass, rel_tol=1e-3, abs_tol=1e-6):
+                text = f"has {body[0]:g} kg in {self.title}, and {mass:g} kg here"
+                yield self._at_link(SimKind.OTHER_MASS, name, text)
+            elif own.body is not None and not self.subject.converted:
+                moments, written = np.array(body[2]), own.body.moments
+                scale = max(float(np.abs(written).max()), 1e-12)
+                if not float(np.abs(moments - written).max()) <= 1e-2 * scale:
+                    yield self._at_link(
+                        SimKind.OTHER_MASS, name, f"has other moments of inertia in {self.title} than here"
+                    )
+
+        for name, mass in list(given.items())[:1]:
+            more = f"; so have {counted(len(given) - 1, 'other link')}" if len(given) > 1 else ""
+            text = f"has no mass here, and {mass:.4g} kg by {self.title}'s own choice{more}"
+            matters = sum(given.values()) > _SMALL * self.subject.mass
+            yield self._at_link(SimKind.OTHER_MASS, name, text, "warning" if matters else "info")
+
+    def _joints(self, joints: Mapping[str, Any]) -> Iterator[Diagnostic]:
+        for urdf, name in self.subject.joints.items():
+            own = self.subject.robot.joints[name]
+            if own.kind not in {"revolute", "prismatic", "continuous"} or not own.axes:
+                continue
+            if urdf not in joints:
+                yield self._at_joint(SimKind.OTHER_JOINT, own, f"is not in {self.title}")
+                continue
+            there = joints[urdf]["lower"], joints[urdf]["upper"]
+            here = own.axes[0].lower, own.axes[0].upper
+            if own.kind != "continuous" and not all(map(_as_good_as, here, there)):
+                ranges = [f"{a:g} to {b:g}" if b - a < 1e9 else "no range" for a, b in (here, there)]
+                text = f"has {ranges[1]} in {self.title}, and {ranges[0]} here"
+                yield self._at_joint(SimKind.OTHER_JOINT, own, text)
+
+    def _overlaps(self, pairs: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
+        for a, b, depth, _ in pairs:
+            one, other = self._name(a), self._name(b)
+            if depth > _DEPTH and not self.subject.may_touch(one, other):
+                own, note = self._hulls(one, other)
+                text = f"overlaps link `{other}` by {_length(depth)} at the start in {self.title}{note}"
+                label = self._label(other, "the other link")
+                yield self._at_link(SimKind.START_OVERLAP, one, text, own, label)
+
+    def _hulls(self, a: str, b: str) -> tuple[str, str]:
+        """The severity of an overlap, and what the simulator has to do with it."""
+        if self.engine in _HULLS and (self.subject.has_mesh(a) or self.subject.has_mesh(b)):
+            return "info", ", which takes the convex hulls of meshes"
+        return "warning", ""
+
+    def _fall(self, fall: Mapping[str, Any]) -> Iterator[Diagnostic]:
+        subject = self.subject
+        if not fall["finite"]:
+            text = f"positions are not finite in {self.title} after {fall['time']:.2g} s"
+            yield self._found(
+                SimKind.UNSTABLE, subject.model.element, f"model `{subject.model.name}`: {text}", "error"
+            )
+            return
+        scale = max(subject.mass * GRAVITY * subject.size, 1e-3)
+        gain = fall["highest"] - fall["energy"]
+        fastest = max(fall["fastest"].items(), key=lambda item: item[1], default=("", 0.0))
+        bound = 3 * math.sqrt(4 * GRAVITY * subject.size) + 2 * GRAVITY * self.settings.seconds
+        if gain > _GAIN * scale:
+            text = f"gains {gain:.3g} J from nothing in {self.title} while it falls with its root link held"
+            yield self._at_link(SimKind.UNSTABLE, self._name(fastest[0]), text, "warning")
+        elif fastest[1] > bound:
+            text = f"moves at {fastest[1]:.3g} m/s in {self.title}, faster than falling explains"
+            yield self._at_link(SimKind.UNSTABLE, self._name(fastest[0]), text, "warning")
+        else:
+            half, double = fall["steps"]
+            name, apart = _farthest(half, double)
+            if apart > _APART * subject.size + 0.005:
+                text = (
+                    f"is {_length(apart)} elsewhere after 0.2 s in {self.title} with {2 * TIME_STEP:g} s as "
+                    f"time step than with {TIME_STEP / 2:g} s"
+                )
+                yield self._at_link(SimKind.STEP_DEPENDENT, self._name(name), text, "warning")
+
+    def _sweep(self, met: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
+        for joint, a, b, depth, position, count, steps in met:
+            one, other = self._name(a), self._name(b)
+            own = self.subject.robot.joints.get(self.subject.joints.get(joint, ""))
+            if own is None or depth <= _DEPTH or self.subject.may_touch(one, other):
+                continue
+            severity, note = self._hulls(one, other)
+            unit = "m" if own.kind == "prismatic" else "rad"
+            text = f"moves link `{one}` {_length(depth)} into `{other}` at {position:.3g} {unit}"
+            often = f" ({count} of {steps} positions) in {self.title}{note}"
+            severity = severity if 2 * count > steps else "info"
+            yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity)
+
+    def _loads(self, loads: Mapping[str, Mapping[str, float]]) -> Iterator[Diagnostic]:
+        for urdf, name in self.subject.joints.items():
+            own = self.subject.robot.joints[name]
+            effort = own.axes[0].effort if own.axes else math.inf
+            unit = "N" if own.kind == "prismatic" else "N·m"
+            if not 0 < effort < math.inf:
+                continue
+            start, most = (loads[each].get(urdf, 0.0) for each in ("start", "most"))
+            if start > effort * 1.001:
+                text = f"needs {start:.3g} {unit} to hold the robot where it starts, and has {effort:g}"
+                yield self._at_joint(SimKind.WEAK_JOINT, own, f"{text} ({self.title})")
+            elif most > effort * 1.001:
+                text = f"needs up to {most:.3g} {unit} to hold the robot, and has {effort:g}"
+                yield self._at_joint(SimKind.WEAK_JOINT, own, f"{text} ({self.title})", "info")
+
+    def _stand(self, stood: Mapping[str, Any]) -> Iterator[Diagnostic]:
+        if not stood.get("touches") or "tilt" not in stood:
+            return
+        root = self.subject.mobile_base
+        touching = {self._name(name) for name in stood["touches"]}
+        after = f"within {self.settings.seconds:g} s on level ground in {self.title}"
+        if stood["tilt"] > _TILT:
+            text = f"tips over: it tilts by {math.degrees(stood['tilt']):.0f}° {after}"
+            yield self._at_link(SimKind.TIPPING, root, text)
+        elif touching.isdisjoint(self.subject.wheels):
+            names = ", ".join(f"`{name}`" for name in sorted(touching)[:3])
+            text = f"stands on {names} and not on its wheels, {after}"
+            yield self._at_link(SimKind.TIPPING, root, text)
+
+    def _name(self, urdf: str) -> str:
+        return self.subject.links.get(urdf, urdf)
+
+    def _in_urdf(self, name: str) -> str:
+        return next((urdf for urdf, own in self.subject.links.items() if own == name), name)
+
+    def _label(self, link: str, text: str) -> tuple[Label, ...]:
+        own = self.subject.robot.links.get(link)
+        return (Label(_place(own.element), text),) if own is not None else ()
+
+    def _at_link(
+        self, kind: SimKind, name: str, text: str, severity: str = "warning", labels: tuple[Label, ...] = ()
+    ) -> Diagnostic:
+        link = self.subject.robot.links.get(name)
+        element = link.element if link is not None else self.subject.model.element
+        return self._found(kind, element, f"link `{name}` {text}", severity, labels)
+
+    def _at_joint(self, kind: SimKind, joint: Joint, text: str, severity: str = "warning") -> Diagnostic:
+        return self._found(kind, joint.element, f"joint `{joint.name}` {text}", severity)
+
+    def _found(
+        self, kind: SimKind, element: Element, text: str, severity: str, labels: tuple[Label, ...] = ()
+    ) -> Diagnostic:
+        return _diagnostic(kind, element, text, Severity(severity), labels)
+
+
+def _diagnostic(
+    kind: SimKind, element: Element, text: str, severity: Severity, labels: tuple[Label, ...] = ()
+) -> Diagnostic:
+    origins = tuple(Origin(step.span, step.text) for step in element.document.origins(element))
+    return Diagnostic(kind.code, kind.title, severity, text, _place(element), labels, None, None, origins)
+
+
+def _place(element: Element) -> Span:
+    """The name of an element, or the element."""
+    value = element.attribute("name")
+    return value.span if value is not None else element.span
+
+
+def _as_good_as(a: float, b: float) -> bool:
+    """Are two bounds equal? So large ones mean none."""
+    return math.isclose(a, b, rel_tol=1e-3, abs_tol=1e-4) or (min(abs(a), abs(b)) >= 1e9 and a * b > 0)
+
+
+def _length(length: float) -> str:
+    return f"{1000 * length:.3g} mm" if length < 1 else f"{length:.3g} m"
+
+
+def _farthest(a: Mapping[str, Any], b: Mapping[str, Any]) -> tuple[str, float]:
+    """The link that is farthest from where it is in another run, and how far."""
+    apart = {
+        name: math.dist([row[3] for row in a[name][:3]], [row[3] for row in b[name][:3]])
+        for name in a
+        if name in b
+    }
+    return max(apart.items(), key=lambda item: item[1], default=("", 0.0))
+
+
+def _disagreements(subject: Subject, runs: Mapping[Engine, Mapping[str, Any]]) -> Iterator[Diagnostic]:
+    """Simulators that let the robot fall differently, where nothing touches."""
+    quiet = {engine: run["fall"] for engine, run in runs.items() if not run["overlaps"]}
+    first, *others = quiet or {Engine.MUJOCO: {}}
+    for other in others:
+        name, apart = _farthest(quiet[first].get("early", {}), quiet[other].get("early", {}))
+        if apart > _APART * subject.size + 0.005:
+            link = subject.robot.links.get(subject.links.get(name, name))
+            text = (
+                f"link `{subject.links.get(name, name)}` is {_length(apart)} elsewhere after 0.2 s in "
+                f"{_TITLES[other]} than in {_TITLES[first]}"
+            )
+            element = link.element if link is not None else subject.model.element
+            yield _diagnostic(SimKind.ENGINES_DISAGREE, element, text, Severity.WARNING)

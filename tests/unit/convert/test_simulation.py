@@ -1,0 +1,175 @@
+"""``sdfcheck simulate``: planted defects of robots, and robots that behave."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+from sdfcheck.consumers.engines import SIMULATORS, Engine, is_installed
+
+ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
+pytestmark = pytest.mark.peers
+ENGINES = [pytest.param(engine, id=engine.value) for engine in SIMULATORS]
+
+
+def inertial(mass: float, moment: float) -> str:
+    return (
+        f'<inertial><mass value="{mass}"/>'
+        f'<inertia ixx="{moment}" iyy="{moment}" izz="{moment}" ixy="0" ixz="0" iyz="0"/></inertial>'
+    )
+
+
+def box(size: str, at: str = "0 0 0") -> str:
+    return f'<collision><origin xyz="{at}"/><geometry><box size="{size}"/></geometry></collision>'
+
+
+def arm(*, tool_at: str = "0 0 0.2", effort: float = 20, mass: float = 1, extra: str = "") -> str:
+    """A base, an upper arm that swings about y, and a tool that swings at its end."""
+    return f"""<robot name="r">
+<link name="base">{inertial(5, 0.05)}{box(".2 .2 .2")}</link>
+<link name="arm">{inertial(1, 0.01)}{box(".05 .05 .2", "0.15 0 0.1")}</link>
+<link name="tool">{inertial(mass, 0.01)}{box(".1 .1 .1", tool_at)}</link>
+<joint name="shoulder" type="revolute"><origin xyz="0 0 0.15"/><parent link="base"/><child link="arm"/>
+<axis xyz="0 1 0"/><limit lower="-0.2" upper="0.2" effort="{effort}" velocity="2"/></joint>
+<joint name="wrist" type="revolute"><origin xyz="0.3 0 0.2"/><parent link="arm"/><child link="tool"/>
+<axis xyz="0 1 0"/><limit lower="-0.2" upper="0.2" effort="{effort}" velocity="2"/></joint>{extra}</robot>"""
+
+
+def cart(*, track: float = 0.3, high: float = 0.1, radius: float = 0.1) -> str:
+    """A box on four wheels."""
+    wheels = "".join(
+        f"""<link name="wheel_{n}">{inertial(0.5, 0.002)}<collision><origin rpy="1.5708 0 0"/><geometry>
+<cylinder radius="{radius}" length="0.04"/></geometry></collision></link>
+<joint name="turn_{n}" type="continuous"><origin xyz="{x} {y} 0"/><parent link="base"/>
+<child link="wheel_{n}"/><axis xyz="0 1 0"/></joint>"""
+        for n, (x, y) in enumerate(((0.2, track), (0.2, -track), (-0.2, track), (-0.2, -track)))
+    )
+    body = inertial(5, 0.05).replace("<inertial>", f'<inertial><origin xyz="0 0 {high}"/>')
+    return f'<robot name="cart"><link name="base">{body}{box(".5 .2 .1")}</link>{wheels}</robot>'
+
+
+def findings(
+    text: str, engine: Engine, folder: Path, capsys: pytest.CaptureFixture[str], name: str = "r.urdf"
+) -> list[dict[str, str]]:
+    if not is_installed(engine):
+        pytest.skip(f"{engine.value} is not installed: {engine.advice}")
+    file = folder / name
+    file.write_text(text, encoding="utf-8")
+    line = ["simulate", str(file), "--isolated", "--in", engine.value, "--seconds", "1"]
+    assert main([*line, "--output-format", "json", "-q"]) in {0, 1}
+    found: list[dict[str, str]] = json.loads(capsys.readouterr().out)["diagnostics"]
+    return found
+
+
+def codes(found: list[dict[str, str]]) -> set[str]:
+    return {one["code"] for one in found if one["severity"] != "info"}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("text", [arm(), cart()], ids=["arm", "cart"])
+def test_robots_that_behave(
+    engine: Engine, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert findings(text, engine, tmp_path, capsys) == []
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize(
+    ("text", "code", "says"),
+    [
+        (arm(tool_at="-0.3 0 -0.3"), "SIM004", "link `base` overlaps link `tool`"),
+        (arm(effort=1), "SIM008", "joint `shoulder` needs "),
+        (cart(track=0.12, high=2), "", ""),
+        (cart(radius=0.02), "SIM009", "stands on `base` and not on its wheels"),
+    ],
+    ids=["overlap", "effort", "high", "small-wheels"],
+)
+def test_planted_defects(
+    engine: Engine, text: str, code: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = findings(text, engine, tmp_path, capsys)
+    assert codes(found) == ({code} if code else set())
+    assert any(says in one["message"] for one in found) or not code
+
+
+def test_a_robot_that_leans_tips_over(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = cart(high=0.1).replace('<origin xyz="0 0 0.1"/>', '<origin xyz="0 0.6 0.5"/>')
+    (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys)
+    assert found["code"] == "SIM009"
+    assert "tips over" in found["message"]
+
+
+def test_masses_that_a_simulator_invents_are_its_doing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = arm().replace(inertial(1, 0.01) + box(".1 .1 .1", "0 0 0.2"), box(".1 .1 .1", "0 0 0.2"))
+    (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys)
+    assert found["code"] == "SIM002"
+    assert found["message"] == "link `tool` has no mass here, and 1 kg by MuJoCo's own choice"
+
+
+def test_a_joint_that_moves_parts_into_one_another(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = arm(tool_at="-0.6 0 0.05").replace('lower="-0.2" upper="0.2"', 'lower="-1.2" upper="0"')
+    found = findings(text, Engine.MUJOCO, tmp_path, capsys)
+    assert {one["code"] for one in found} == {"SIM007"}
+    assert all("joint `" in one["message"] and "into `" in one["message"] for one in found)
+
+
+def test_pairs_that_srdf_disables_may_overlap(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = arm(tool_at="-0.3 0 -0.3")
+    assert codes(findings(text, Engine.MUJOCO, tmp_path, capsys)) == {"SIM004"}
+    (tmp_path / "r.srdf").write_text(
+        '<robot name="r"><disable_collisions link1="tool" link2="base" reason="Never"/></robot>'
+    )
+    assert codes(findings(text, Engine.MUJOCO, tmp_path, capsys)) == set()
+
+
+def test_a_robot_that_cannot_be_loaded_is_a_finding(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = arm().replace('child link="tool"', 'child link="nothing"')
+    (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys)
+    assert (found["code"], found["severity"]) == ("SIM001", "error")
+
+
+def test_meshes_that_are_not_found_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    mesh = '<collision><geometry><mesh filename="package://p/none.stl"/></geometry></collision>'
+    text = arm().replace(box(".1 .1 .1", "0 0 0.2"), mesh)
+    (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys)
+    assert (found["code"], found["severity"]) == ("SIM011", "info")
+
+
+def test_sdformat_is_converted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = """<sdf version="1.9"><world name="w"><model name="m">{}</model></world></sdf>""".format(
+        "".join(
+            f'<link name="{name}"><pose>0 0 {z} 0 0 0</pose><inertial><mass>1</mass></inertial>'
+            f'<collision name="c"><geometry><box><size>{s} {s} {s}</size></box></geometry></collision></link>'
+            for name, z, s in (("a", 0.5, 0.3), ("b", 1.5, 0.1), ("c", 0.5, 0.1))
+        )
+        + '<joint name="ab" type="revolute"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis></joint>'
+        + '<joint name="bc" type="revolute"><parent>b</parent><child>c</child><axis><xyz>0 0 1</xyz></axis></joint>'
+    )
+    (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys, "w.sdf")
+    assert found["code"] == "SIM004"
+    assert "link `a` overlaps link `c`" in found["message"]
+
+
+def test_a_robot_of_our_own_in_all_simulators(capsys: pytest.CaptureFixture[str]) -> None:
+    engines = [engine for engine in (Engine.MUJOCO, Engine.DRAKE) if is_installed(engine)]
+    if len(engines) < 2:
+        pytest.skip("MuJoCo or Drake is not installed")
+    file = str(ROBOTS / "desk_arm" / "desk_arm.urdf")
+    assert main(["simulate", file, "--isolated", "--in", "mujoco,drake"]) == 0
+    assert "All clear" in capsys.readouterr().out
+
+
+def test_wrong_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text(arm())
+    assert main(["simulate", str(file), "--in", "mujocco"]) == 2
+    assert "--in: unknown simulator `mujocco`, did you mean `mujoco`?" in capsys.readouterr().err
