@@ -630,9 +630,7 @@ def INR004_applies(link):
         return False
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
-def inr_moments__is_doubtful(inertial):
-    if inertial.fits_shapes and (not inertial.link.has_mesh):
-        return False
+def inr_moments__is_written(inertial):
     return inertial.is_given and (not inertial.is_automatic) and (not inertial.link.may_be_static)
 
 inr_moments___FACTOR = 100.0
@@ -644,7 +642,9 @@ def inr_moments__is_out_of_scale(inertial):
     return link.holder is not None and link.holder.kind == 'model' and link.model.is_out_of_scale
 
 def inr_moments__ratio(inertial):
-    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial):
+    if inertial.is_near and (not inertial.link.has_mesh):
+        return math_.nan
+    if not inr_moments__is_written(inertial) or not inr_moments__is_weighed(inertial):
         return math_.nan
     if inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
         return math_.nan
@@ -745,7 +745,9 @@ def INR012_applies(inertial):
 inr_places___LEAST = 0.001
 
 def inr_places__is_compared(inertial):
-    if not inr_moments__is_doubtful(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
+    if inertial.is_inside and (not inertial.link.has_mesh):
+        return False
+    if not inr_moments__is_written(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
         return False
     return inertial.link.extent is not None and (not inr_moments__is_out_of_scale(inertial))
 
@@ -780,6 +782,9 @@ def INR013_applies(inertial):
 
 def INR014_applies(inertial):
     return inr_places__is_off_origin(inertial)
+
+def inr_moments__is_doubtful(inertial):
+    return (not inertial.fits_shapes or inertial.link.has_mesh) and inr_moments__is_written(inertial)
 
 def inr_exchanged_moments__is_turned(inertial):
     place = inertial.find('origin' if inertial.is_urdf else 'pose')

@@ -20,7 +20,8 @@ def triangles(count: int) -> str:
     """A COLLADA file that has so many triangles, as far as its header goes."""
     return (
         '<COLLADA><library_geometries><geometry id="g"><mesh><source id="p">'
-        '<float_array>0 0 0 1 0 0 0 1 1</float_array></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>'
+        "<float_array>0 0 0 1 0 0 0 1 1</float_array></source>"
+        '<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>'
         f'<triangles count="{count}"/></mesh></geometry></library_geometries></COLLADA>'
     )
 
