@@ -786,6 +786,10 @@ def INR014_applies(inertial):
 def inr_moments__is_doubtful(inertial):
     return (not inertial.fits_shapes or inertial.link.has_mesh) and inr_moments__is_written(inertial)
 
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
 def inr_exchanged_moments__is_turned(inertial):
     place = inertial.find('origin' if inertial.is_urdf else 'pose')
     if place is None:
@@ -796,14 +800,12 @@ def inr_exchanged_moments__is_turned(inertial):
 def inr_exchanged_moments__off(moments, others):
     return max((max(one / other, other / one) for one, other in zip(moments, others, strict=True)))
 
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
-
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
-
 inr_exchanged_moments__PAIRS = ((1, 2), (0, 1), (0, 2))
 
 def inr_exchanged_moments__exchanged(inertial):
-    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
+    if not inr_moments__is_doubtful(inertial) or max(inertial.tensor[:3]) < inr_exchanged_moments__DIFFERS / inr_exchanged_moments__FITS * min(inertial.tensor[:3]):
+        return ()
+    if not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
         return ()
     moments, box = (inertial.tensor, inertial.link.box)
     mass = inertial.mass.number
@@ -839,7 +841,7 @@ inr_excess_density__BEYOND = 100000.0
 inr_excess_density__HEAVIER = 20.0
 
 def inr_excess_density__is_too_dense(inertial):
-    if not inertial.mass.is_given:
+    if not inertial.mass.is_given or (inertial.is_light and (not inertial.link.has_mesh)):
         return False
     link = inertial.link
     if link.holder is not None and link.holder.kind == 'model' and link.model.joints and (not link.parent_joints):

@@ -25,6 +25,8 @@ NEAR = 4
 """The moments are at most twice those of a solid of the shapes."""
 FITTING = 8
 """They are so axis by axis, and the mass is that of a material."""
+LIGHT = 16
+"""The mass is that of a material."""
 _DENSEST = 20_000.0
 """kg/m³: so is nothing that is heavier than any material."""
 _EVEN = 1.2
@@ -44,7 +46,7 @@ _MAKERS = {
 
 
 def soundness(link: Element) -> int:
-    """The sum of what is surely so of a link's mass properties: ``SOUND``, ``INSIDE``, ``NEAR`` and ``FITTING``."""
+    """The sum of what is surely so of a link's mass properties: ``SOUND``, ``INSIDE``, ``NEAR``, ``FITTING``, ``LIGHT``."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
@@ -117,7 +119,7 @@ def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], 
         return 0
     placed = [found for shape in shapes if (found := _placed(shape)) is not None]
     if not placed:
-        return SOUND | INSIDE | NEAR | FITTING if max(moments[:3]) <= _REACH * _REACH * mass else 0
+        return SOUND | INSIDE | NEAR | FITTING | LIGHT if max(moments[:3]) <= _REACH * _REACH * mass else 0
     volume = total = 0.0
     is_inside = is_turned = False
     diagonal = [0.0, 0.0, 0.0]
@@ -139,6 +141,7 @@ def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], 
     )
     if mass > _DENSEST * volume:
         return found
+    found |= LIGHT
     if is_turned:
         return found | FITTING if max(moments[:3]) < _EVEN * min(moments[:3]) else found
     ratios = (moment * volume / (mass * each) for moment, each in zip(moments[:3], diagonal, strict=True))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.parts import solids
 from sdfcheck.robot.parts.solids import Moments, Solid
-from sdfcheck.robot.sound_inertia import FITTING, INSIDE, NEAR, SOUND, soundness
+from sdfcheck.robot.sound_inertia import FITTING, INSIDE, LIGHT, NEAR, SOUND, soundness
 from sdfcheck.robot.values import Number, is_true, lazy, number
 
 if TYPE_CHECKING:
@@ -172,6 +172,11 @@ class Inertial(Part):
     def is_inside(self) -> bool:
         """Is the center of mass surely inside of a primitive shape? False proves nothing."""
         return bool(self._soundness & INSIDE)
+
+    @property
+    def is_light(self) -> bool:
+        """Is the mass surely that of a material that fills its primitive shapes? False proves nothing."""
+        return bool(self._soundness & LIGHT)
 
     @property
     def is_near(self) -> bool:
