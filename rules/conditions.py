@@ -764,9 +764,7 @@ def INR004_applies(link):
         return False
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
-def inr_moments__is_doubtful(inertial):
-    if inertial.fits_shapes and (not inertial.link.has_mesh):
-        return False
+def inr_moments__is_written(inertial):
     return inertial.is_given and (not inertial.is_automatic) and (not inertial.link.may_be_static)
 
 inr_moments___FACTOR = 100.0
@@ -778,7 +776,9 @@ def inr_moments__is_out_of_scale(inertial):
     return link.holder is not None and link.holder.kind == 'model' and link.model.is_out_of_scale
 
 def inr_moments__ratio(inertial):
-    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial):
+    if inertial.is_near and (not inertial.link.has_mesh):
+        return math_.nan
+    if not inr_moments__is_written(inertial) or not inr_moments__is_weighed(inertial):
         return math_.nan
     if inr_moments__is_indefinite(inertial) or inr_moments__is_impossible(inertial):
         return math_.nan
@@ -881,7 +881,9 @@ def INR012_applies(inertial):
 inr_places___LEAST = 0.001
 
 def inr_places__is_compared(inertial):
-    if not inr_moments__is_doubtful(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
+    if inertial.is_inside and (not inertial.link.has_mesh):
+        return False
+    if not inr_moments__is_written(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
         return False
     return inertial.link.extent is not None and (not inr_moments__is_out_of_scale(inertial))
 
@@ -917,6 +919,13 @@ def INR013_applies(inertial):
 def INR014_applies(inertial):
     return inr_places__is_off_origin(inertial)
 
+def inr_moments__is_doubtful(inertial):
+    return (not inertial.fits_shapes or inertial.link.has_mesh) and inr_moments__is_written(inertial)
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
 def inr_exchanged_moments__is_turned(inertial):
     place = inertial.find('origin' if inertial.is_urdf else 'pose')
     if place is None:
@@ -927,14 +936,12 @@ def inr_exchanged_moments__is_turned(inertial):
 def inr_exchanged_moments__off(moments, others):
     return max((max(one / other, other / one) for one, other in zip(moments, others, strict=True)))
 
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
-
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
-
 inr_exchanged_moments__PAIRS = ((1, 2), (0, 1), (0, 2))
 
 def inr_exchanged_moments__exchanged(inertial):
-    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
+    if not inr_moments__is_doubtful(inertial) or max(inertial.tensor[:3]) < inr_exchanged_moments__DIFFERS / inr_exchanged_moments__FITS * min(inertial.tensor[:3]):
+        return ()
+    if not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
         return ()
     moments, box = (inertial.tensor, inertial.link.box)
     mass = inertial.mass.number
@@ -970,7 +977,7 @@ inr_excess_density__BEYOND = 100000.0
 inr_excess_density__HEAVIER = 20.0
 
 def inr_excess_density__is_too_dense(inertial):
-    if not inertial.mass.is_given:
+    if not inertial.mass.is_given or (inertial.is_light and (not inertial.link.has_mesh)):
         return False
     link = inertial.link
     if link.holder is not None and link.holder.kind == 'model' and link.model.joints and (not link.parent_joints):

@@ -71,7 +71,7 @@ def density(inertial: Inertial) -> float:
 
 def is_too_dense(inertial: Inertial) -> bool:
     """Is it denser than any material, and more than a mark of a place?"""
-    if not inertial.mass.is_given:
+    if not inertial.mass.is_given or (inertial.is_light and not inertial.link.has_mesh):
         return False
     link = inertial.link
     if (

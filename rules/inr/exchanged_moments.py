@@ -90,7 +90,9 @@ class ExchangedMoments(Rule):
 
 def exchanged(inertial: Inertial) -> tuple[int, ...]:
     """The axes of the two moments that fit the link's shapes the other way round; none where they fit."""
-    if not is_doubtful(inertial) or not is_weighed(inertial) or is_turned(inertial):
+    if not is_doubtful(inertial) or max(inertial.tensor[:3]) < DIFFERS / FITS * min(inertial.tensor[:3]):
+        return ()
+    if not is_weighed(inertial) or is_turned(inertial):
         return ()
     moments, box = inertial.tensor, inertial.link.box
     mass = inertial.mass.number

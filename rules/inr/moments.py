@@ -81,9 +81,12 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
 
 
 def is_doubtful(inertial: Inertial) -> bool:
-    """Is it worth comparing with the link's shapes? Meshes are not looked at where numbers alone are judged."""
-    if inertial.fits_shapes and not inertial.link.has_mesh:
-        return False
+    """Is it worth comparing the mass and the axes with the link's shapes?"""
+    return (not inertial.fits_shapes or inertial.link.has_mesh) and is_written(inertial)
+
+
+def is_written(inertial: Inertial) -> bool:
+    """Are there numbers of a body that moves?"""
     return inertial.is_given and not inertial.is_automatic and not inertial.link.may_be_static
 
 
@@ -92,7 +95,9 @@ def ratio(inertial: Inertial) -> float:
 
     Nor does it where the shapes are a hundred times too large or too small: those are reported.
     """
-    if not is_doubtful(inertial) or not is_weighed(inertial):
+    if inertial.is_near and not inertial.link.has_mesh:
+        return math.nan
+    if not is_written(inertial) or not is_weighed(inertial):
         return math.nan
     if is_indefinite(inertial) or is_impossible(inertial):
         return math.nan

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck import Inertial, Value
-from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
+from sdfcheck_rules.inr.moments import is_out_of_scale, is_written
 
 _LEAST = 1e-3
 """kg: lighter links mark places; where their mass is makes no difference."""
@@ -15,7 +15,9 @@ _APART, _AT_END = 0.4, 0.49
 
 def is_compared(inertial: Inertial) -> bool:
     """Is there a mass, and are all shapes of the link known?"""
-    if not is_doubtful(inertial) or not inertial.mass.number >= _LEAST or inertial.center is None:
+    if inertial.is_inside and not inertial.link.has_mesh:
+        return False
+    if not is_written(inertial) or not inertial.mass.number >= _LEAST or inertial.center is None:
         return False
     return inertial.link.extent is not None and not is_out_of_scale(inertial)
 

@@ -17,6 +17,16 @@ _PLAUSIBLE = (0.01, 10.0)
 _REACH = 5.0
 """So are centers of mass this near to the origin, and links without shapes whose mass is not farther out (m)."""
 
+SOUND = 1
+"""The numbers are those of a body of about the size of the link's shapes."""
+INSIDE = 2
+"""The center of mass is inside of a shape."""
+NEAR = 4
+"""The moments are at most twice those of a solid of the shapes."""
+FITTING = 8
+"""They are so axis by axis, and the mass is that of a material."""
+LIGHT = 16
+"""The mass is that of a material."""
 _DENSEST = 20_000.0
 """kg/m³: so is nothing that is heavier than any material."""
 _EVEN = 1.2
@@ -36,7 +46,7 @@ _MAKERS = {
 
 
 def soundness(link: Element) -> int:
-    """A 1 only if a link's mass properties are surely those of a body, a 2 if they also fit its shapes; else 0."""
+    """The sum of what is surely so of a link's mass properties: ``SOUND``, ``INSIDE``, ``NEAR``, ``FITTING``, ``LIGHT``."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
@@ -109,7 +119,7 @@ def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], 
         return 0
     placed = [found for shape in shapes if (found := _placed(shape)) is not None]
     if not placed:
-        return 2 if max(moments[:3]) <= _REACH * _REACH * mass else 0
+        return SOUND | INSIDE | NEAR | FITTING | LIGHT if max(moments[:3]) <= _REACH * _REACH * mass else 0
     volume = total = 0.0
     is_inside = is_turned = False
     diagonal = [0.0, 0.0, 0.0]
@@ -123,14 +133,19 @@ def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], 
         for axis, offset in enumerate((x, y, z)):
             diagonal[axis] += solid.volume * (solid.moments[axis] + distance - offset * offset)
     low, high = _PLAUSIBLE
-    if not low <= sum(moments[:3]) * volume / (mass * total) <= high:
-        return 0
-    if not is_inside or mass > _DENSEST * volume:
-        return 1
+    ratio = sum(moments[:3]) * volume / (mass * total)
+    found = (
+        (SOUND if low <= ratio <= high else 0)
+        | (NEAR if low <= ratio <= 2 else 0)
+        | (INSIDE if is_inside else 0)
+    )
+    if mass > _DENSEST * volume:
+        return found
+    found |= LIGHT
     if is_turned:
-        return 2 if max(moments[:3]) < _EVEN * min(moments[:3]) else 1
+        return found | FITTING if max(moments[:3]) < _EVEN * min(moments[:3]) else found
     ratios = (moment * volume / (mass * each) for moment, each in zip(moments[:3], diagonal, strict=True))
-    return 2 if all(1 / 2 < found < 2 for found in ratios) else 1
+    return found | FITTING if all(1 / 2 < each < 2 for each in ratios) else found
 
 
 def _placed(shape: Element) -> tuple[solids.Solid, list[float], bool] | None:

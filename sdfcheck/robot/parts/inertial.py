@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.parts import solids
 from sdfcheck.robot.parts.solids import Moments, Solid
-from sdfcheck.robot.sound_inertia import soundness
+from sdfcheck.robot.sound_inertia import FITTING, INSIDE, LIGHT, NEAR, SOUND, soundness
 from sdfcheck.robot.values import Number, is_true, lazy, number
 
 if TYPE_CHECKING:
@@ -161,12 +161,27 @@ class Inertial(Part):
 
         Worked out quickly; False proves nothing.
         """
-        return self._soundness > 0
+        return bool(self._soundness & SOUND)
 
     @property
     def fits_shapes(self) -> bool:
         """Are they also near to those of the link's primitive shapes, axis by axis? False proves nothing."""
-        return self._soundness > 1
+        return bool(self._soundness & FITTING)
+
+    @property
+    def is_inside(self) -> bool:
+        """Is the center of mass surely inside of a primitive shape? False proves nothing."""
+        return bool(self._soundness & INSIDE)
+
+    @property
+    def is_light(self) -> bool:
+        """Is the mass surely that of a material that fills its primitive shapes? False proves nothing."""
+        return bool(self._soundness & LIGHT)
+
+    @property
+    def is_near(self) -> bool:
+        """Are the moments surely at most twice those of a solid of its primitive shapes? False proves nothing."""
+        return bool(self._soundness & NEAR)
 
     @lazy
     def _soundness(self) -> int:
