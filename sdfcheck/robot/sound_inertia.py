@@ -46,7 +46,7 @@ _MAKERS = {
 
 
 def soundness(link: Element) -> int:
-    """The sum of what is surely so of a link's mass properties: ``SOUND``, ``INSIDE``, ``NEAR``, ``FITTING``, ``LIGHT``."""
+    """The facts that are sure of a link's mass properties: the sum of the constants above."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
