@@ -134,18 +134,18 @@ def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], 
             diagonal[axis] += solid.volume * (solid.moments[axis] + distance - offset * offset)
     low, high = _PLAUSIBLE
     ratio = sum(moments[:3]) * volume / (mass * total)
-    found = (
+    facts = (
         (SOUND if low <= ratio <= high else 0)
         | (NEAR if low <= ratio <= 2 else 0)
         | (INSIDE if is_inside else 0)
     )
     if mass > _DENSEST * volume:
-        return found
-    found |= LIGHT
+        return facts
+    facts |= LIGHT
     if is_turned:
-        return found | FITTING if max(moments[:3]) < _EVEN * min(moments[:3]) else found
+        return facts | FITTING if max(moments[:3]) < _EVEN * min(moments[:3]) else facts
     ratios = (moment * volume / (mass * each) for moment, each in zip(moments[:3], diagonal, strict=True))
-    return found | FITTING if all(1 / 2 < each < 2 for each in ratios) else found
+    return facts | FITTING if all(1 / 2 < each < 2 for each in ratios) else facts
 
 
 def _placed(shape: Element) -> tuple[solids.Solid, list[float], bool] | None:
