@@ -909,6 +909,8 @@ inr_places___APART, inr_places___AT_END = (0.4, 0.49)
 def inr_places__is_off_origin(inertial):
     if not inr_places__is_compared(inertial) or any(inertial.center or ()):
         return False
+    if inr_places__place_of(inertial) is not None and inertial.link.has_mesh:
+        return False
     apart = inr_places___APART if inr_places__place_of(inertial) is None else inr_places___AT_END
     boxes = (inertial.link.extent, inertial.link.fixed_extent)
     return all((box is not None and max(box.size) > inr_places___MARK and any((abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))) for box in boxes))

@@ -25,9 +25,11 @@ def is_compared(inertial: Inertial) -> bool:
 def is_off_origin(inertial: Inertial) -> bool:
     """Is the center of mass at the origin of the link, and that near the end of its shapes or beyond?
 
-    Where zeros are written, at the end or beyond: they may be a rough guess.
+    Where zeros are written, at the end or beyond, and of plain shapes only: they may be a rough guess.
     """
     if not is_compared(inertial) or any(inertial.center or ()):
+        return False
+    if place_of(inertial) is not None and inertial.link.has_mesh:
         return False
     apart = _APART if place_of(inertial) is None else _AT_END
     boxes = (inertial.link.extent, inertial.link.fixed_extent)

@@ -46,7 +46,7 @@ _MAKERS = {
 
 
 def soundness(link: Element) -> int:
-    """The sum of what is surely so of a link's mass properties: ``SOUND``, ``INSIDE``, ``NEAR``, ``FITTING``, ``LIGHT``."""
+    """The facts that are sure of a link's mass properties: the sum of the constants above."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
@@ -134,18 +134,18 @@ def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], 
             diagonal[axis] += solid.volume * (solid.moments[axis] + distance - offset * offset)
     low, high = _PLAUSIBLE
     ratio = sum(moments[:3]) * volume / (mass * total)
-    holds = (
+    facts = (
         (SOUND if low <= ratio <= high else 0)
         | (NEAR if low <= ratio <= 2 else 0)
         | (INSIDE if is_inside else 0)
     )
     if mass > _DENSEST * volume:
-        return holds
-    holds |= LIGHT
+        return facts
+    facts |= LIGHT
     if is_turned:
-        return holds | FITTING if max(moments[:3]) < _EVEN * min(moments[:3]) else holds
+        return facts | FITTING if max(moments[:3]) < _EVEN * min(moments[:3]) else facts
     ratios = (moment * volume / (mass * each) for moment, each in zip(moments[:3], diagonal, strict=True))
-    return holds | FITTING if all(1 / 2 < each < 2 for each in ratios) else holds
+    return facts | FITTING if all(1 / 2 < each < 2 for each in ratios) else facts
 
 
 def _placed(shape: Element) -> tuple[solids.Solid, list[float], bool] | None:
