@@ -53,7 +53,7 @@ def furnish(folder: Path) -> None:
     courier = ROOT / "fixtures" / "tutorial" / "courier.urdf"
     text = courier.read_text().replace('"mats"', '"mast"')
     text = text.replace('lower="1.57" upper="-1.57"', 'lower="-1.57" upper="1.57"')
-    for name in ("robot", "bot", "old", "before", "robots/one", "my_robot/robot"):
+    for name in ("robot", "bot", "lamp", "old", "before", "robots/one", "my_robot/robot"):
         (folder / f"{name}.urdf").write_text(text)
     model = '<sdf version="1.9"><model name="arm"><link name="hand"/></model></sdf>'
     for name in ("model", "new", "after", "a"):

@@ -11,7 +11,7 @@ class DenseCollisionMesh(Rule):
     """A collision is a mesh of more than 200,000 triangles.
 
     Contacts are searched for triangle by triangle, at each step. The convex hull of the part, or a few boxes, are
-    found a thousand times as fast, and seldom worse. MuJoCo refuses STL files of more triangles.
+    found a thousand times as fast, and seldom worse. The number is that of MuJoCo, which takes STL files up to it.
     """
 
     code = "GEO007"

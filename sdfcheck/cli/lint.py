@@ -167,8 +167,7 @@ def lint(**given: Any) -> int:
     PATHS are files, folders to walk (default: the current one), or - for stdin; NAME:=VALUE
     among them is an argument for the expansion of xacro files.
     """
-    given["fix"] |= given["fix_only"]
-    request = Request(given)
+    request = Request(given | {"fix": given["fix"] or given["fix_only"]})
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())
     if request.show_settings:

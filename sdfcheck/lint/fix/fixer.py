@@ -198,7 +198,7 @@ class _Trials:
 
 
 def _words(fix: Fix) -> tuple[str, ...]:
-    """What a fix replaces and writes, wherever it is."""
+    """The texts that a fix replaces and writes, wherever it is."""
     return (fix.title, *(word for edit in fix.edits for word in (edit.span.text, edit.text)))
 
 

@@ -1,4 +1,4 @@
-"""Meshes that would fill the memory, or make a reader wait, are not measured."""
+"""Meshes that would fill the memory, or keep a command waiting, are not measured."""
 
 from __future__ import annotations
 
