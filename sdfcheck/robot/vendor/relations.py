@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from sdfcheck.formats.near_names import nearest
+from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.vendor.definitions import REFUSED, Effect, Tag, Vendor
 from sdfcheck.formats.vendor.values import misreading, numbers, out_of_range
 from sdfcheck.robot.vendor.siblings import FirstChildren, first_child
@@ -153,7 +154,9 @@ def lacks(use: Use) -> Iterator[Lack]:
         groups.append(choices)
     groups = [group for group in groups if set(group).isdisjoint(given)]
     strange = [name for name in given if name.startswith(f"{vendor.prefix}:") and name not in vendor.tags]
-    meanings = {meant(vendor, name): name for name in strange} if groups else {}
+    # Where one is missing, a name that is only somewhat like it is meant for it.
+    wanted = [name for group in groups for name in group]
+    meanings = {suggest(name, wanted): name for name in strange} if groups else {}
     for group in groups:
         effect = Effect.of(effects.get(group[0], "error"))
         bare = (name.partition(":")[2] for name in group)

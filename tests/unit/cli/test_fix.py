@@ -181,7 +181,7 @@ def test_a_file_that_only_an_include_leads_to_is_not_fixed(lint: Shell) -> None:
 MISSPELLED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
 <xacro:macro name="wheel" params="side radius:=1"><link name="${side}_wheel"/></xacro:macro>
 <xacro:weel side="left"></xacro:weel>
-<xacro:wheel side="left" raduis="2"/>
+<xacro:wheel side="right" raduis="2"/>
 </robot>
 """
 

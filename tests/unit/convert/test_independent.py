@@ -115,7 +115,7 @@ def test_names_of_consumers_are_checked(tmp_path: Path, capsys: pytest.CaptureFi
     urdf = tmp_path / "arm.urdf"
     urdf.write_text(ARM)
     assert main(["convert", "urdf-to-sdf", str(urdf), "--verify-with", "drak"]) == 2
-    assert "--verify-with: unknown consumer `drak`, did you mean `drake`?" in capsys.readouterr().err
+    assert "--verify-with: unknown consumer `drak`; did you mean `drake`?" in capsys.readouterr().err
 
 
 @pytest.mark.peers

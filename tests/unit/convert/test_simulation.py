@@ -172,4 +172,4 @@ def test_wrong_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     file = tmp_path / "r.urdf"
     file.write_text(arm())
     assert main(["simulate", str(file), "--in", "mujocco"]) == 2
-    assert "--in: unknown simulator `mujocco`, did you mean `mujoco`?" in capsys.readouterr().err
+    assert "--in: unknown simulator `mujocco`; did you mean `mujoco`?" in capsys.readouterr().err
