@@ -1883,7 +1883,7 @@ def res_unknown_world_topic__foreign(plugin):
             yield (parameter.own_value, match[1])
 
 def RES023_applies(plugin):
-    return 'world/' in plugin.document.source.text and next(res_unknown_world_topic__foreign(plugin), None) is not None
+    return next(res_unknown_world_topic__foreign(plugin), None) is not None
 
 def SCH001_applies(root):
     if root.is_urdf or root.element.name != 'sdf' or root.misspells('version'):

@@ -22,6 +22,7 @@ class UnknownWorldTopic(Rule):
     severity = Severity.WARNING
     affects = {Consumer.GAZEBO: warns("waits for ever")}
     looks_at = (Plugin,)
+    needs = ("world/",)
     scaffold = SDF
 
     bad = (
@@ -36,7 +37,7 @@ class UnknownWorldTopic(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return "world/" in plugin.document.source.text and next(foreign(plugin), None) is not None
+        return next(foreign(plugin), None) is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         world = plugin.within(World)

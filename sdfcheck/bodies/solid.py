@@ -46,6 +46,8 @@ def solid_of(data: bytes, form: str, scale: Sequence[float], beside: Callable[[s
     ``form`` is one of FORMATS, ``beside`` reads a buffer of glTF by its name. Raises Unmeasured, also where
     trimesh is not installed.
     """
+    import numpy as np
+
     try:
         import trimesh
     except ImportError:
@@ -60,12 +62,16 @@ def solid_of(data: bytes, form: str, scale: Sequence[float], beside: Callable[[s
         raise Unmeasured(f"is not read: {error.strerror}") from None
     except Exception:  # trimesh and its importers raise any kind, and quote what they read
         raise Unmeasured(f"cannot be read as {form.upper()}") from None
+    if not len(surface.faces):
+        raise Unmeasured(f"cannot be read as {form.upper()}")
     surface.apply_scale(scale)
     surface.density = 1.0
+    with np.errstate(all="ignore"):  # a flat surface has no volume to divide by
+        center, moments = surface.center_mass, surface.moment_inertia
     return Solid(
         float(surface.volume),
-        surface.center_mass,
-        surface.moment_inertia,
+        center,
+        moments,
         bool(surface.is_watertight),
         bool(surface.is_convex),
         len(surface.faces),

@@ -179,7 +179,9 @@ def test_a_file_that_only_an_include_leads_to_is_not_fixed(lint: Shell) -> None:
 
 
 MISSPELLED = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
-<xacro:macro name="wheel" params="side radius:=1"><link name="${side}_wheel"/></xacro:macro>
+<link name="base"/>
+<xacro:macro name="wheel" params="side radius:=1"><link name="${side}_wheel"/>
+<joint name="${side}" type="fixed"><parent link="base"/><child link="${side}_wheel"/></joint></xacro:macro>
 <xacro:weel side="left"></xacro:weel>
 <xacro:wheel side="right" raduis="2"/>
 </robot>

@@ -113,10 +113,10 @@ def test_files_that_hold_nothing_to_include(tmp_path: Path, text: str, obstacle:
 
 
 @pytest.mark.parametrize("text", ["", "<", "\x00\x01", "no markup"])
-def test_files_that_are_not_xml_are_reported_there(tmp_path: Path, text: str) -> None:
+def test_files_that_are_not_xml_are_not_quoted(tmp_path: Path, text: str) -> None:
     found = document(tmp_path, WORLD.format(include("other.sdf")), other=text)
-    assert codes(found) == []
-    assert first(found).obstacle is Obstacle.BROKEN
+    assert codes(found) == ([] if not text else ["RES012"])
+    assert first(found).obstacle is (Obstacle.FOREIGN if text else Obstacle.BROKEN)
 
 
 def test_a_file_without_end_is_not_read(tmp_path: Path) -> None:
