@@ -604,9 +604,9 @@ def geo_missing_collision__is_small(link, others):
     return own is not None and bool(lengths) and (max(own.size) < median(lengths) / 2)
 
 def geo_missing_collision__lacking(model):
-    if all((link.has('collision') or not link.has('visual') for link in model.links)):
+    if not model.joints or all((link.has('collision') or not link.has('visual') for link in model.links)):
         return []
-    if not model.joints or model.may_be_static:
+    if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has('visual') and geo_missing_collision__moves(link)]
     bare = [link for link in moving if not link.has('collision') and (not link.misspells('collision'))]
@@ -794,8 +794,12 @@ inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
 inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
 
 def inr_moments__is_about_origin(inertial):
+    if inertial.is_near and (not inertial.link.has_mesh):
+        return False
+    if not any(inertial.center or ()) or inertial.inertia is None or inertial.center is None:
+        return False
     found = inr_moments__ratio(inertial)
-    if not found > inr_moments___LITTLE or inertial.inertia is None or inertial.center is None:
+    if not found > inr_moments___LITTLE:
         return False
     offset = math_.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
@@ -804,6 +808,8 @@ def inr_moments__is_about_origin(inertial):
     return 1 / 3 < shifted < 3 if found > 10 else bool(inertial.link.solids) and abs(shifted - 1) < inr_moments___EXACTLY
 
 def inr_moments__is_far_off(inertial):
+    if inertial.is_unremarkable and (not inertial.link.has_mesh):
+        return False
     found = inr_moments__ratio(inertial)
     return (found < 1 / inr_moments___FACTOR or found > inr_moments___FACTOR) and (not inr_moments__is_about_origin(inertial))
 

@@ -71,9 +71,9 @@ class MissingCollision(Rule):
 
 def lacking(model: Model) -> list[tuple[Link, Link | None]]:
     """The links without collision, each with a counterpart that has one; None for all others."""
-    if all(link.has("collision") or not link.has("visual") for link in model.links):
+    if not model.joints or all(link.has("collision") or not link.has("visual") for link in model.links):
         return []
-    if not model.joints or model.may_be_static:
+    if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
     bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]

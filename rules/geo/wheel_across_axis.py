@@ -65,11 +65,7 @@ def alignment(joint: Joint) -> float:
         return -1.0
     geometry, axis = shapes[0].geometry, joint.axis.xyz
     radius, length = float(geometry.radius), float(geometry.length)
-    if (
-        geometry.solid is None
-        or not radius >= SMALLEST
-        or not length < 2 * radius
-    ):
+    if geometry.solid is None or not radius >= SMALLEST or not length < 2 * radius:
         return -1.0
     way, place = shapes[0].along, shapes[0].position
     if (

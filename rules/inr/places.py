@@ -52,7 +52,12 @@ def outside(inertial: Inertial) -> float:
     The shapes of links that are fixed to it count as well.
     """
     center, link = inertial.center, inertial.link
-    if center is None or not is_compared(inertial) or link.extent is None or not link.extent.distance_to(center):
+    if (
+        center is None
+        or not is_compared(inertial)
+        or link.extent is None
+        or not link.extent.distance_to(center)
+    ):
         return 0.0
     box = link.fixed_extent
     if box is None or not max(box.size) > _MARK or is_out_of_scale(inertial):
