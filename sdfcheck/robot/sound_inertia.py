@@ -46,7 +46,7 @@ _MAKERS = {
 
 
 def soundness(link: Element) -> int:
-    """The sum of what is surely so of a link's mass properties: ``SOUND``, ``INSIDE``, ``NEAR``, ``FITTING``, ``LIGHT``."""
+    """What is surely so of a link's mass: the sum of ``SOUND``, ``INSIDE``, ``NEAR``, ``FITTING``, ``LIGHT``."""
     inertial: Element | None = None
     collisions: list[Element] = []
     visuals: list[Element] = []
