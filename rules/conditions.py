@@ -13,7 +13,6 @@ from math import prod as math_prod
 from math import radians as math_radians
 from math import tan as math_tan
 from pathlib import PurePosixPath as pathlib_PurePosixPath
-from statistics import median as statistics_median
 import math as math_
 import os as os_
 import re as re_
@@ -599,12 +598,15 @@ def geo_missing_collision__numbered(link):
 geo_missing_collision__LEAST = 5
 
 def geo_missing_collision__is_small(link, others):
+    from statistics import median
     own = link.visual_box
     lengths = [max(box.size) for other in others if other is not link and (box := other.visual_box) is not None]
-    return own is not None and bool(lengths) and (max(own.size) < statistics_median(lengths) / 2)
+    return own is not None and bool(lengths) and (max(own.size) < median(lengths) / 2)
 
 def geo_missing_collision__lacking(model):
-    if not model.joints or model.may_be_static:
+    if not model.joints or all((link.has('collision') or not link.has('visual') for link in model.links)):
+        return []
+    if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has('visual') and geo_missing_collision__moves(link)]
     bare = [link for link in moving if not link.has('collision') and (not link.misspells('collision'))]
@@ -675,15 +677,16 @@ def geo_wheel_across_axis__is_endless(joint):
 geo_wheel_across_axis__SMALLEST = 0.005
 
 def geo_wheel_across_axis__alignment(joint):
-    if joint.type not in {'continuous', 'revolute'} or joint.axis.expressed_in or (not geo_wheel_across_axis__is_endless(joint)):
-        return -1.0
-    link, own = (joint.child_link, joint.find('pose'))
+    link = joint.child_link if joint.type in {'continuous', 'revolute'} else None
     shapes = link.collisions or link.visuals if link is not None else ()
-    if len(shapes) != 1 or (own is not None and own.content):
+    if len(shapes) != 1 or shapes[0].geometry.shape != 'cylinder':
+        return -1.0
+    own = joint.find('pose')
+    if joint.axis.expressed_in or not geo_wheel_across_axis__is_endless(joint) or (own is not None and own.content):
         return -1.0
     geometry, axis = (shapes[0].geometry, joint.axis.xyz)
     radius, length = (float(geometry.radius), float(geometry.length))
-    if geometry.shape != 'cylinder' or geometry.solid is None or (not radius >= geo_wheel_across_axis__SMALLEST) or (not length < 2 * radius):
+    if geometry.solid is None or not radius >= geo_wheel_across_axis__SMALLEST or (not length < 2 * radius):
         return -1.0
     way, place = (shapes[0].along, shapes[0].position)
     if way is None or place is None or math_dist(place, (0, 0, 0)) > 0.6 * radius or (not math_hypot(*axis) > 0) or (len(axis) != 3):
@@ -791,8 +794,12 @@ inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
 inr_moments___LITTLE, inr_moments___EXACTLY = (2.0, 0.05)
 
 def inr_moments__is_about_origin(inertial):
+    if inertial.is_near and (not inertial.link.has_mesh):
+        return False
+    if not any(inertial.center or ()) or inertial.inertia is None or inertial.center is None:
+        return False
     found = inr_moments__ratio(inertial)
-    if not found > inr_moments___LITTLE or inertial.inertia is None or inertial.center is None:
+    if not found > inr_moments___LITTLE:
         return False
     offset = math_.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
@@ -801,6 +808,8 @@ def inr_moments__is_about_origin(inertial):
     return 1 / 3 < shifted < 3 if found > 10 else bool(inertial.link.solids) and abs(shifted - 1) < inr_moments___EXACTLY
 
 def inr_moments__is_far_off(inertial):
+    if inertial.is_unremarkable and (not inertial.link.has_mesh):
+        return False
     found = inr_moments__ratio(inertial)
     return (found < 1 / inr_moments___FACTOR or found > inr_moments___FACTOR) and (not inr_moments__is_about_origin(inertial))
 
@@ -885,13 +894,16 @@ def inr_places__is_compared(inertial):
         return False
     if not inr_moments__is_written(inertial) or not inertial.mass.number >= inr_places___LEAST or inertial.center is None:
         return False
-    return inertial.link.extent is not None and (not inr_moments__is_out_of_scale(inertial))
+    return inertial.link.extent is not None
 
 inr_places___MARK = 0.015
 
 def inr_places__outside(inertial):
-    center, box = (inertial.center, inertial.link.fixed_extent if inr_places__is_compared(inertial) else None)
-    if box is None or center is None or (not max(box.size) > inr_places___MARK):
+    center, link = (inertial.center, inertial.link)
+    if center is None or not inr_places__is_compared(inertial) or link.extent is None or (not link.extent.distance_to(center)):
+        return 0.0
+    box = link.fixed_extent
+    if box is None or not max(box.size) > inr_places___MARK or inr_moments__is_out_of_scale(inertial):
         return 0.0
     return box.distance_to(center) / max(box.size)
 
@@ -912,8 +924,13 @@ def inr_places__is_off_origin(inertial):
     if inr_places__place_of(inertial) is not None and inertial.link.has_mesh:
         return False
     apart = inr_places___APART if inr_places__place_of(inertial) is None else inr_places___AT_END
-    boxes = (inertial.link.extent, inertial.link.fixed_extent)
-    return all((box is not None and max(box.size) > inr_places___MARK and any((abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))) for box in boxes))
+    for name in ('extent', 'fixed_extent'):
+        box = getattr(inertial.link, name)
+        if box is None or not max(box.size) > inr_places___MARK:
+            return False
+        if not any((abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))):
+            return False
+    return not inr_moments__is_out_of_scale(inertial)
 
 def INR013_applies(inertial):
     return inr_places__outside(inertial) > inr_center_outside_link__MOST and (not inr_places__is_off_origin(inertial))
@@ -991,9 +1008,10 @@ def inr_excess_density__is_too_dense(inertial):
         return False
     if found > inr_excess_density__BEYOND:
         return True
+    from statistics import median
     others = [link.inertial.mass.number for link in inertial.link.model.links if link is not inertial.link]
     known = [other for other in others if other > 0]
-    return len(known) > 1 and mass > inr_excess_density__HEAVIER * statistics_median(known)
+    return len(known) > 1 and mass > inr_excess_density__HEAVIER * median(known)
 
 def INR016_applies(inertial):
     return inr_excess_density__is_too_dense(inertial)
@@ -1287,10 +1305,9 @@ def jnt_opposed_axis__turns(joint):
     return (joint.type, '' if origin is None else ' '.join(origin.text_of('rpy', '0 0 0').split()))
 
 def jnt_opposed_axis__is_opposed(joint):
-    if not joint.moves or not joint.axis.xyz.is_given or len(joint.axis.xyz) != 3:
+    if not joint.moves or len((others := joint.counterparts)) < jnt_opposed_axis__LEAST:
         return False
-    others = joint.counterparts
-    if len(others) < jnt_opposed_axis__LEAST or jnt_opposed_axis__turns(joint) != jnt_opposed_axis__turns(others[0]):
+    if not joint.axis.xyz.is_given or len(joint.axis.xyz) != 3 or jnt_opposed_axis__turns(joint) != jnt_opposed_axis__turns(others[0]):
         return False
     first = tuple(others[0].axis.xyz)
     if any((tuple(other.axis.xyz) != first or jnt_opposed_axis__turns(other) != jnt_opposed_axis__turns(joint) for other in others[1:])):

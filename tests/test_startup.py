@@ -16,6 +16,7 @@ HEAVY = (
     "numpy",
     "pathspec",
     "rich",
+    "statistics",
     "subprocess",
     "tomllib",
     "xacro",

@@ -1,6 +1,5 @@
 import re
 from collections.abc import Iterator
-from statistics import median
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
 
@@ -72,7 +71,9 @@ class MissingCollision(Rule):
 
 def lacking(model: Model) -> list[tuple[Link, Link | None]]:
     """The links without collision, each with a counterpart that has one; None for all others."""
-    if not model.joints or model.may_be_static:
+    if not model.joints or all(link.has("collision") or not link.has("visual") for link in model.links):
+        return []
+    if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
     bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]
@@ -99,6 +100,8 @@ def numbered(link: Link) -> list[Link]:
 
 def is_small(link: Link, others: list[Link]) -> bool:
     """Is it less than half as long as most others, as parts inside of a joint are?"""
+    from statistics import median
+
     own = link.visual_box
     lengths = [
         max(box.size) for other in others if other is not link and (box := other.visual_box) is not None

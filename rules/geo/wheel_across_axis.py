@@ -56,20 +56,16 @@ class WheelAcrossAxis(Rule):
 
 def alignment(joint: Joint) -> float:
     """The cosine of the angle between the axis of a joint and the wheel that it turns; -1 where there is no wheel."""
-    if joint.type not in {"continuous", "revolute"} or joint.axis.expressed_in or not is_endless(joint):
-        return -1.0
-    link, own = joint.child_link, joint.find("pose")
+    link = joint.child_link if joint.type in {"continuous", "revolute"} else None
     shapes = (link.collisions or link.visuals) if link is not None else ()
-    if len(shapes) != 1 or (own is not None and own.content):
+    if len(shapes) != 1 or shapes[0].geometry.shape != "cylinder":
+        return -1.0
+    own = joint.find("pose")
+    if joint.axis.expressed_in or not is_endless(joint) or (own is not None and own.content):
         return -1.0
     geometry, axis = shapes[0].geometry, joint.axis.xyz
     radius, length = float(geometry.radius), float(geometry.length)
-    if (
-        geometry.shape != "cylinder"
-        or geometry.solid is None
-        or not radius >= SMALLEST
-        or not length < 2 * radius
-    ):
+    if geometry.solid is None or not radius >= SMALLEST or not length < 2 * radius:
         return -1.0
     way, place = shapes[0].along, shapes[0].position
     if (

@@ -1,6 +1,5 @@
 from collections.abc import Iterator
 from math import prod
-from statistics import median
 
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
 from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
@@ -92,6 +91,8 @@ def is_too_dense(inertial: Inertial) -> bool:
         return False
     if found > BEYOND:
         return True
+    from statistics import median
+
     others = [link.inertial.mass.number for link in inertial.link.model.links if link is not inertial.link]
     known = [other for other in others if other > 0]
     return len(known) > 1 and mass > HEAVIER * median(known)

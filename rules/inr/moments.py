@@ -116,6 +116,8 @@ def is_out_of_scale(inertial: Inertial) -> bool:
 
 def is_far_off(inertial: Inertial) -> bool:
     """Is it off by more than any choice of modeling explains?"""
+    if inertial.is_unremarkable and not inertial.link.has_mesh:
+        return False
     found = ratio(inertial)
     return (found < 1 / _FACTOR or found > _FACTOR) and not is_about_origin(inertial)
 
@@ -125,8 +127,12 @@ def is_about_origin(inertial: Inertial) -> bool:
 
     Roughly where they are far too large, exactly where they are not: a rod about its end has four times its moments.
     """
+    if inertial.is_near and not inertial.link.has_mesh:
+        return False
+    if not any(inertial.center or ()) or inertial.inertia is None or inertial.center is None:
+        return False
     found = ratio(inertial)
-    if not found > _LITTLE or inertial.inertia is None or inertial.center is None:
+    if not found > _LITTLE:
         return False
     offset = math.hypot(*inertial.center)
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace

@@ -19,7 +19,7 @@ def is_compared(inertial: Inertial) -> bool:
         return False
     if not is_written(inertial) or not inertial.mass.number >= _LEAST or inertial.center is None:
         return False
-    return inertial.link.extent is not None and not is_out_of_scale(inertial)
+    return inertial.link.extent is not None
 
 
 def is_off_origin(inertial: Inertial) -> bool:
@@ -32,13 +32,13 @@ def is_off_origin(inertial: Inertial) -> bool:
     if place_of(inertial) is not None and inertial.link.has_mesh:
         return False
     apart = _APART if place_of(inertial) is None else _AT_END
-    boxes = (inertial.link.extent, inertial.link.fixed_extent)
-    return all(
-        box is not None
-        and max(box.size) > _MARK
-        and any(abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True))
-        for box in boxes
-    )
+    for name in ("extent", "fixed_extent"):  # the second costs more
+        box = getattr(inertial.link, name)
+        if box is None or not max(box.size) > _MARK:
+            return False
+        if not any(abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True)):
+            return False
+    return not is_out_of_scale(inertial)
 
 
 def place_of(inertial: Inertial) -> Value | None:
@@ -53,7 +53,15 @@ def outside(inertial: Inertial) -> float:
 
     The shapes of links that are fixed to it count as well.
     """
-    center, box = inertial.center, inertial.link.fixed_extent if is_compared(inertial) else None
-    if box is None or center is None or not max(box.size) > _MARK:
+    center, link = inertial.center, inertial.link
+    if (
+        center is None
+        or not is_compared(inertial)
+        or link.extent is None
+        or not link.extent.distance_to(center)
+    ):
+        return 0.0
+    box = link.fixed_extent
+    if box is None or not max(box.size) > _MARK or is_out_of_scale(inertial):
         return 0.0
     return box.distance_to(center) / max(box.size)

@@ -54,10 +54,9 @@ class OpposedAxis(Rule):
 
 def is_opposed(joint: Joint) -> bool:
     """Is its axis the opposite of one that all its counterparts have?"""
-    if not joint.moves or not joint.axis.xyz.is_given or len(joint.axis.xyz) != 3:
+    if not joint.moves or len(others := joint.counterparts) < LEAST:
         return False
-    others = joint.counterparts
-    if len(others) < LEAST or turns(joint) != turns(others[0]):
+    if not joint.axis.xyz.is_given or len(joint.axis.xyz) != 3 or turns(joint) != turns(others[0]):
         return False
     first = tuple(others[0].axis.xyz)
     if any(tuple(other.axis.xyz) != first or turns(other) != turns(joint) for other in others[1:]):

@@ -82,6 +82,14 @@ class Dispatch:
                 groups.setdefault(looked_at, []).append(facts)
         self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
         """Subjects, each with the rules that look at them."""
+        self._of_kind: dict[Kind, list[tuple[Subjects, list[RuleFacts]]]] = {}
+
+    def groups_of(self, kind: Kind) -> list[tuple[Subjects, list[RuleFacts]]]:
+        """Those of the groups that documents of a kind can have subjects for."""
+        found = self._of_kind.get(kind)
+        if found is None:
+            found = self._of_kind[kind] = [group for group in self.groups if group[0].occur_in(kind)]
+        return found
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
@@ -92,10 +100,10 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     tables = _tables(document, dispatch)
-    for subjects, rules in dispatch.groups:
+    for subjects, rules in dispatch.groups_of(document.kind):
         if seen := subjects.of(document, tables):
             for rule in rules:
-                found += _check(rule, _applying(rule, seen, dispatch), document, dispatch)
+                found += _check(rule, seen, document, dispatch)
     # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
     certain = (diagnostic for diagnostic in found if not document.is_doubtful(diagnostic.span))
     return sorted({*textual, *certain}, key=lambda diagnostic: diagnostic.sort_key)
@@ -125,7 +133,7 @@ def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) 
     """The diagnostics of the rules about problems of a document."""
     for problem in problems:
         for rule in dispatch.by_problem.get(type(problem).__name__, ()):
-            yield from _check(rule, (problem,), document, dispatch)
+            yield from _check(rule, (problem,), document, dispatch, is_certain=True)
 
 
 def look_at(
@@ -135,29 +143,33 @@ def look_at(
     for subjects, rules in dispatch.groups:
         if seen := subjects.among(parts, elements):
             for rule in rules:
-                yield from _check(rule, _applying(rule, seen, dispatch), document, dispatch)
-
-
-def _applying(facts: RuleFacts, seen: Iterable[object], dispatch: Dispatch) -> Iterator[object]:
-    """Those of the subjects to which a rule applies; found while it runs, so that a failure is the rule's."""
-    yield from filter(dispatch.index.condition(facts), seen)
+                yield from _check(rule, seen, document, dispatch)
 
 
 def _check(
-    facts: RuleFacts, subjects: Iterable[Any], document: Document, dispatch: Dispatch
+    facts: RuleFacts,
+    subjects: Iterable[Any],
+    document: Document,
+    dispatch: Dispatch,
+    is_certain: bool = False,
 ) -> list[Diagnostic]:
-    """Run one rule up to its first failure, which must not hide what the others report."""
+    """Run one rule up to its first failure, which must not hide what the others report.
+
+    On those of the subjects to which it applies, or on all where that ``is_certain``.
+    """
     diagnostics: list[Diagnostic] = []
     failure: list[Diagnostic] = []
     extended: list[Diagnostic] = []
     try:
-        for subject in subjects:
+        for subject in subjects if is_certain else filter(dispatch.index.condition(facts), subjects):
             found = extended if is_extension(subject, document) else diagnostics
             found += dispatch.index.rule(facts).check(subject)
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # also `sys.exit`
         failure.append(_internal_error(facts, error, document))
+    if not (diagnostics or extended):
+        return failure
     dialect = "sdf" if document.kind in (Kind.SDF, Kind.MODEL_CONFIG) else "urdf"
     adapted = _adapted(diagnostics, facts, dialect, dispatch)
     if extended:

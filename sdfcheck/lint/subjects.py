@@ -55,6 +55,15 @@ class Subjects:
             *around, name = path.split("/")
             self._selectors.setdefault(dialect, []).append((name, tuple(reversed(around))))
 
+    def occur_in(self, kind: Kind) -> bool:
+        """Can documents of a kind have any?"""
+        if kind.value in self._selectors:
+            return True
+        if self._is_narrowed:
+            return False
+        kinds = [OF_TEXT[name][0] if name in OF_TEXT else None for name in self._elsewhere]
+        return bool(self._parts and kind in _OF_ROBOTS) or None in kinds or kind in kinds
+
     def of(self, document: Document, tables: Sequence[Path] = ()) -> list[object]:
         """Those of a document; ``tables`` are those of the vendors whose prefix it seems to use."""
         if document.root is None or (self.needs and not any(map(document.source.contains, self.needs))):

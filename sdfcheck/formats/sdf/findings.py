@@ -187,8 +187,6 @@ class Findings:
             self.attribute_value(element, definition, known, text)
             return
         name = key
-        if ":" in name:
-            return  # prefixed: free
         newest = history.in_version(definition, NEWEST)
         if newest is not None and name in newest.attributes:
             since = history.since(definition, "@" + name)

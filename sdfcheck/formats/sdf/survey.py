@@ -221,6 +221,8 @@ class _Walk:
             if key == "name":
                 self.named[parent].append((element.name, text, element))
             attribute = allowed.get(key)
+            if attribute is None and ":" in key:
+                continue  # prefixed: free
             if attribute is None or not attribute.accepts(text):
                 self.findings.attribute(element, parent, definition, key, text)
         for name in definition.required_attributes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 _MIRRORED = {
     "left": "right",
@@ -23,6 +24,7 @@ _SPELLED = sorted(
 _SIDE = re.compile(rf"(?<![A-Za-z])({'|'.join(_SPELLED)})(?![a-z])")
 
 
+@lru_cache(maxsize=1000)
 def without_sides(name: str) -> str:
     """A name without its words for sides; the same where it has none."""
     return _SIDE.sub("", name)

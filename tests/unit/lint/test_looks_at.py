@@ -15,10 +15,10 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import describe
-from sdfcheck.lint.rulebook.packs import RuleIndex
+from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
 from sdfcheck.lint.select import SILENT, ActiveRules, select
 from sdfcheck.lint.source_file import lint_source
-from sdfcheck.lint.subjects import is_extension
+from sdfcheck.lint.subjects import Subjects, is_extension
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Span
@@ -229,3 +229,16 @@ def test_elements_in_gazebo_blocks_are_extensions() -> None:
     of_robot, of_gazebo = root.find("link"), next(each for each in root.below if each.name == "mu1")
     assert is_extension(of_gazebo, document)
     assert not is_extension(of_robot, document)
+
+
+@pytest.mark.parametrize(
+    "file", ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "diff_drive/model.config"]
+)
+def test_subjects_that_do_not_occur_in_a_kind_of_document_are_none(file: str) -> None:
+    path = Path(__file__).parents[3] / "fixtures" / "robots" / file
+    document = read(path.read_bytes(), path)
+    groups = [Subjects(each.looks_at, each.selects, each.needs) for each in load_index().facts]
+    looking = [group for group in groups if group.looks_at or group.selects]
+    absent = [group for group in looking if not group.occur_in(document.kind)]
+    assert 0 < len(absent) < len(looking)
+    assert not any(group.of(document) for group in absent)
