@@ -17,8 +17,7 @@ from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of, render
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.includes.included import Included, included, included_element
-from sdfcheck.robot.includes.parameters import Parameters
+from sdfcheck.robot.includes.included import Included, included, included_element, with_parameters
 from sdfcheck.robot.motion.rotations import to_rpy
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
@@ -137,8 +136,8 @@ class IncludeExpansion:
         converted = self._converted(found, version)
         model = included_element(converted)
         assert model is not None
-        if found.model.name == "robot" and found.include.has(PARAMETERS):
-            model = Parameters(found._replace(document=converted, model=model)).model
+        if found.model.name == "robot":  # they change what it is converted to
+            model = with_parameters(found._replace(document=converted, model=model)).model
             assert model is not None
         return model
 

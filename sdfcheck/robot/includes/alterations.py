@@ -1,18 +1,25 @@
-"""The model that an include with parameters brings: a copy that they change, and what they find in it.
+"""The model that an include with parameters brings: a copy that they change, and its elements by id.
 
-The included document itself never changes: another include may bring it as it is. What is included
-in it is copied, too, as soon as a parameter reaches into it.
+The included document itself never changes: another include may bring it as it is. Models that it
+includes are copied, too, as soon as a parameter reaches into them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import islice
+from typing import TYPE_CHECKING
 
-from sdfcheck.robot.includes.included import Included, bring, included
 from sdfcheck.source.altered import Altered
+from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.includes.included import Included
+
+    Resolve = Callable[[Document, Element], Included]
+    Bring = Callable[[Element, Included], None]
 
 _MOST_IDS = 2000
 _MOST_VISITS = 20_000
@@ -34,11 +41,15 @@ class Place(NamedTuple):
 
 
 class Alterations:
-    """The copy of what one include brings; ``model`` is None where there is nothing to be had."""
+    """The copy of what one include brings; ``model`` is None where there is nothing to be had.
 
-    __slots__ = ("_brought", "_effort", "_own", "complete", "model")
+    ``included`` resolves an include of a document, ``bring`` changes what one brings.
+    """
 
-    def __init__(self, found: Included) -> None:
+    __slots__ = ("_bring", "_brought", "_effort", "_included", "_own", "complete", "model")
+
+    def __init__(self, found: Included, included: Resolve, bring: Bring) -> None:
+        self._included, self._bring = included, bring
         self.model: Element | None = None
         self.complete = found.model is not None and found.model.name != "robot"
         """False where not all of the model is known: a URDF is converted, an include may be missing."""
@@ -49,7 +60,7 @@ class Alterations:
         if found.model is not None:
             self.model = self._copy(found.model)
 
-    # What there is
+    # Elements by id
 
     @property
     def top(self) -> Place | None:
@@ -67,7 +78,7 @@ class Alterations:
             if name := child.attributes.get("name"):
                 yield child.name, name, Place(child, around)
         for include in element.children("include"):
-            found, at = included(element.document, include), Place(include, around)
+            found, at = self._included(element.document, include), Place(include, around)
             if found.model is None:
                 self.complete = False
             elif found.merge:
@@ -114,7 +125,7 @@ class Alterations:
         if place.include is None:
             return place.element
         include = self.own(place.include)
-        found = included(include.document, include)
+        found = self._included(include.document, include)
         assert found.model is not None
         if found.model.document not in self._own:
             model = self._copy(found.model)
@@ -122,15 +133,15 @@ class Alterations:
             if not found.merge:
                 _take_over(include, model, found.name or "")
             found = found._replace(model=model)
-            bring(include, found)
+            self._bring(include, found)
         document = changeable(found.model)  # type: ignore[arg-type]
         return document.copies.get(place.element, place.element)
 
     def outermost(self, place: Place) -> Element:
-        """What has to go for the element to go: the include, of a model that one brings."""
+        """The element that holds it: the include of a model that one brings, else the element itself."""
         around = place.include
         if around is not None:
-            found = included(around.element.document, around.element)
+            found = self._included(around.element.document, around.element)
             if found.model is place.element:
                 return self.own(around)
         return self.own(place)
@@ -140,7 +151,7 @@ class Alterations:
         element.attributes["name"] = name
         include = self._brought.get(element)
         if include is not None:
-            bring(include, included(include.document, include)._replace(name=name.strip()))
+            self._bring(include, self._included(include.document, include)._replace(name=name.strip()))
 
     def finish(self) -> None:
         """Number the elements of the copies, after the last change."""

@@ -47,8 +47,8 @@ class Included(NamedTuple):
     ``model`` is the included file's model, actor or light (or a URDF's robot), in a
     document of its own, None where there is none to be had, for the reason in
     ``obstacle``; ``kind`` is what it counts as. Where the include has parameters, it is in
-    a copy of the file that they have changed; ``faults`` are what is wrong with them. ``name`` is the name by which it goes
-    here, None where it is not known.
+    a copy of the file that they have changed; ``faults`` are what is wrong with them.
+    ``name`` is the name by which it goes here, None where it is not known.
     """
 
     include: Element
@@ -78,13 +78,19 @@ def included(document: Document, include: Element) -> Included:
         found = included(read.document, read)._replace(include=include)
     else:
         found = resolved[include] = _resolve(document, include)  # where it leads back to itself
-        if include.has(PARAMETERS):
-            from sdfcheck.robot.includes.parameters import Parameters
-
-            changed = Parameters(found)
-            found = found._replace(model=changed.model, faults=tuple(changed.problems))
+        found = with_parameters(found)
     resolved[include] = found
     return found
+
+
+def with_parameters(found: Included) -> Included:
+    """The same after the parameters of the include are carried out, in a copy."""
+    if not found.include.has(PARAMETERS):
+        return found
+    from sdfcheck.robot.includes.parameters import Parameters
+
+    changed = Parameters(found, included, bring)
+    return found._replace(model=changed.model, faults=tuple(changed.problems))
 
 
 def bring(include: Element, found: Included) -> None:

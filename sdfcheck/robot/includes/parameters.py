@@ -7,6 +7,8 @@ libsdformat 17's ParamPassing.cc, checked against what it does.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.problems import UnknownAttribute
 from sdfcheck.formats.sdf.schema import Definition, schema
@@ -16,9 +18,12 @@ from sdfcheck.formats.sdf.value_problems import text_problems
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.suggest import suggest
 from sdfcheck.robot.includes.alterations import Alterations, Place, changeable
-from sdfcheck.robot.includes.included import Included
 from sdfcheck.robot.includes.parameter_problems import InvalidParameter, ParameterFault
 from sdfcheck.source.element import Element, Value
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.includes.alterations import Bring, Resolve
+    from sdfcheck.robot.includes.included import Included
 
 ACTIONS = ("add", "modify", "remove", "replace")
 _OWN_ATTRIBUTES = frozenset({"element_id", "action"})
@@ -30,8 +35,8 @@ class Parameters:
     A URDF, which libsdformat converts before it changes it, stays as it is.
     """
 
-    def __init__(self, found: Included) -> None:
-        self.alterations = Alterations(found)
+    def __init__(self, found: Included, included: Resolve, bring: Bring) -> None:
+        self.alterations = Alterations(found, included, bring)
         self.problems: list[object] = []
         for block in found.include.children(PARAMETERS):
             for entry in block.children():
