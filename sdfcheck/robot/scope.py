@@ -19,7 +19,6 @@ from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.robot.frame import Frame, MergedFrame
-    from sdfcheck.robot.includes.alterations import Alterations
     from sdfcheck.robot.includes.included import Included
     from sdfcheck.robot.model import Model
     from sdfcheck.robot.naming.guess import Guess
@@ -51,7 +50,7 @@ class Scope(Node):
     proves nothing.
     """
 
-    __slots__ = ("_unread", "alterations", "chain", "stand_in", "via")
+    __slots__ = ("_unread", "chain", "stand_in")
 
     is_scope = True
     own_name = MODEL_FRAME
@@ -61,10 +60,6 @@ class Scope(Node):
         super().__init__(holder, element, name)
         self._unread = False
         outer = holder if isinstance(holder, Scope) else None
-        self.via: Element | None = outer.via if outer else None
-        """The innermost include that brought it."""
-        self.alterations: Alterations | None = outer.alterations if outer else None
-        """The changes that the parameters of an include make in it."""
         self.chain: tuple[Document, ...] = outer.chain if outer else (self.document,)
         """The files that are being read, from the outside in."""
         self.stand_in: MergedFrame | None = None
@@ -174,7 +169,7 @@ class Scope(Node):
     def _members(self, kind: str) -> tuple[Node, ...]:
         """The nodes of a kind, those without a name or with one that is taken as well."""
         named = [node for node in self.nodes.values() if node.kind == kind]
-        elements = [] if self.alterations is not None else list(self.children(kind))
+        elements = list(self.children(kind))
         if len(elements) == len(named):
             return tuple(self._in_order(named))
         own = [cast("Node", self.part(element)) for element in elements]
@@ -260,13 +255,11 @@ class Scope(Node):
 
 
 def _named_children(source: Scope) -> Iterable[Child]:
-    """The named parts of a world or model, as the parameters of an include change it."""
+    """The named parts of a world or model."""
     from sdfcheck.formats.sdf.survey import survey
 
     surveyed = survey(source.document)
     children: Iterable[Child] = surveyed.named.get(source.element, ())
-    if source.alterations is not None and source.via is not None:
-        children = source.alterations.named(source.element, source.via, children)
     return _without_clashes(children) if surveyed.version < _SEVEN else children
 
 

@@ -109,9 +109,9 @@ class Spans:
 
     def part(self, span: Span, index: int) -> Span:
         """The ``index``-th word inside a span; the whole span if it has fewer."""
-        for number, word in enumerate(_WORD.finditer(self.source.text, span.start, span.end)):
+        for number, word in enumerate(_WORD.finditer(span.source.text, span.start, span.end)):
             if number == index:
-                return self.source.span(word.start(), word.end())
+                return span.source.span(word.start(), word.end())
         return span
 
     def _attribute(self, element: Element, name: str) -> AttributePlace | None:

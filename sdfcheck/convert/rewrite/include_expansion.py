@@ -12,22 +12,22 @@ from collections.abc import Callable
 
 from sdfcheck.convert.loss import Loss, LossKind, NotConvertible, loss_at
 from sdfcheck.convert.result import Conversion
-from sdfcheck.convert.rewrite.include_parameters import apply_parameters
 from sdfcheck.convert.rewrite.relocation import relocated
-from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of
+from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of, render
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.robot.includes.included import Included, included, included_element
-from sdfcheck.robot.includes.parameters import parameters
+from sdfcheck.robot.includes.included import Included, included, included_element, with_parameters
 from sdfcheck.robot.motion.rotations import to_rpy
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.altered import Altered
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source
+from sdfcheck.source.spans import Spans
+from sdfcheck.source.text import Source, Span
 
 _MERGED = frozenset(("frame", "gripper", "include", "joint", "link", "model", "plugin"))
 _FREE = frozenset(("plugin",))
@@ -80,19 +80,20 @@ class IncludeExpansion:
         found = included(document, include.origin)
         obstacle = _obstacle(found, chain)
         if found.model is None or found.document is None or obstacle:
-            self.notes.append(f"{_place(include.origin)}: the include stays: {obstacle}")
-            return [include]
-        model = self._in_version(found, survey(document).version)
-        if model is None:
-            return [include]
-        brought = branch_of(model)
-        self.expand(brought, model.document, chain)
-        if model.document is not found.document:
+            return self._kept(include, found, obstacle)
+        so_far = len(self.expanded)
+        try:
+            model = self._in_version(found, survey(document).version)
+            brought = branch_of(model)
+            self.expand(brought, model.document, chain)
+        except _Stays as error:
+            del self.expanded[so_far:]
+            return self._kept(include, found, str(error))
+        if model is not found.model:
             for branch in brought.walk():  # its places are in no file
                 branch.origin = include.origin
         self.expanded.append(include.origin)
         self._report_root(model)
-        apply_parameters(brought, include)
         _relocate(brought, found, document)
         _declare(brought, model, include.origin)
         result: list[Branch | Remark | str] = [part for part in include.parts if isinstance(part, Remark)]
@@ -102,6 +103,15 @@ class IncludeExpansion:
         parts = _merged(brought, include, found, parent) if found.merge else [_whole(brought, include, found)]
         parts[0].after_gap = include.after_gap and not result
         return [*result, *parts]
+
+    def _kept(self, include: Branch, found: Included, why: str) -> list[Branch | Remark | str]:
+        """The include as it is; one that parameters outside of it have changed needs that one to stay."""
+        assert include.origin is not None
+        self.notes.append(f"{_place(include.origin)}: the include stays: {why}")
+        is_copy = isinstance(include.origin.document, Altered)
+        if is_copy and found.model is not None and isinstance(found.model.document, Altered):
+            raise _Stays(f"its {PARAMETERS} change an include that stays")
+        return [include]
 
     def _report_root(self, model: Element) -> None:
         """Custom data of an included file that is not in its model stays there."""
@@ -117,28 +127,91 @@ class IncludeExpansion:
                 self.losses.append(loss_at(at, LossKind.DROPPED_ELEMENT, text))
             at = at.parent
 
-    def _in_version(self, found: Included, version: Version) -> Element | None:
-        """The parts of an include, in the version of the file that includes it; None if it cannot be read."""
+    def _in_version(self, found: Included, version: Version) -> Element:
+        """The parts of an include, in the version of the file that includes it; raises _Stays."""
         assert found.document is not None
+        assert found.model is not None
         if found.document.kind is Kind.SDF and survey(found.document).version == version:
             return found.model
+        converted = self._converted(found, version)
+        model = included_element(converted)
+        assert model is not None
+        if found.model.name == "robot":  # they change what it is converted to
+            model = with_parameters(found._replace(document=converted, model=model)).model
+            assert model is not None
+        return model
+
+    def _converted(self, found: Included, version: Version) -> Document:
+        assert found.document is not None
+        assert found.model is not None
+        document = found.model.document
+        if isinstance(document, Altered):
+            if found.model.name == "robot":
+                raise _Stays(f"{PARAMETERS} of another include change this URDF")
+            assert document.root is not None
+            document = Rendered(document, branch_of(document.root))
         try:
-            conversion = self.to_sdf(found.document, version)
+            conversion = self.to_sdf(document, version)
         except NotConvertible as error:
-            self.notes.append(f"{_place(found.include)}: the include stays: {error}")
-            return None
+            raise _Stays(str(error)) from None
         verification = conversion.verification
         if verification is not None and not verification.is_equal:
-            why = f"{found.document.path} would be another robot in SDFormat {version}"
-            self.notes.append(f"{_place(found.include)}: the include stays: {why}")
-            return None
+            raise _Stays(f"{found.document.path} would be another robot in SDFormat {version}")
         for loss in conversion.losses:
             self.losses.append(loss)
             begin = loss.span.begin
             self.notes.append(f"{loss.span.source.path}:{begin.line}: in SDFormat {version}: {loss.message}")
         converted = Document(Source(found.document.path, conversion.text), Kind.SDF, [])
         converted.library = found.document.library
-        return included_element(converted)
+        return converted
+
+
+class _Stays(Exception):
+    """Why an include cannot be replaced."""
+
+
+class Rendered(Document):
+    """The text of a branch as a document; every place in it is the name of what an element was read from."""
+
+    def __init__(self, document: Document, root: Branch) -> None:
+        super().__init__(Source(document.path, render(root, document)), document.kind, [])
+        self.library = document.library
+        self.included_by = document.included_by
+        self._sources = _sources(root, document.root)
+
+    @property
+    def spans(self) -> Spans:
+        if self._spans is None:
+            self._spans = _Borrowed(self, self._sources)
+        return self._spans
+
+    @property
+    def is_expanded(self) -> bool:
+        return True
+
+
+class _Borrowed(Spans):
+    """Every place in an element is the name of the element that it was read from."""
+
+    def __init__(self, document: Rendered, sources: list[Element]) -> None:
+        super().__init__(document.source, document.scan)
+        self._of = dict(zip(document.elements, sources, strict=True))
+
+    def span(self, element: Element, start: int, end: int) -> Span:
+        return self._of[element].span
+
+
+def _sources(root: Branch, fallback: Element | None) -> list[Element]:
+    """For each element what it was read from, or what around it was."""
+    found: list[Element] = []
+    waiting = [(root, fallback)]
+    while waiting:
+        branch, around = waiting.pop()
+        source = branch.origin if branch.origin is not None else around
+        assert source is not None
+        found.append(source)
+        waiting += [(child, source) for child in reversed(list(branch.children))]
+    return found
 
 
 def expanded(document: Document, to_sdf: ToSdf) -> tuple[Branch, IncludeExpansion]:
@@ -165,7 +238,7 @@ def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
         return f"{uri} brings nothing ({found.obstacle.value if found.obstacle else 'unreadable'})"
     if any(isinstance(problem, SyntaxDefect) for problem in found.document.problems):
         return f"{uri} is broken; `sdfcheck lint` says how"
-    if found.include.has(PARAMETERS) and parameters(found).problems:
+    if found.faults:
         return f"its {PARAMETERS} are at fault; `sdfcheck lint` says how"
     own = os.path.realpath(found.document.path)
     if any(os.path.realpath(outer.path) == own for outer in chain):

@@ -37,9 +37,4 @@ def included_model(source: Scope, found: Included) -> Model | None:
     model.include, model.is_readable = found.include, is_readable
     if is_readable and inside is not None:
         model.chain = (*chain, inside)
-        model.via = found.include
-        if model.alterations is None and found.include.has("experimental:params"):
-            from sdfcheck.robot.includes.parameters import parameters
-
-            model.alterations = parameters(found).alterations
     return model

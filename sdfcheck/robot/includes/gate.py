@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.problems import MissingElement
-from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element
 
@@ -24,10 +23,7 @@ def problems(document: Document) -> Iterator[object]:
         brought = included(document, include)
         if _is_placed_in_vain(include):
             yield MissingElement(include, "pose", None, refused=True)
-        if include.has(PARAMETERS):
-            from sdfcheck.robot.includes.parameters import parameters
-
-            yield from parameters(brought).problems
+        yield from brought.faults
 
 
 def _is_placed_in_vain(include: Element) -> bool:

@@ -13,9 +13,10 @@ from pathlib import Path
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.problems import MisplacedElement
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
 from sdfcheck.robot.values import is_true
+from sdfcheck.source.altered import Altered
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -45,8 +46,9 @@ class Included(NamedTuple):
 
     ``model`` is the included file's model, actor or light (or a URDF's robot), in a
     document of its own, None where there is none to be had, for the reason in
-    ``obstacle``; ``kind`` is what it counts as. ``name`` is the name by which it goes
-    here, None where it is not known.
+    ``obstacle``; ``kind`` is what it counts as. Where the include has parameters, it is in
+    a copy of the file that they have changed; ``faults`` are what is wrong with them.
+    ``name`` is the name by which it goes here, None where it is not known.
     """
 
     include: Element
@@ -63,14 +65,37 @@ class Included(NamedTuple):
     model: Element | None = None
     kind: str | None = None
     obstacle: Obstacle | None = None
+    faults: tuple[object, ...] = ()
 
 
 def included(document: Document, include: Element) -> Included:
-    """Resolve one include of a document, once."""
+    """Resolve one include of a document, once; its parameters are carried out."""
     resolved = document.view(_Resolved)
-    if include not in resolved:
-        resolved[include] = _resolve(document, include)
-    return resolved[include]
+    if include in resolved:
+        return resolved[include]
+    read = document.origin.get(include) if isinstance(document, Altered) else None
+    if read is not None and isinstance(document, Altered) and read.document is document.original:
+        found = included(read.document, read)._replace(include=include)
+    else:
+        found = resolved[include] = _resolve(document, include)  # where it leads back to itself
+        found = with_parameters(found)
+    resolved[include] = found
+    return found
+
+
+def with_parameters(found: Included) -> Included:
+    """The same after the parameters of the include are carried out, in a copy."""
+    if not found.include.has(PARAMETERS):
+        return found
+    from sdfcheck.robot.includes.parameters import Parameters
+
+    changed = Parameters(found, included, bring)
+    return found._replace(model=changed.model, faults=tuple(changed.problems))
+
+
+def bring(include: Element, found: Included) -> None:
+    """Let an include of a copied document bring something else than its file."""
+    include.document.view(_Resolved)[include] = found
 
 
 def includes_of(document: Document) -> list[Element]:

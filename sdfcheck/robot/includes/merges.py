@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.survey import PARAMETERS, survey
+from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes.included import Included, included, includes_of
-from sdfcheck.robot.includes.parameters import parameters
 from sdfcheck.robot.naming.name import Name, Namesakes
 from sdfcheck.source.document import Document
 from sdfcheck.source.element import Element, Value
@@ -51,7 +50,7 @@ def _is_merged(found: Included, parent: Element) -> bool:
 
 
 def moved(found: Included) -> Iterator[tuple[str, str, Element]]:
-    """The named parts of a model that is merged, after the changes by its parameters."""
+    """The named parts of a model that is merged, as its parameters change it."""
     model = found.model
     if model is None:
         return
@@ -59,8 +58,6 @@ def moved(found: Included) -> Iterator[tuple[str, str, Element]]:
         children = [(child.name, child.attributes.get("name", ""), child) for child in model.children()]
     else:
         children = survey(model.document).named.get(model, [])
-    if found.include.has(PARAMETERS):
-        children = list(parameters(found).alterations.named(model, found.include, children))
     for kind, name, child in children:
         if kind in _MOVED and name.strip():
             yield kind, name.strip(), child

@@ -7,6 +7,8 @@ libsdformat 17's ParamPassing.cc, checked against what it does.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.problems import UnknownAttribute
 from sdfcheck.formats.sdf.schema import Definition, schema
@@ -15,37 +17,33 @@ from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.value_problems import text_problems
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.suggest import suggest
-from sdfcheck.robot.includes.alterations import Alterations, Node
-from sdfcheck.robot.includes.included import Included
+from sdfcheck.robot.includes.alterations import Alterations, Place, changeable
 from sdfcheck.robot.includes.parameter_problems import InvalidParameter, ParameterFault
 from sdfcheck.source.element import Element, Value
+
+if TYPE_CHECKING:
+    from sdfcheck.robot.includes.alterations import Bring, Resolve
+    from sdfcheck.robot.includes.included import Included
 
 ACTIONS = ("add", "modify", "remove", "replace")
 _OWN_ATTRIBUTES = frozenset({"element_id", "action"})
 
 
 class Parameters:
-    """The parameters of one include: their effect, and their problems."""
+    """The parameters of one include, carried out: the model as they change it, and their problems.
 
-    def __init__(self, found: Included) -> None:
-        self.alterations = Alterations(found)
+    A URDF, which libsdformat converts before it changes it, stays as it is.
+    """
+
+    def __init__(self, found: Included, included: Resolve, bring: Bring) -> None:
+        self.alterations = Alterations(found, included, bring)
         self.problems: list[object] = []
         for block in found.include.children(PARAMETERS):
             for entry in block.children():
                 _Entry(self, entry).run()
-
-
-def parameters(found: Included) -> Parameters:
-    """The parameters of an include, read once."""
-    known = found.include.document.view(_Known)
-    if found.include not in known:
-        known[found.include] = Parameters(found)
-    return known[found.include]
-
-
-class _Known(dict[Element, Parameters]):
-    def __init__(self, document: object) -> None:
-        super().__init__()
+        self.alterations.finish()
+        is_urdf = found.model is not None and found.model.name == "robot"
+        self.model = found.model if is_urdf else self.alterations.model
 
 
 class _Entry:
@@ -97,9 +95,9 @@ class _Entry:
         if entry.name != "plugin" and model.find(path, entry.name) is not None:
             self.fault(name, ParameterFault.TAKEN)
             return
-        parent = model.find(element_id.text, None) if element_id.text else model.root
+        parent = model.find(element_id.text, None) if element_id.text else model.top
         if parent is not None:
-            model.added.setdefault(parent, []).append(entry)
+            self.put(model.own(parent), entry)
         elif model.complete:
             self.fault(element_id, ParameterFault.NO_PARENT, "", suggest(element_id.text, model.ids(None)))
 
@@ -114,13 +112,13 @@ class _Entry:
         if target is None:
             self.not_found(element_id)
         elif action == "replace":
-            model.replaced[target] = entry
+            self.exchange(model.outermost(target), entry)
         elif action == "remove":
             self.remove(entry, target)
         elif action == "modify":
-            self.modify(entry, target)
+            self.modify(entry, model.own(target))
         else:
-            self.each_child(target, definition)
+            self.each_child(model.own(target), definition)
 
     def not_found(self, element_id: Value) -> None:
         model, kind = self.alterations, self.entry.name
@@ -139,7 +137,7 @@ class _Entry:
             self.fault(self.entry, ParameterFault.UNKNOWN_ENTRY, suggestion=suggest(name, stems()))
         return definition
 
-    def each_child(self, target: Node, definition: Definition) -> None:
+    def each_child(self, target: Element, definition: Definition) -> None:
         children = list(self.entry.children())
         if not children:
             self.fault(self.entry, ParameterFault.NO_CHANGE)
@@ -152,7 +150,7 @@ class _Entry:
             else:
                 self.change_child(child, action.text, target, definition)
 
-    def change_child(self, child: Element, action: str, target: Node, definition: Definition) -> None:
+    def change_child(self, child: Element, action: str, target: Element, definition: Definition) -> None:
         if action in {"add", "replace"}:
             place = definition.children.get(child.name)
             if place is None:
@@ -160,17 +158,17 @@ class _Entry:
                 self.fault(child, ParameterFault.UNKNOWN_CHILD, self.entry.name, near)
                 return
             if not self.fits(child, place) or action == "add":
-                self.alterations.added.setdefault(target, []).append(child)
+                self.put(target, child)
                 return
         part = self.part(child, target, may_rename=action == "modify")
         if part is None:
             return
         if action == "remove":
-            self.remove(child, part)
+            self.remove(child, Place(part))
         elif action == "modify":
             self.modify(child, part)
         else:
-            self.alterations.replaced[part] = child
+            self.exchange(part, child)
 
     # Steps
 
@@ -184,52 +182,63 @@ class _Entry:
         self.found += problems
         return not problems
 
-    def part(self, wanted: Element, target: Node, *, may_rename: bool = False) -> Node | None:
+    def put(self, parent: Element, entry: Element) -> None:
+        changeable(parent).add(parent, entry, _OWN_ATTRIBUTES)
+
+    def exchange(self, old: Element, entry: Element) -> None:
+        changeable(old).replace(old, entry, _OWN_ATTRIBUTES)
+
+    def part(self, wanted: Element, target: Element, *, may_rename: bool = False) -> Element | None:
         """The child of the target that is meant; None, and a word about it, if there is none."""
-        parts = self.alterations.parts(target, wanted.name)
+        parts = list(target.children(wanted.name))
         name = wanted.attributes.get("name")
         if name is not None:
-            named = [part for part in parts if part.element.attributes.get("name") == name]
+            named = [part for part in parts if part.attributes.get("name") == name]
             parts = named or (parts if may_rename else [])
         if not parts:
             self.absent(wanted, target)
             return None
-        first = parts[0].element
+        first = parts[0]
         if name is None and (assumed := first.attributes.get("name")) is not None:
             definition = definition_of(first)
             if definition is not None and "name" in definition.required_attributes:
                 self.fault(wanted, ParameterFault.NAME_ASSUMED, assumed)
-        return parts[0]
+        return first
 
-    def absent(self, wanted: Element, target: Node) -> None:
+    def absent(self, wanted: Element, target: Element) -> None:
         if not self.alterations.complete:
             return
         name = wanted.attribute("name")
-        siblings = [c.attributes.get("name", "") for c in target.element.children(wanted.name)]
+        siblings = [c.attributes.get("name", "") for c in target.children(wanted.name)]
         near = suggest(name.text, filter(None, siblings)) if name is not None else None
-        self.fault(wanted if name is None else name, ParameterFault.ABSENT_CHILD, target.element.title, near)
+        self.fault(wanted if name is None else name, ParameterFault.ABSENT_CHILD, target.title, near)
 
-    def remove(self, wanted: Element, target: Node) -> None:
+    def remove(self, wanted: Element, place: Place) -> None:
         """Remove the target, or of its children those that are listed."""
         children = list(wanted.children())
         if not children and not wanted.content:
-            self.alterations.removed.add(target)
+            target = self.alterations.outermost(place)
+            changeable(target).remove(target)
+            return
+        target = self.alterations.own(place)
         for child in children:
             part = self.part(child, target)
             if part is not None:
-                self.alterations.removed.add(part)
+                changeable(part).remove(part)
 
-    def modify(self, wanted: Element, target: Node) -> None:
-        definition = definition_of(target.element)
+    def modify(self, wanted: Element, target: Element) -> None:
+        definition = definition_of(target)
         self.modify_attributes(wanted, target, definition)
         if wanted.content:
-            self.modify_value(wanted, definition)
+            if definition is not None and definition.type is not None:
+                self.found += text_problems(wanted, definition)
+            changeable(target).write(target, wanted)
             return
         for child in wanted.children():
             part = self.part(child, target, may_rename=True)
             if part is None:
                 continue
-            inner = definition_of(part.element)
+            inner = definition_of(part)
             if child.content or next(child.children(), None) is not None:
                 self.modify(child, part)
             elif inner is not None and inner.type is None:
@@ -237,32 +246,27 @@ class _Entry:
             else:
                 self.modify_attributes(child, part, inner)
 
-    def modify_attributes(self, wanted: Element, target: Node, definition: Definition | None) -> None:
+    def modify_attributes(self, wanted: Element, target: Element, definition: Definition | None) -> None:
         for name, text in wanted.attributes.items():
-            if name in _OWN_ATTRIBUTES or ":" in name or definition is None:
+            if name in _OWN_ATTRIBUTES:
                 continue
-            if name not in definition.attributes:
+            if ":" not in name and definition is not None and name not in definition.attributes:
                 near = suggest(name, definition.attributes)
                 self.fault(Value(wanted, name, text), ParameterFault.UNKNOWN_ATTRIBUTE, definition.name, near)
             elif name == "name":
-                self.alterations.renamed[target] = text
-
-    def modify_value(self, wanted: Element, definition: Definition | None) -> None:
-        if definition is not None and definition.type is not None:
-            self.found += text_problems(wanted, definition)
+                self.alterations.rename(target, text)
+            else:
+                target.attributes[name] = text
 
 
 def definition_of(element: Element) -> Definition | None:
-    """The definition of an element in the newest version, wherever in its document it is."""
+    """The definition of an element of a copy, in the newest version."""
     names: list[str] = []
     at = element
-    while at.parent is not None and at.parent.name != PARAMETERS:
+    while at.parent is not None:
         names.insert(0, at.name)
         at = at.parent
-    if at.parent is None:
-        definition: Definition | None = schema(survey(element.document).version).root
-    else:
-        definition = defined_alone(at.name)
+    definition: Definition | None = schema(survey(changeable(element).original).version).root
     for name in names:
         definition = definition.children.get(name) if definition is not None else None
     return history.in_version(definition, NEWEST) if definition is not None else None

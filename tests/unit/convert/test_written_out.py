@@ -64,7 +64,7 @@ def below(document: Document, name: str) -> Element:
 )  # fmt: skip
 def test_parameters(tmp_path: Path, parameters: str, present: str, absent: str) -> None:
     document = included(tmp_path, parameters)
-    assert needs_writing_out(document)
+    assert not needs_writing_out(document)
     done, notes = written_out(document)
     assert not notes
     assert present in done.source.text
