@@ -25,6 +25,8 @@ def nearest(name: str, candidates: Iterable[str], document: Document | None = No
     ``gen_description``, ``left_wheel`` not near ``right_wheel``, ``d415`` not near ``d435``. Given its
     ``document``, the guesses at the names of one document come to an end.
     """
+    if document is not None and document.view(Effort).is_spent:
+        return None
     pool = list(dict.fromkeys(candidates))
     for _ in range(_TRIES):
         near = suggest(name, pool) if document is None else suggest_in(document, name, pool)
