@@ -86,7 +86,7 @@ fuzz: $(TOOLS)
 # Changes the code a little, many times, and lists the changes that no test notices.
 growth: $(TOOLS)
 	$(BIN)/python -m benchmarks.growth
-	$(BIN)/python -m benchmarks.growth --commands
+	$(BIN)/python -m benchmarks.growth --commands --write
 
 mutants: $(TOOLS)
 	$(BIN)/python -m tests.mutation --seed $(SEED)

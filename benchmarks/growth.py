@@ -14,7 +14,7 @@ import math
 import os
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -26,6 +26,7 @@ from sdfcheck.lint.call import lint
 
 SIZE = 500
 FACTORS = (1, 2, 4, 8, 16)
+TABLE = Path(__file__).parents[1] / "docs/testing.md"
 MOST = 1.1
 """The largest exponent that still counts as linear."""
 
@@ -214,42 +215,75 @@ DIMENSIONS: dict[str, Dimension] = {
 """Everything that may occur often in a document, wanted or not."""
 
 
+_NEXT = '<joint name="j#" type="fixed"><parent link="a"/><child link="k#"/></joint>'
+_MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+_BOX = '<geometry><box size="1 1 1"/></geometry>'
+_HELD = (
+    f'<link name="k#">{_MASS}</link><joint name="j#" type="revolute"><parent link="a"/><child link="k#"/>'
+    f'<axis xyz="0 0 1"/>{_REVOLUTE}</joint>'
+)
+
+
 def _chain_of(kind: str) -> Dimension:
     part = (
         f'<link name="l@">{_MASS}</link><joint name="j#" type="{kind}"><parent link="l#"/><child link="l@"/>'
         f'<axis xyz="0 0 1"/>{_REVOLUTE}</joint>'
     )
-    return Dimension(
-        "a.urdf",
-        lambda n: _urdf(
-            f'<link name="l0">{_MASS}</link>'
-            '<joint name="j" type="fixed"><parent link="a"/><child link="l0"/></joint>'
-            + "".join(part.replace("#", str(i)).replace("@", str(i + 1)) for i in range(n))
-        ),
-    )
+    return Dimension("a.urdf", lambda n: _urdf(_base() + _steps(part, n)))
 
 
-_MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
-_NEXT = '<joint name="j#" type="fixed"><parent link="a"/><child link="k#"/></joint>'
+def _base() -> str:
+    return f'<link name="l0">{_MASS}</link><joint name="j" type="fixed"><parent link="a"/><child link="l0"/></joint>'
 
-SERIES: dict[str, tuple[Dimension, tuple[str, ...]]] = {
-    "chain of revolute joints": (
+
+def _steps(part: str, n: int) -> str:
+    """The part n times, with its number for ``#`` and the next number for ``@``."""
+    return "".join(part.replace("#", str(number)).replace("@", str(number + 1)) for number in range(n))
+
+
+def _on_a_link(start: str, part: str, end: str) -> Dimension:
+    return Dimension("a.urdf", lambda n: _urdf(_base().replace(_MASS, _MASS + start + _each(part, n) + end)))
+
+
+class Series(NamedTuple):
+    """Documents with something n times, the commands that look at it, and what ``diff`` replaces for its second."""
+
+    dimension: Dimension
+    commands: tuple[str, ...]
+    change: tuple[str, str] = ("", "")
+
+
+_TO_SDF, _TO_URDF = "convert urdf-to-sdf", "convert sdf-to-urdf"
+_MERGED, _UPGRADE = "convert urdf-to-sdf --fixed-joints merge", "convert sdf-to-sdf --sdf-version 1.11"
+
+SERIES: dict[str, Series] = {
+    "chain of revolute joints": Series(
         _chain_of("revolute"),
-        ("convert urdf-to-sdf", "diff", "targets", "inertia"),
+        ("lint", _TO_SDF, "diff", "targets", "print", "inertia", "view"),
+        ('="l', '="x'),
     ),
-    "chain of fixed joints": (_chain_of("fixed"), ("convert urdf-to-sdf", "diff")),
-    "collisions of a link": (
-        Dimension(
-            "a.urdf",
-            lambda n: _urdf(
-                f'<link name="b">{_MASS}'
-                + '<collision><geometry><box size="1 1 1"/></geometry></collision>' * n
-                + '</link><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>'
-            ),
-        ),
-        ("convert urdf-to-sdf", "diff"),
+    "chain of fixed joints": Series(
+        _chain_of("fixed"), ("lint", _TO_SDF, _MERGED, "diff", "targets"), ('="j', '="x')
     ),
-    "visuals of a link": (
+    "links on one link": Series(
+        _urdf_of(_HELD), ("lint", _TO_SDF, "diff", "targets", "print", "inertia", "view"), ('="k', '="x')
+    ),
+    "fixed links on one link": Series(
+        _urdf_of(_HELD.replace("revolute", "fixed")),
+        (_TO_SDF, _MERGED, "diff"),
+        ('xyz="0 0 1"', 'xyz="0 1 0"'),
+    ),
+    "collisions of a link": Series(
+        _on_a_link("", f"<collision>{_BOX}</collision>", ""),
+        ("lint", _TO_SDF, _MERGED, "diff", "print", "targets"),
+        ("1 1 1", "1 1 2"),
+    ),
+    "named collisions of a link": Series(
+        _on_a_link("", f'<collision name="c#"><origin xyz="# 0 0"/>{_BOX}</collision>', ""),
+        ("lint", _TO_SDF, "diff"),
+        ('="c', '="d'),
+    ),
+    "visuals of a link": Series(
         Dimension(
             "a.sdf",
             lambda n: _sdf(
@@ -258,49 +292,155 @@ SERIES: dict[str, tuple[Dimension, tuple[str, ...]]] = {
                 + "</link>"
             ),
         ),
-        ("convert sdf-to-urdf", "diff", "print"),
+        ("lint", _TO_URDF, _UPGRADE, "diff", "print", "view"),
+        ('"v', '"w'),
     ),
-    "textures that are lost": (
-        Dimension(
-            "a.urdf",
-            lambda n: _urdf("").replace(
-                '<link name="a"/>', '<link name="a">' + '<texture name="s"/>' * n + "</link>"
-            ),
+    "textures that are lost": Series(
+        _on_a_link(
+            "", f'<visual>{_BOX}<material name="m#"><texture filename="t#.png"/></material></visual>', ""
         ),
-        ("convert urdf-to-sdf",),
+        ("lint", _TO_SDF, "diff", "print"),
+        ('="t', '="u'),
     ),
-    "frames attached in a chain": (
+    "attributes that are lost": Series(_on_a_link("", '<texture name="s"/>', ""), ("lint", _TO_SDF)),
+    "frames attached in a chain": Series(
         Dimension(
             "a.sdf",
-            lambda n: _sdf(
-                '<frame name="f0"/>'
-                + "".join(f'<frame name="f{i + 1}" attached_to="f{i}"/>' for i in range(n))
-            ),
+            lambda n: _sdf('<frame name="f0"/>' + _steps('<frame name="f@" attached_to="f#"/>', n)),
         ),
-        ("lint", "convert sdf-to-urdf", "print"),
+        ("lint", _TO_URDF, f"{_TO_URDF} --frames", _UPGRADE, "print", "diff", "targets"),
+        ('"f', '"g'),
     ),
-    "unknown names with a common prefix": (
+    "models in a model": Series(
+        _sdf_of('<model name="n#"><link name="l"/></model>'),
+        (
+            "lint",
+            _UPGRADE,
+            _TO_URDF + " --forest fixed",
+            "print",
+            "diff",
+            "graph frames",
+            "inertia",
+            "targets",
+        ),
+        ('"n', '"o'),
+    ),
+    "models nested in each other": Series(
+        _sdf_of(
+            '<model name="n#"><link name="l"/>' + '<model name="n"><link name="l"/>' * 9 + "</model>" * 10
+        ),
+        ("lint", _UPGRADE, "print", "diff"),
+        ('"n', '"o'),
+    ),
+    "models of a world": Series(
+        _world_of('<model name="m#"><pose># 0 0 0 0 0</pose><link name="l"/></model>'),
+        ("lint", _UPGRADE, "print", "diff", "graph frames", "inertia", "view", "targets"),
+        ('"m', '"o'),
+    ),
+    "transmissions": Series(
+        _urdf_of(
+            _HELD + '<transmission name="t#"><type>transmission_interface/SimpleTransmission</type>'
+            '<joint name="j#"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>'
+            '<actuator name="m#"><mechanicalReduction>1</mechanicalReduction></actuator></transmission>'
+        ),
+        ("lint", _TO_SDF, "diff", "print", "targets"),
+        ('"t', '"u'),
+    ),
+    "ros2_control blocks": Series(
+        _urdf_of(
+            _HELD
+            + '<ros2_control name="c#" type="system"><hardware><plugin>mock_components/GenericSystem</plugin>'
+            '</hardware><joint name="j#"><command_interface name="effort"/><state_interface name="position"/>'
+            "</joint></ros2_control>"
+        ),
+        ("lint", _TO_SDF, "diff", "print", "targets"),
+        ('"c', '"d'),
+    ),
+    "gazebo blocks of links": Series(
+        _urdf_of(_HELD + '<gazebo reference="k#"><mu1>0.5</mu1><selfCollide>1</selfCollide></gazebo>'),
+        ("lint", _TO_SDF, "diff", "print"),
+        ("0.5", "0.6"),
+    ),
+    "mimicking joints": Series(
+        _urdf_of(_HELD.replace("<axis", '<mimic joint="j0"/><axis')), ("lint", _TO_SDF, "diff"), ('"k', '"x')
+    ),
+    "materials": Series(
+        _urdf_of(
+            f'<material name="m#"><color rgba="0 0 0 1"/></material><link name="k#">{_MASS}'
+            f'<visual>{_BOX}<material name="m#"/></visual></link>' + _NEXT
+        ),
+        ("lint", _TO_SDF, "view", "diff", "print"),
+        ("0 0 0 1", "0 0 1 1"),
+    ),
+    "missing meshes": Series(
+        _urdf_of(
+            f'<link name="k#">{_MASS}<visual><geometry><mesh filename="m#.stl"/></geometry></visual></link>'
+            + _NEXT
+        ),
+        ("lint", "view", _TO_SDF, "diff", "inertia"),
+        ('"m', '"o'),
+    ),
+    "unknown names with a common prefix": Series(
         _sdf_of(
             '<link name="robot_left_upper_section_actuator_#"/>'
             '<frame name="f#" attached_to="robot_left_upper_section_actuator_x#"/>'
         ),
         ("lint",),
     ),
-    "letters of a name": (
+    "letters of a name": Series(
         Dimension(
             "a.sdf",
-            lambda n: _sdf(f'<link name="{"a" * n}"/><frame name="f" attached_to="{"a" * (n - 1)}b"/>'),
+            lambda n: _sdf(
+                f'<link name="{"a" * 8 * n}"/><frame name="f" attached_to="{"a" * (8 * n - 1)}b"/>'
+            ),
         ),
         ("lint",),
     ),
-    "missing meshes": (
-        _urdf_of(
-            '<link name="k#"><visual><geometry><mesh filename="m#.stl"/></geometry></visual></link>' + _NEXT
-        ),
-        ("lint", "view"),
+    "comments to fix": Series(_sdf_of("<!-- a -- # -->"), ("lint", "lint --diff", "lint --fix")),
+    "bare ampersands": Series(_sdf_of('<link name="l# & b"/>'), ("lint", "lint --diff", "lint --fix")),
+    "numbers to fix": Series(
+        _sdf_of('<link name="l#"><pose>1,2 0 0 0 0 0</pose></link>'), ("lint", "lint --diff")
     ),
-    "comments to fix": (_sdf_of("<!-- a -- # -->"), ("lint --diff",)),
-    "parameters of a macro": (
+    "findings to silence": Series(
+        _sdf_of('<link name="l#"><inertial><mass>0</mass></inertial></link>'), ("lint --add-ignore",)
+    ),
+    "findings in formats": Series(
+        _sdf_of("<frame name='f#' attached_to='nothing'/>"),
+        (
+            "lint --output-format json",
+            "lint --output-format html",
+            "lint --output-format sarif",
+            "lint --no-fold",
+        ),
+    ),
+    "properties": Series(
+        Dimension(
+            "a.urdf.xacro",
+            lambda n: _xacro('<link name="a"/>' + _each('<xacro:property name="p#" value="1"/>', n)),
+        ),
+        ("lint", "expand"),
+    ),
+    "properties of each other": Series(
+        Dimension(
+            "a.urdf.xacro",
+            lambda n: _xacro(
+                '<link name="a"/><xacro:property name="p0" value="1"/>'
+                + _steps('<xacro:property name="p@" value="${p#}"/>', n)
+            ),
+        ),
+        ("lint", "expand"),
+    ),
+    "calls of a macro": Series(
+        Dimension(
+            "a.urdf.xacro",
+            lambda n: _xacro(
+                '<xacro:macro name="m" params="a"><link name="${a}"/></xacro:macro>'
+                + _each('<xacro:m a="l#"/>', n)
+            ),
+        ),
+        ("lint", "expand", "expand --annotate"),
+    ),
+    "parameters of a macro": Series(
         Dimension(
             "a.urdf.xacro",
             lambda n: _xacro(
@@ -311,57 +451,122 @@ SERIES: dict[str, tuple[Dimension, tuple[str, ...]]] = {
         ("lint", "expand"),
     ),
 }
-"""Documents in which something occurs n times, and the other commands that look at it."""
-TWO_FILES = ("diff",)
-TO_A_FILE = ("convert urdf-to-sdf", "convert sdf-to-urdf", "view")
+"""The commands and what may occur often in a document that concerns them."""
+SHOWING = ("convert", "view", "print", "expand", "inertia", "targets", "graph", "diff")
+"""Commands that write something about every document here."""
+ENOUGH = 0.2
+"""Seconds above the floor from which a size is measured: the times of the system are in steps of 0.01 s."""
+LARGEST = 40_000
+TOO_LONG = 20.0
 
 
-def seconds_of(command: str, dimension: Dimension, n: int) -> float:
-    """Processor time that a command takes, in this process and its children."""
+class DidNotRun(Exception):
+    """A command that refused its document: its time says nothing."""
+
+
+def seconds_of(command: str, series: Series, n: int) -> float:
+    """Processor time that a command takes, in this process and its children; raises DidNotRun."""
+    name = command.split(maxsplit=1)[0]
     with TemporaryDirectory() as folder:
-        file = Path(folder, dimension.file)
-        file.write_text(dimension.text(n))
-        files = [str(file)] * (1 + (command in TWO_FILES))
-        output = ["-o", str(Path(folder, "result"))] if command in TO_A_FILE else []
+        text = series.dimension.text(n)
+        file, other = Path(folder, series.dimension.file), Path(folder, f"b-{series.dimension.file}")
+        file.write_text(text)
+        files = [str(file)]
+        if name == "diff":
+            other.write_text(text.replace(*series.change))
+            files.append(str(other))
+        shown, said = _captured(), _captured()
         begin = _processor_time()
-        with redirect_stdout(_nowhere()), redirect_stderr(_nowhere()):
-            run_command([*command.split(), "--isolated", *output, *files])
-        return _processor_time() - begin
+        with redirect_stdout(shown), redirect_stderr(said):
+            code = run_command([*command.split(), "--isolated", *_to_a_file(name, folder), *files])
+        took = _processor_time() - begin
+        result = Path(folder, "result")
+        written = result.stat().st_size if result.exists() else 0
+        if code not in (0, 1) or (name in SHOWING and not written + len(_text_of(shown))):
+            raise DidNotRun(f"exit code {code}: {_text_of(said)[:300] or _text_of(shown)[:300]}")
+        return took
 
 
-def _nowhere() -> io.TextIOWrapper:
-    return io.TextIOWrapper(io.BytesIO(), "utf-8")
+def _to_a_file(name: str, folder: str) -> list[str]:
+    return ["-o", str(Path(folder, "result"))] if name in ("convert", "view") else []
+
+
+def _captured() -> io.TextIOWrapper:
+    return io.TextIOWrapper(io.BytesIO(), "utf-8", errors="replace")
+
+
+def _text_of(stream: io.TextIOWrapper) -> str:
+    stream.flush()
+    written = stream.buffer
+    assert isinstance(written, io.BytesIO)
+    return " ".join(written.getvalue().decode("utf-8", "replace").split())
 
 
 def _processor_time() -> float:
     used = os.times()
-    return used.user + used.system + used.children_user + used.children_system
+    return time.process_time() + used.children_user + used.children_system
 
 
-def measure_commands() -> int:
-    """Print a line of a table for each series and command: the times above the floor, and the exponent.
+class Grown(NamedTuple):
+    """What a command takes for n, 2n and 4n parts, s above the floor, and the exponent from the first to the last."""
 
-    The floor is the time for a small document, the exponent that of the last two doublings. A series that
-    seems steep is measured once more, and the smaller exponent counts.
+    n: int
+    seconds: list[float]
+    exponent: float
+
+
+def growth_of(command: str, series: Series, enough: float = ENOUGH) -> Grown:
+    """How a command grows with a series; raises DidNotRun.
+
+    The smallest document is one that takes ``enough`` s above the floor, the time for a document of 5 parts.
+    Each time is the better of two: a busy machine makes times longer, never shorter. What still seems steep
+    is measured once more, and the smaller exponent counts.
     """
-    steep = 0
-    print("| document | command | s at n, 2n, 4n, 8n | exponent |\n|---|---|---|---|")
-    for name, (dimension, commands) in SERIES.items():
-        for command in commands:
-            seconds_of(command, dimension, 10)
-            floor = min(seconds_of(command, dimension, 5) for _ in range(2))
-            power, times = 99.0, [0.0]
-            for _ in range(2):
-                took = [seconds_of(command, dimension, 300 * factor) - floor for factor in (1, 2, 4, 8)]
-                again = exponent(max(took[1], 1e-3), max(took[3], 1e-3), 4)
-                power, times = min((power, times), (again, took))
-                gc.collect()
-                if power <= MOST:
-                    break
-            steep += power > MOST
-            shown = ", ".join(f"{each:.2f}" for each in times)
-            print(f"| {name} | {command} | {shown} | {power:.2f} |", flush=True)
-    return steep
+    seconds_of(command, series, 10)
+    floor = min(seconds_of(command, series, 5) for _ in range(3))
+    n = 250
+    while seconds_of(command, series, n) - floor < enough and n < LARGEST:
+        n *= 2
+    found = _measured(command, series, n, floor)
+    if found.exponent > MOST and found.seconds[-1] < TOO_LONG:
+        found = min(found, _measured(command, series, n, floor), key=lambda each: each.exponent)
+    return found
+
+
+def _measured(command: str, series: Series, n: int, floor: float) -> Grown:
+    took = []
+    for factor in (1, 2, 4):
+        gc.collect()
+        took.append(min(seconds_of(command, series, n * factor) for _ in range(2)) - floor)
+    return Grown(n, took, exponent(max(took[0], 1e-3), max(took[2], 1e-3), 4))
+
+
+def measure_commands(names: Iterable[str] = SERIES) -> tuple[list[str], bool]:
+    """Print a line of a table for each series and command; returns the lines, and whether all are linear."""
+    lines = ["| document | command | n | s at n, 2n, 4n | exponent |", "|---|---|---|---|---|"]
+    are_linear = True
+    print("\n".join(lines))
+    for name in names:
+        for command in SERIES[name].commands:
+            try:
+                found = growth_of(command, SERIES[name])
+            except DidNotRun as problem:
+                are_linear = False
+                print(f"{name}: {command} did not run: {problem}", file=sys.stderr, flush=True)
+                continue
+            are_linear = are_linear and found.exponent <= MOST
+            shown = ", ".join(f"{each:.2f}" for each in found.seconds)
+            lines.append(f"| {name} | `{command}` | {found.n:,} | {shown} | {found.exponent:.2f} |")
+            print(lines[-1], flush=True)
+    return lines, are_linear
+
+
+def write_table(lines: list[str]) -> None:
+    """Put the table where the documentation shows it."""
+    before, _, rest = TABLE.read_text("utf-8").partition("<!-- growth -->\n")
+    after = rest.partition("<!-- /growth -->")[2]
+    text = "\n".join(lines)
+    TABLE.write_text(f"{before}<!-- growth -->\n{text}\n<!-- /growth -->{after}", "utf-8")
 
 
 def seconds(dimension: Dimension, n: int) -> float:
@@ -399,25 +604,38 @@ def exponent(small: float, large: float, factor: float) -> float:
 def main() -> int:
     """Measure, print a line for each dimension; 1 if one is not linear."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", default=list(DIMENSIONS), help="the dimensions to measure")
+    parser.add_argument("names", nargs="*", help="the dimensions, or series, to measure (default: all)")
     parser.add_argument("--size", type=int, default=SIZE, help="the smallest n")
-    parser.add_argument("--commands", action="store_true", help="measure the other commands instead")
+    parser.add_argument(
+        "--commands", action="store_true", help="measure all commands instead of `lint` alone"
+    )
+    parser.add_argument(
+        "--write", action="store_true", help="with --commands: write the table of docs/testing.md"
+    )
     given = parser.parse_args()
     # As in the program: trees are acyclic, and the collector would look at all of them again and again.
     gc.disable()
     if given.commands:
-        return int(measure_commands() > 0)
+        lines, are_linear = measure_commands(given.names or SERIES)
+        if given.write:
+            write_table(lines)
+        return int(not are_linear)
+    return int(measure_lint(given.names or DIMENSIONS, given.size) > 0)
+
+
+def measure_lint(names: Iterable[str], size: int) -> int:
+    """Print a line for each dimension; returns how many are not linear."""
     steep = 0
-    for name in given.names:
+    for name in names:
         dimension = DIMENSIONS[name]
         seconds(dimension, 10)
-        took = [seconds(dimension, given.size * factor) for factor in FACTORS]
+        took = [seconds(dimension, size * factor) for factor in FACTORS]
         power = exponent(took[0], took[-1], FACTORS[-1])
         steep += power > MOST
         times = "  ".join(f"{each:7.3f}" for each in took)
         gc.collect()
         print(f"{name:40} {times}  n^{power:.2f}{'  steep' if power > MOST else ''}", flush=True)
-    return int(steep > 0)
+    return steep
 
 
 if __name__ == "__main__":

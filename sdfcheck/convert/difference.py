@@ -7,6 +7,7 @@ difference and not one for every link after it.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import PurePosixPath
@@ -17,15 +18,7 @@ from sdfcheck.convert.change import Change, ChangeKind
 from sdfcheck.convert.contents.difference import Settings
 from sdfcheck.convert.contents.entry import Contents
 from sdfcheck.convert.rewrite.reframing import reframed
-from sdfcheck.convert.rewrite.renaming import (
-    Names,
-    carriers,
-    filled,
-    same_geometry,
-    same_names,
-    same_pose,
-    seat,
-)
+from sdfcheck.convert.rewrite.renaming import Names, Shapes, carriers, filled, same_names, same_pose, seat
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
@@ -139,30 +132,26 @@ class _Comparison:
                 yield self.changed("link", name, what, *_pair((x,), (y,)))
 
     def geometries(self, a: Link, b: Link) -> Iterator[Change]:
-        gone, new = list(a.geometries), []
+        known, new = Shapes(a.geometries, self.tolerance, self.labels), []
         for geometry in b.geometries:
-            equal = next((g for g in gone if self.same_geometry(g, geometry)), None)
+            equal = known.take(geometry)
             if equal is None:
                 new.append(geometry)
             else:
-                gone = [g for g in gone if g is not equal]
                 self.shapes.append((b.name, equal, geometry))
-        for geometry in list(gone):
-            alike = (g for g in new if same_geometry(geometry, g, self.tolerance))
-            other = next(alike, None) or _partner(geometry, gone, new)
-            if other is not None:
-                gone = [g for g in gone if g is not geometry]
-                new = [g for g in new if g is not other]
-                self.shapes.append((b.name, geometry, other))
-                yield from self.geometry(b.name, geometry, other)
-        for geometry in gone:
+        is_left = known.left()
+        partners = _Partners([g for g in a.geometries if id(g) in is_left], new, self.tolerance)
+        for geometry, other in partners.pairs():
+            self.shapes.append((b.name, geometry, other))
+            yield from self.geometry(b.name, geometry, other)
+        for geometry in partners.gone.values():
             yield self.changed("link", b.name, geometry.role, _title(geometry), "none")
-        for geometry in new:
+        for geometry in partners.new.values():
             yield self.changed("link", b.name, geometry.role, "none", _title(geometry))
 
-    def same_geometry(self, a: Geometry, b: Geometry) -> bool:
-        named = self.across_formats or a.name == b.name
-        return named and same_geometry(a, b, self.tolerance) and self.uri(a) == self.uri(b)
+    def labels(self, geometry: Geometry) -> tuple[str, str]:
+        """The name and file of a shape, as far as they are compared."""
+        return "" if self.across_formats else geometry.name, self.uri(geometry)
 
     def geometry(self, link: str, a: Geometry, b: Geometry) -> Iterator[Change]:
         label = f"{b.role} `{b.name}`" if b.name else b.role
@@ -259,12 +248,38 @@ def _in_child(robot: Mechanism, joint: Joint) -> Array:
     return inverse(child.pose) @ joint.pose if child is not None else joint.pose.copy()
 
 
-def _partner(geometry: Geometry, gone: list[Geometry], new: list[Geometry]) -> Geometry | None:
-    """The counterpart of a shape: the one of its name, or the only other one of its role."""
-    same_role = [g for g in new if g.role == geometry.role]
-    named = next((g for g in same_role if g.name and g.name == geometry.name), None)
-    alone = len(same_role) == 1 and sum(g.role == geometry.role for g in gone) == 1
-    return named or (same_role[0] if alone else None)
+class _Partners:
+    """Shapes of a link that are ``gone`` and ``new``, by identity: those without counterpart stay."""
+
+    def __init__(self, gone: list[Geometry], new: list[Geometry], tolerance: float) -> None:
+        self.gone, self.new = ({id(shape): shape for shape in shapes} for shapes in (gone, new))
+        self._alike = Shapes(new, tolerance)
+        self._counts = [Counter(shape.role for shape in shapes) for shapes in (gone, new)]
+        self._named: dict[tuple[str, str], list[Geometry]] = {}
+        for shape in reversed(new):
+            self._named.setdefault((shape.role, shape.name), []).append(shape)
+
+    def pairs(self) -> Iterator[tuple[Geometry, Geometry]]:
+        """Take out each shape and its counterpart."""
+        for shape in list(self.gone.values()):
+            other = self._alike.take(shape)
+            if other is None and (other := self._partner(shape)) is not None:
+                self._alike.remove(other)
+            if other is not None:
+                del self.gone[id(shape)], self.new[id(other)]
+                for counts in self._counts:
+                    counts[shape.role] -= 1
+                yield shape, other
+
+    def _partner(self, shape: Geometry) -> Geometry | None:
+        """The one of its name, or the only other one of its role."""
+        named = self._named.get((shape.role, shape.name), []) if shape.name else []
+        while named:
+            if id(other := named.pop()) in self.new:
+                return other
+        if all(counts[shape.role] == 1 for counts in self._counts):
+            return next(other for other in self.new.values() if other.role == shape.role)
+        return None
 
 
 def _title(geometry: Geometry) -> str:

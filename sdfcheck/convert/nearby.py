@@ -36,6 +36,9 @@ class Nearby(Generic[T]):
             yield self._things[at]
             at += 1
 
+    def __iter__(self) -> Iterator[T]:
+        return iter(self._things)
+
     def remove(self, numbers: Sequence[float], thing: T) -> None:
         """Take out a thing with its numbers, which must be there."""
         at = bisect_left(self._sums, _sum(numbers))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.actuation import Transmission
     from sdfcheck.robot.parts.control import Ros2Control
+    from sdfcheck.robot.parts.control_component import ControlComponent
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
@@ -81,15 +82,41 @@ class Model(Scope):
         """The materials that a URDF robot defines for all its links."""
         return tuple(self._parts("material")) if self.is_urdf else ()
 
+    @lazy
+    def materials_by_name(self) -> dict[str, Material]:
+        """The materials that a URDF robot defines, by name; of two of one name the first."""
+        found: dict[str, Material] = {}
+        for material in self.materials:
+            found.setdefault(material.name, material)
+        return found
+
     @property
     def transmissions(self) -> tuple[Transmission, ...]:
         """The transmissions of a URDF robot."""
         return tuple(self._parts("transmission")) if self.is_urdf else ()
 
-    @property
+    @lazy
     def ros2_control(self) -> tuple[Ros2Control, ...]:
         """The ``ros2_control`` blocks of a URDF robot."""
         return tuple(self._parts("ros2_control")) if self.is_urdf else ()
+
+    @lazy
+    def control_joints(self) -> dict[str, list[ControlComponent]]:
+        """The joints of all ``ros2_control`` blocks by their names; of two of one name in a block the first."""
+        found: dict[str, list[ControlComponent]] = {}
+        for block in self.ros2_control:
+            for name, joint in block.joints.items():
+                if name:
+                    found.setdefault(name, []).append(joint)
+        return found
+
+    @lazy
+    def control_by_name(self) -> dict[str, Ros2Control]:
+        """The ``ros2_control`` blocks of a URDF robot, by name; of two of one name the first."""
+        found: dict[str, Ros2Control] = {}
+        for block in self.ros2_control:
+            found.setdefault(block.name, block)
+        return found
 
     @property
     def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:

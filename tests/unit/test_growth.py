@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import gc
 from pathlib import Path
 
 import pytest
 
-from benchmarks.growth import DIMENSIONS, work
+from benchmarks.growth import DIMENSIONS, SERIES, DidNotRun, Dimension, Series, exponent, seconds_of, work
 from sdfcheck.lint.call import lint
 from sdfcheck.source.element import Element
 from sdfcheck.source.text import Source
@@ -92,3 +93,40 @@ def test_children_are_looked_through_as_often(name: str, monkeypatch: pytest.Mon
 
 def test_there_are_many_dimensions() -> None:
     assert len(DIMENSIONS) >= 40
+
+
+STEEP_TIME = 1.5
+"""Well above the noise of small documents, and well below 2, the exponent of a search through everything."""
+
+
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [
+        ("collisions of a link", "convert urdf-to-sdf"),
+        ("collisions of a link", "diff"),
+        ("chain of fixed joints", "convert urdf-to-sdf --fixed-joints merge"),
+        ("frames attached in a chain", "convert sdf-to-urdf"),
+        ("ros2_control blocks", "lint"),
+    ],
+)
+def test_processor_time_of_commands_grows_with_the_size(name: str, command: str) -> None:
+    series = SERIES[name]
+    gc.disable()  # as the program as good as does
+    try:
+        seconds_of(command, series, 5)
+        floor = min(seconds_of(command, series, 5) for _ in range(2))
+        powers = []
+        for _ in range(3):
+            small, large = (max(seconds_of(command, series, n) - floor, 0.02) for n in (400, 1600))
+            powers.append(exponent(small, large, 4))
+            if powers[-1] < STEEP_TIME:
+                break
+    finally:
+        gc.enable()
+    assert min(powers) < STEEP_TIME, powers
+
+
+def test_a_command_that_does_not_run_is_not_measured() -> None:
+    broken = Series(Dimension("a.urdf", lambda n: "<robot" * n), ("print",))
+    with pytest.raises(DidNotRun, match="exit code 2"):
+        seconds_of("print", broken, 5)

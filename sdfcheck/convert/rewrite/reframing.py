@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.convert.rewrite.renaming import Names, carriers, same_geometry, same_pose, seat
+from sdfcheck.convert.rewrite.renaming import Names, Shapes, carriers, same_pose, seat
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
@@ -122,12 +122,5 @@ def _same_body(a: MassProperties | None, b: MassProperties | None, tolerance: fl
 
 
 def _unmatched(mine: list[Geometry], theirs: list[Geometry], tolerance: float) -> int:
-    left = list(theirs)
-    count = 0
-    for shape in mine:
-        match = next((at for at, other in enumerate(left) if same_geometry(shape, other, tolerance)), None)
-        if match is None:
-            count += 1
-        else:
-            del left[match]
-    return count
+    left = Shapes(theirs, tolerance)
+    return sum(left.take(shape) is None for shape in mine)

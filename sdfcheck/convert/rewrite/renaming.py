@@ -100,6 +100,48 @@ def same_geometry(a: Geometry, b: Geometry, tolerance: float) -> bool:
     return is_alike and same_pose(a.pose, b.pose, tolerance)
 
 
+class Shapes:
+    """Shapes of a link, in which one that is like another is found without a look at all.
+
+    ``key``: what else must be equal for two to be alike, such as names.
+    """
+
+    def __init__(
+        self, shapes: Iterable[Geometry], tolerance: float, key: Callable[[Geometry], object] = lambda _: None
+    ) -> None:
+        self._tolerance, self._key = tolerance, key
+        kinds: dict[object, list[tuple[list[float], Geometry]]] = {}
+        for shape in shapes:
+            kinds.setdefault(self._kind(shape), []).append((_numbers(shape), shape))
+        self._kinds = {kind: Nearby(pairs) for kind, pairs in kinds.items()}
+
+    def take(self, like: Geometry) -> Geometry | None:
+        """Take out one that is like a shape; None if there is none."""
+        margin = self._tolerance * max(1.0, float(np.abs(like.pose[:3, 3]).max()))
+        near = self._kinds.get(self._kind(like), _NO_SHAPES).near(_numbers(like), 2 * margin)
+        found = next((shape for shape in near if same_geometry(shape, like, self._tolerance)), None)
+        if found is not None:
+            self.remove(found)
+        return found
+
+    def remove(self, shape: Geometry) -> None:
+        self._kinds[self._kind(shape)].remove(_numbers(shape), shape)
+
+    def left(self) -> set[int]:
+        """The identities of those that were not taken."""
+        return {id(shape) for kind in self._kinds.values() for shape in kind}
+
+    def _kind(self, shape: Geometry) -> object:
+        return shape.role, shape.kind, len(shape.size), self._key(shape)
+
+
+_NO_SHAPES: Nearby[Geometry] = Nearby(())
+
+
+def _numbers(shape: Geometry) -> list[float]:
+    return [*shape.size, *shape.pose[:3].ravel().tolist()]
+
+
 def _pair_links(a: Mechanism, b: Mechanism, links: dict[str, str], tolerance: float) -> None:
     """Add the links that have another name and are alike, from parents to children, to those that are known."""
     seats = [

@@ -34,7 +34,7 @@ class Links:
     def __init__(self, context: Context, materials: Materials) -> None:
         self.context = context
         self.materials = materials
-        self._names: dict[tuple[str, str], set[str]] = {}
+        self._names: dict[tuple[str, str], dict[str, int]] = {}
 
     def fill(self, element: Element, survivor: str, offset: Array) -> None:
         """Write what is in a link into the node of the link that survives, at a 4×4 pose in it."""
@@ -198,13 +198,14 @@ class Links:
     def _name(self, part: Element, survivor: str) -> str:
         """The author's name, or the link's with a number; unique within the link."""
         own = part.attributes.get("name", "").strip()
-        names = self._names.setdefault((survivor, part.name), set())
+        # Each name with the last number that was tried behind it.
+        names = self._names.setdefault((survivor, part.name), {})
         wished = legal(own) if own else f"{self.context.plan.names.links[link_of(part)]}_{part.name}"
-        name, number_ = wished, 0
+        name = wished
         while name in names:
-            number_ += 1
-            name = f"{wished}_{number_}"
-        names.add(name)
+            names[wished] += 1
+            name = f"{wished}_{names[wished]}"
+        names[name] = 0
         if own and name != own:
             text = f"{part.name} `{own}` is named `{name}`"
             self.context.note(part, LossKind.RENAMED, text, Severity.INFO)

@@ -44,6 +44,8 @@ class Plan:
     losses: list[Loss] = field(default_factory=list)
     has_world: bool = False
     """Whether the root link `world` is the world."""
+    parts_of: dict[str, list[str]] = field(default_factory=dict)
+    """Surviving link → those that became part of it."""
 
     def is_merged(self, link: str) -> bool:
         return self.home[link][0] != link
@@ -53,7 +55,7 @@ class Plan:
 
     def parts(self, link: str) -> list[str]:
         """The links that a surviving link is made of, itself first."""
-        return [link, *(name for name, (home, _) in self.home.items() if home == link and name != link)]
+        return [link, *self.parts_of.get(link, ())]
 
 
 def plan(document: Document, robot: Mechanism, options: Options) -> Plan:
@@ -82,6 +84,8 @@ class _Merger:
         self.options = options
         self.kept = _kept_joints(document, made.robot)
         self.mass = {name: _mass(link) for name, link in made.robot.links.items()}
+        self.into: dict[str, str] = {}
+        """Merged link → the link that it is a part of, or one that this one is a part of."""
 
     def run(self) -> None:
         fixed = [
@@ -100,18 +104,36 @@ class _Merger:
                 self.merge(joint)
         if massless:
             for joint in fixed:
-                survivor = self.plan.home[joint.parent][0]
+                survivor = self.survivor(joint.parent)
                 if joint.name not in self.plan.merged_joints and self.mass[survivor] <= 0:
                     self.merge(joint)
+        self.settle()
+
+    def survivor(self, link: str) -> str:
+        """The link that a link is a part of by now; itself for one that is not merged."""
+        passed = []
+        while link in self.into:
+            passed.append(link)
+            link = self.into[link]
+        self.into.update(dict.fromkeys(passed, link))
+        return link
+
+    def settle(self) -> None:
+        """Say where the frames of all merged links end up, from the root to the leaves."""
+        home, links = self.plan.home, self.plan.robot.links
+        for joint in self.plan.robot.tree():
+            if joint.name in self.plan.merged_joints:
+                survivor, outer = home[joint.parent]
+                offset = outer @ inverse(links[joint.parent].pose) @ links[joint.child].pose
+                home[joint.child] = survivor, offset
+        for name, (survivor, _) in home.items():
+            if name != survivor:
+                self.plan.parts_of.setdefault(survivor, []).append(name)
 
     def merge(self, joint: Joint) -> None:
         made, child = self.plan, joint.child
-        survivor, outer = made.home[joint.parent]
+        survivor = self.into[child] = self.survivor(joint.parent)
         links = made.robot.links
-        offset = outer @ inverse(links[joint.parent].pose) @ links[child].pose
-        for name, (home, inner) in list(made.home.items()):
-            if home == child:
-                made.home[name] = (survivor, offset @ inner)
         self.mass[survivor] += self.mass[child]
         made.merged_joints.add(joint.name)
         text = f"link `{child}` becomes part of link `{survivor}`"

@@ -59,6 +59,7 @@ class _Flattened:
         self.model = model
         nodes = list(model.all_nodes())
         self.names: dict[Node, str] = {}
+        self.carriers: dict[Node, Node] = {}
         for name, node in nodes:
             self.names.setdefault(node, name)
         self.made = Mechanism(model.name, {}, {})
@@ -131,16 +132,18 @@ class _Flattened:
 
     def carrier(self, node: Node) -> str:
         """The name of the link that a node moves with."""
-        seen: set[Node] = set()
-        while node.kind != "link":
+        seen: dict[Node, None] = {}
+        while node.kind != "link" and node not in self.carriers:
             if node in seen:
                 raise DescriptionError(f"frame {node.name} is attached to itself", node.element)
-            seen.add(node)
+            seen[node] = None
             onward = node.attachment
             if onward is None:
                 raise DescriptionError(f"frame {node.name} leads to no link", node.element)
             node = onward
-        return self.names.get(node, "")
+        link = self.carriers.get(node, node)
+        self.carriers.update(dict.fromkeys(seen, link))
+        return self.names.get(link, "")
 
     def axis(self, axis: Axis) -> mechanism.Axis:
         limit, dynamics, mimic = axis.limit, axis.dynamics, axis.mimic

@@ -124,19 +124,12 @@ class Ros2Control(JointNames):
     transmissions: lazy[tuple[ControlTransmission, ...]] = parts("transmission", "Its transmissions.")
 
     @property
-    def earlier(self) -> Iterator[Ros2Control]:
-        """The blocks of the robot before it."""
-        for block in self.model.ros2_control:
-            if block is self:
-                return
-            yield block
-
-    @property
     def first_of_name(self) -> Ros2Control | None:
         """The block before it that has its name."""
         if not self.name or is_expression(self.name):
             return None
-        return next((block for block in self.earlier if block.name == self.name), None)
+        first = self.model.control_by_name.get(self.name, self)
+        return None if first is self else first
 
 
 class ControlTransmission(JointNames):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import takewhile
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.formats.urdf.table import is_expression
@@ -80,13 +81,9 @@ class ControlComponent(Part):
     @property
     def rivals(self) -> Iterator[tuple[ControlInterface, ControlInterface]]:
         """Its interfaces that a joint of the same name in an earlier block has, too, with those."""
-        blocks = self.block.earlier if self.name and not is_expression(self.name) else ()
-        others = [
-            each
-            for block in blocks
-            if self.name in block.joints
-            for each in block.joints[self.name].interfaces
-        ]
+        named = self.block.model.control_joints.get(self.name, ()) if not is_expression(self.name) else ()
+        before = takewhile(lambda joint: joint.block is not self.block, named)
+        others = [each for joint in before for each in joint.interfaces]
         for own in self.interfaces if others else ():
             for other in others:
                 if own.is_readable and own.name == other.name and own.is_command == other.is_command:

@@ -75,4 +75,4 @@ class Material(Part):
         model = self.within(Model)
         if self.has_look or model is None:
             return self
-        return next((other for other in model.materials if other.name == self.name), self)
+        return model.materials_by_name.get(self.name, self)
