@@ -508,7 +508,7 @@ def _processor_time() -> float:
 
 
 class Grown(NamedTuple):
-    """What a command takes for n, 2n and 4n parts, s above the floor, and the exponent from the first to the last."""
+    """The time of a command for n, 2n and 4n parts, s above the floor, and the exponent from the first to the last."""
 
     n: int
     seconds: list[float]

@@ -25,7 +25,8 @@ from sdfcheck.source.wrong_usage import WrongUsage
 if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
 
-_JUDGED = frozenset((Kind.SDF, Kind.URDF, Kind.XACRO, Kind.BROKEN_XML))
+_FOREIGN = frozenset((Kind.SRDF, Kind.MJCF, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION))
+"""Files that are something else, and not just wrong."""
 VERSION = 1
 """Of the JSON."""
 
@@ -100,7 +101,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
     kind = sniff(read_named(file), file)
-    if kind not in _JUDGED:
+    if kind in _FOREIGN:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
     return matrix(done, kind, file, consumers)
 

@@ -29,9 +29,10 @@ _METADATA = re.compile(r"xacro-(\d+(?:\.\d+)*)[^/]*\.(?:dist|egg)-info$", re.IGN
 class Worker:
     """A process that expands files, one after the other. Start-up is paid once; it ends with this object."""
 
-    __slots__ = ("__weakref__", "_process", "_stop")
+    __slots__ = ("__weakref__", "_code", "_process", "_stop")
 
-    def __init__(self) -> None:
+    def __init__(self, code: str | None = None) -> None:
+        self._code = _START if code is None else code
         self._process: subprocess.Popen[bytes] | None = None
         self._stop: Callable[[], object] | None = None
 
@@ -90,7 +91,7 @@ class Worker:
 
         # Names of files mean the same in both processes.
         encoding = f"utf8={sys.flags.utf8_mode}"
-        command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", encoding, "-c", _START, *_folders()]
+        command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", encoding, "-c", self._code, *_folders()]
         self._process = subprocess.Popen(
             command,
             stdin=subprocess.PIPE,

@@ -17,7 +17,7 @@ from sdfcheck.source.text import Source
         ("<a><!-- x --y --></a>", "<a><!-- x - -y --></a>", [["--"]]),
         ("<a><!-- --- --><!-- fine - --><!-- -- -- --></a>",
          "<a><!-- - - - --><!-- fine - --><!-- - - - - --></a>", [["---"], ["--", "--"]]),
-        ("<a><!-- x ---></a>", "<a><!-- x - --></a>", [["---"]]),
+        ("<a><!-- x ---></a>", "<a><!-- x - --></a>", [["-"]]),
     ],
 )  # fmt: skip
 def test_runs_of_hyphens_are_spaced_out(text: str, spaced: str, runs: list[list[str]]) -> None:

@@ -84,9 +84,8 @@ def ground(tmp_path: Path) -> Iterator[Ground]:
 
 
 def _expander(start: str) -> Iterator[Expander]:
-    with pytest.MonkeyPatch.context() as patch, Expander(Surroundings(limits=Limits(cpu=5))) as one:
-        patch.setattr(worker, "_START", start)
-        one.start()
+    with Expander(Surroundings(limits=Limits(cpu=5))) as one:
+        one._worker = worker.Worker(start)
         yield one
 
 
