@@ -352,20 +352,18 @@ def gaz_repeated_setting__text(setting):
     return str(setting.get('value') or setting.content).strip()
 
 def gaz_repeated_setting__repeated(block):
-    given = [child for child in block.children() if child.name in gaz_repeated_setting__SETTINGS]
-    if not given:
+    blocks = block.model.blocks_by_reference.get(block.reference, ())
+    if not blocks or blocks[0] is not block:
         return []
     before = {}
-    for other in block.model.blocks_by_reference.get(block.reference, ()):
-        if other is block:
-            break
-        before.update({child.name: child for child in other.children() if child.name in gaz_repeated_setting__SETTINGS})
     found = []
-    for child in given:
-        first = before.get(child.name)
-        if first is not None and (not gaz_repeated_setting__is_same(gaz_repeated_setting__text(first), gaz_repeated_setting__text(child))):
-            found.append((first, child))
-        before[child.name] = child
+    for other in blocks:
+        for child in other.children():
+            if child.name in gaz_repeated_setting__SETTINGS:
+                first = before.get(child.name)
+                if first is not None and (not gaz_repeated_setting__is_same(gaz_repeated_setting__text(first), gaz_repeated_setting__text(child))):
+                    found.append((first, child))
+                before[child.name] = child
     return found
 
 def GAZ013_applies(block):

@@ -52,21 +52,22 @@ class RepeatedSetting(Rule):
 
 
 def repeated(block: GazeboBlock) -> list[tuple[Element, Element]]:
-    """The settings in a block that the block, or one before it, gives with another value."""
-    given = [child for child in block.children() if child.name in SETTINGS]
-    if not given:
+    """The settings in the blocks about one link, joint or robot that one before gives with another value.
+
+    Those of all blocks are reported at the first one.
+    """
+    blocks = block.model.blocks_by_reference.get(block.reference, ())
+    if not blocks or blocks[0] is not block:
         return []
     before: dict[str, Element] = {}
-    for other in block.model.blocks_by_reference.get(block.reference, ()):
-        if other is block:
-            break
-        before.update({child.name: child for child in other.children() if child.name in SETTINGS})
     found = []
-    for child in given:
-        first = before.get(child.name)
-        if first is not None and not is_same(text(first), text(child)):
-            found.append((first, child))
-        before[child.name] = child
+    for other in blocks:
+        for child in other.children():
+            if child.name in SETTINGS:
+                first = before.get(child.name)
+                if first is not None and not is_same(text(first), text(child)):
+                    found.append((first, child))
+                before[child.name] = child
     return found
 
 

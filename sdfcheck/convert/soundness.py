@@ -63,12 +63,14 @@ def new_refusals(
 ) -> tuple[list[Diagnostic], tuple[Consumer, Diagnostic] | None]:
     """The verdict of the consumers of a result.
 
-    The errors for which they refuse the result, though they read the source; or the finding for which they
-    refuse both.
+    The errors for which they refuse the result, though they read the source, which does not have them; or a
+    finding for which they refuse the result, as the source has it, too.
     """
     consumers = [consumer for consumer, kinds in READS.items() if result.kind.value in kinds]
     consumers = [one for one in consumers if one in OWN_CONSUMER.values()]
+    before = tuple(before)
     known = {consumer for consumer, _ in refused(before, consumers)}
+    had = {one.code for one in before if one.severity is Severity.ERROR}
     found = refused(after, consumers)
     if not found:
         return [], None
@@ -76,7 +78,7 @@ def new_refusals(
     losses = {
         loss_at(counterparts.of(one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
         for consumer, one in found
-        if consumer not in known
+        if consumer not in known and one.code not in had
     }
     ordered = sorted(losses, key=lambda loss: (loss.span.start, loss.message))
     return [to_diagnostic(loss) for loss in ordered], None if losses else found[0]

@@ -39,6 +39,7 @@ OF_OTHER_CONSUMERS = {
     "missing-geometry": "urdfdom drops the rest of the link",
     "missing-limit": "urdfdom refuses it",
     "several-roots": "urdfdom refuses it",
+    "sensor-on-merged-joint": "libsdformat drops the sensor once converted",
     "undeclared-prefix": "namespace-aware parsers refuse it",
     "undefined-macro": "xacro refuses it",
     "unknown-drake-tag": "Drake refuses it",

@@ -87,7 +87,7 @@ class Outcome(NamedTuple):
         if self.refusal is None:
             return ""
         consumer, why = self.refusal
-        return f"; {PARSERS[consumer]} refuses it, as it does the source: {why.message} ({why.code})"
+        return f"; {PARSERS[consumer]} refuses it: {why.message} ({why.code})"
 
     @property
     def reason(self) -> str:
