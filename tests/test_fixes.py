@@ -87,7 +87,7 @@ def test_fixes_of_examples_do_no_harm(trial: Trial) -> None:
     assert harm(data, result.after, path) == ""
 
 
-DIRECTIVES = ("ignore[NAM]", "disable[SCH]", "enable", "ignore-file[URD010]", "ignore[XML002] -- why: so")
+DIRECTIVES = ("ignore[NAM]", "disable[SCH]", "enable", "ignore-file[URD010]", "ignore[INR] -- why: so")
 
 
 @settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
