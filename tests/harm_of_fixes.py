@@ -15,10 +15,10 @@ _DIRECTIVE = re.compile(r"sdfcheck:\s*(?:ignore-file|ignore|disable|enable)\b(?:
 def harm(before: bytes, after: bytes, path: Path) -> str:
     """The harm, in words; empty for none. The texts are linted as if they were in the folder of the path."""
     runs = [lint(text, name=path, isolated=True) for text in (before, after)]
-    if brought := _errors(runs[1]) - _errors(runs[0]):
-        # Of a text that no consumer reads, what else is wrong is a guess.
-        if not _stops(runs[0]):
-            return f"new errors: {sorted(brought)}"
+    brought = _errors(runs[1]) - _errors(runs[0])
+    # Of a text that no consumer reads, what else is wrong is a guess.
+    if brought and not _stops(runs[0]):
+        return f"new errors: {sorted(brought)}"
     lost = _directives(before) - _directives(after) - _reported(runs[0])
     if any(each.code == "XML001" for each in runs[0].diagnostics):
         # What is a comment in a broken text, and so what one about the text silences, is a guess.
