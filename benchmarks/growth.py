@@ -519,7 +519,7 @@ def growth_of(command: str, series: Series, enough: float = ENOUGH) -> Grown:
     """How a command grows with a series; raises DidNotRun.
 
     The smallest document is one that takes ``enough`` s above the floor, the time for a document of 5 parts.
-    Each time is the better of two: a busy machine makes times longer, never shorter. What still seems steep
+    Each time is the better of two: a busy machine makes times longer, never shorter. A series that still seems steep
     is measured once more, and the smaller exponent counts.
     """
     seconds_of(command, series, 10)

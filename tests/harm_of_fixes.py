@@ -21,7 +21,7 @@ def harm(before: bytes, after: bytes, path: Path) -> str:
         return f"new errors: {sorted(brought)}"
     lost = _directives(before) - _directives(after) - _reported(runs[0])
     if any(each.code == "XML001" for each in runs[0].diagnostics):
-        # What is a comment in a broken text, and so what one about the text silences, is a guess.
+        # The comments of a broken text, and so the effect of one about the text, are a guess.
         lost = Counter({words: count for words, count in lost.items() if "[XML" not in words})
     if lost:
         return f"comments for sdfcheck are gone: {sorted(lost)}"
