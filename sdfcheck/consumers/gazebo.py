@@ -10,9 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import cache
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.urdf.table import settings
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import Origin, Triple, origin_in, urdf_number
 from sdfcheck.robot.parts.inertial import MOMENTS
@@ -37,11 +39,6 @@ _LUMP = "_fixed_joint_lump__"
 _REWRITTEN = ("bodyName", "frameName")
 """Parameters of plugins in which the name of a merged link becomes that of the link that is left."""
 _SHAPES = frozenset(("box", "cylinder", "mesh", "sphere"))
-_SETTINGS = {
-    "collision": frozenset("collision fdir1 kd kp laserRetro maxContacts maxVel minDepth mu1 mu2".split()),
-    "visual": frozenset(("material", "visual")),
-}
-"""Shape → the settings of a block about a link that are handed on to it."""
 
 
 class BuiltShape(NamedTuple):
@@ -265,11 +262,11 @@ class GazeboRobot:
         self, members: tuple[Link, ...], kind: str, blocks: tuple[GazeboBlock, ...]
     ) -> Iterator[BuiltShape]:
         base = members[0].name
+        handed_on = _handed_on(kind)
         given = [
-            (block, [child for child in block.children() if child.name in _SETTINGS[kind]])
-            for block in blocks
+            (block, [child for child in block.children() if child.name in handed_on]) for block in blocks
         ]
-        settings = [(block.reference, children) for block, children in given if children]
+        passed = [(block.reference, children) for block, children in given if children]
         shapes = (
             (shape, shape.element.attributes.get("name", "") or link.name)
             for link in members
@@ -281,11 +278,20 @@ class GazeboRobot:
                 name = f"{base}{_LUMP}{name}"
             reaching = tuple(
                 child
-                for reference, children in settings
+                for reference, children in passed
                 if (_LUMP not in name if reference == base else f"{_LUMP}{reference}_{kind}" in name)
                 for child in children
             )
             yield BuiltShape(name, shape, reaching)
+
+
+@cache
+def _handed_on(kind: str) -> frozenset[str]:
+    """The settings of a block about a link that are handed on to its shapes of a kind."""
+    if kind == "visual":
+        return frozenset(("material", "visual"))
+    places = ((name, path[0]) for name, one in settings("link").items() for path in one.counterparts)
+    return frozenset(("collision", *(name for name, place in places if place == "collision")))
 
 
 def _mass(link: Link) -> float:
