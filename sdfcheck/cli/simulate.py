@@ -104,7 +104,10 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     wanted = outputs(output_format or ("full",), output_file)
     refuse_to_write([output.file for output in wanted], [file])
     engines = _engines(simulators)
+    from sdfcheck.convert.broken_text import refuse_broken
+
     document = load(file, surroundings)
+    refuse_broken(document)
     settings = Settings(engines, seconds, Limits(time_limit))
     done = Run(tuple(_findings(document, settings, quiet=quiet)), (file,))
     failing = surroundings.settings_for(file).fail_on

@@ -132,12 +132,12 @@ def asked(file: Path, rows: Sequence[Row], around: Around, seconds: float) -> di
 
 def refuses(answer: Answer) -> bool:
     """Whether a consumer that is installed did not get to the end of the file."""
-    return not answer.is_accepted and answer.outcome.value != "not installed"
+    return not answer.is_accepted and not answer.is_missing
 
 
 def differs(row: Row, answer: Answer) -> bool:
     """Does a consumer do otherwise than predicted?"""
-    if answer.outcome.value == "not installed" or row.verdict is Verdict.UNMEASURED:
+    if answer.is_missing or row.verdict is Verdict.UNMEASURED:
         return False
     return refuses(answer) is not (row.verdict is Verdict.REJECT)
 
@@ -172,7 +172,7 @@ def _reasons(row: Row, file: Path) -> list[str]:
 
 def _said(row: Row, answer: Answer) -> Iterator[str]:
     """The verdict of the consumer itself, and what explains it where it is not the predicted one."""
-    if answer.outcome.value == "not installed":
+    if answer.is_missing:
         yield f"run: not installed here: {answer.error}"
         return
     mark = "  (differs)" if differs(row, answer) else ""

@@ -13,6 +13,7 @@ from sdfcheck.source.problems import (
     UnknownEntity,
 )
 from sdfcheck.source.text import Span
+from sdfcheck.source.wrong_usage import WrongUsage
 
 _BEYOND_REPAIR = (ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep)
 
@@ -20,6 +21,14 @@ _BEYOND_REPAIR = (ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep)
 def break_of(document: Document) -> Span | None:
     """The first place where some of a text would be lost if it were written anew; None if there is none."""
     return _first(document, _BEYOND_REPAIR)
+
+
+def refuse_broken(document: Document) -> None:
+    """Raise WrongUsage where the text is broken: consumers refuse it, or read another robot."""
+    if (span := break_of(document)) is not None:
+        line, column = span.begin
+        place = f"{document.path}:{line}:{column}"
+        raise WrongUsage(f"{place}: the text is broken here; `sdfcheck lint` says how")
 
 
 def guess_in(document: Document) -> Span | None:

@@ -134,6 +134,11 @@ class Answer(NamedTuple):
     def is_accepted(self) -> bool:
         return self.outcome is Outcome.ACCEPTED
 
+    @property
+    def is_missing(self) -> bool:
+        """Is the consumer not installed?"""
+        return self.outcome is Outcome.MISSING
+
 
 @cache
 def interpreter(engine: Engine) -> str:

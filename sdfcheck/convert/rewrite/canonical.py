@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.convert.broken_text import break_of
+from sdfcheck.convert.broken_text import refuse_broken
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.result import with_text
@@ -56,10 +56,7 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
         WrongUsage: the text is broken, the format cannot hold what is asked for, or the
             result is another robot.
     """
-    broken = break_of(document)
-    if broken is not None:
-        place = f"{document.path}:{broken.begin.line}:{broken.begin.column}"
-        raise WrongUsage(f"{place}: the text is broken here; `sdfcheck lint` says how")
+    refuse_broken(document)
     is_sdf = document.kind is Kind.SDF
     if style.numbers.degrees and (not is_sdf or survey(document).version < _DEGREES_SINCE):
         what = f"SDFormat {survey(document).version}" if is_sdf else "URDF"

@@ -173,3 +173,10 @@ def test_wrong_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     file.write_text(arm())
     assert main(["simulate", str(file), "--in", "mujocco"]) == 2
     assert "--in: unknown simulator `mujocco`; did you mean `mujoco`?" in capsys.readouterr().err
+
+
+def test_a_broken_text_is_not_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text('<robot name="r"><link name="a">')
+    assert main(["simulate", str(file)]) == 2
+    assert "r.urdf:1:31: the text is broken here; `sdfcheck lint` says how" in capsys.readouterr().err
