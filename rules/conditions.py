@@ -339,8 +339,6 @@ def gaz_unknown_sensor_frame__foreign(sensor):
 def GAZ012_applies(sensor):
     return sensor.is_extension and any(gaz_unknown_sensor_frame__foreign(sensor))
 
-gaz_repeated_setting__SETTINGS = frozenset('\n    cfmDamping dampingFactor fdir1 fudgeFactor gravity implicitSpringDamper kd kp laserRetro material maxContacts maxVel\n    minDepth mu1 mu2 provideFeedback selfCollide springReference springStiffness static stopCfm stopErp turnGravityOff\n    '.split())
-
 def gaz_repeated_setting__is_same(one, other):
     try:
         return float(one) == float(other)
@@ -358,12 +356,11 @@ def gaz_repeated_setting__repeated(block):
     before = {}
     found = []
     for other in blocks:
-        for child in other.children():
-            if child.name in gaz_repeated_setting__SETTINGS:
-                first = before.get(child.name)
-                if first is not None and (not gaz_repeated_setting__is_same(gaz_repeated_setting__text(first), gaz_repeated_setting__text(child))):
-                    found.append((first, child))
-                before[child.name] = child
+        for child in other.overridable:
+            first = before.get(child.name)
+            if first is not None and (not gaz_repeated_setting__is_same(gaz_repeated_setting__text(first), gaz_repeated_setting__text(child))):
+                found.append((first, child))
+            before[child.name] = child
     return found
 
 def GAZ013_applies(block):

@@ -4,13 +4,6 @@ from sdfcheck import Bad, Consumer, Diagnostic, Element, GazeboBlock, Good, Rule
 
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
 ROBOT = f'<robot name="r"><link name="base">{BOX}</link>{{}}</robot>'
-SETTINGS = frozenset(
-    """
-    cfmDamping dampingFactor fdir1 fudgeFactor gravity implicitSpringDamper kd kp laserRetro material maxContacts maxVel
-    minDepth mu1 mu2 provideFeedback selfCollide springReference springStiffness static stopCfm stopErp turnGravityOff
-    """.split()
-)
-"""Settings of which libsdformat keeps one."""
 
 
 class RepeatedSetting(Rule):
@@ -62,12 +55,11 @@ def repeated(block: GazeboBlock) -> list[tuple[Element, Element]]:
     before: dict[str, Element] = {}
     found = []
     for other in blocks:
-        for child in other.children():
-            if child.name in SETTINGS:
-                first = before.get(child.name)
-                if first is not None and not is_same(text(first), text(child)):
-                    found.append((first, child))
-                before[child.name] = child
+        for child in other.overridable:
+            first = before.get(child.name)
+            if first is not None and not is_same(text(first), text(child)):
+                found.append((first, child))
+            before[child.name] = child
     return found
 
 

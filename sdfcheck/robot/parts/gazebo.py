@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.formats.urdf.table import TRUE, extension, is_expression
+from sdfcheck.formats.urdf.table import TRUE, extension, is_expression, settings
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy, parts
 
@@ -120,6 +120,12 @@ class GazeboBlock(Part):
             setting = known.get(child.name)
             if setting is not None and setting.about not in about:
                 yield child, setting.about
+
+    @property
+    def overridable(self) -> list[Element]:
+        """The settings of libsdformat in it of which the last one counts, whichever block gives it."""
+        known = {"gravity", "material", "static", *settings("link"), *settings("joint")}
+        return [child for child in self.children() if child.name in known]
 
     def switched_on(self, name: str) -> list[Element]:
         """The settings of a name that are true."""
