@@ -1,9 +1,10 @@
 # make demo     install into .venv and lint the sample robots
 # make test     run the tests
+# make quick    run the tests of units and rules that are quick, for the loop of editing and testing
 # make check    everything that must hold before a commit
 # make docs     build the documentation site into build/site; broken links are errors
 # make package  build the source distribution and the wheel into build/dist, and try both
-# make vscode   compile and package the extension for Visual Studio Code (needs node)
+# make vscode   test, compile and package the extension for Visual Studio Code (needs node); vscode-check: only test
 # make picture  draw the terminal of the README again
 # make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
 # make gallery  draw the pictures of docs/gallery.md again (needs Chromium)
@@ -26,14 +27,19 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 RUNTIME := $(VENV)/.installed
 TOOLS := $(VENV)/.installed-dev
 SITE_TOOLS := $(VENV)/.installed-docs
+CONDITIONS := rules/conditions.py
+RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
-.PHONY: demo picture test check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode viewer viewer-check gallery bench growth fuzz mutants clean
+.PHONY: demo picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench growth fuzz mutants clean
 
-demo: $(RUNTIME)
+demo: $(RUNTIME) $(CONDITIONS)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
 
-test: $(TOOLS)
+test: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m pytest
+
+quick: $(TOOLS) $(CONDITIONS)
+	$(BIN)/python -m pytest -m "not slow" tests/unit tests/test_rules.py
 
 check: format-check lint types layers generated test
 
@@ -51,23 +57,21 @@ format-check: $(TOOLS)
 lint: $(TOOLS)
 	$(BIN)/ruff check .
 
-types: $(TOOLS) build/mypy/sdfcheck_rules
+types: $(TOOLS) $(CONDITIONS) build/mypy/sdfcheck_rules
 	$(BIN)/mypy
 
 # What Python and the system have elsewhere: PLATFORM is linux, darwin or win32.
-types-of-platform: $(TOOLS) build/mypy/sdfcheck_rules
+types-of-platform: $(TOOLS) $(CONDITIONS) build/mypy/sdfcheck_rules
 	$(BIN)/mypy --platform $(PLATFORM) --no-warn-unreachable sdfcheck build/mypy/sdfcheck_rules
 
-generate: $(TOOLS)
+generate: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index
-	$(BIN)/python -m sdfcheck.lint.rulebook.conditions
 	$(BIN)/python -m tables.rule_pages
 	$(BIN)/python -m sdfcheck.convert.loss_table
 	$(BIN)/python -m tables.fold_pages
 
-generated: $(TOOLS)
+generated: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index --check
-	$(BIN)/python -m sdfcheck.lint.rulebook.conditions --check
 	$(BIN)/python -m tables.rule_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
 
@@ -83,11 +87,11 @@ fuzz: $(TOOLS)
 	$(BIN)/python -m tests.fuzz --minutes $(MINUTES) --seed $(SEED)
 	$(BIN)/python -m tests.fuzz --kills 30 --seed $(SEED)
 
-# Changes the code a little, many times, and lists the changes that no test notices.
+# Writes the table of docs/testing.md.
 growth: $(TOOLS)
-	$(BIN)/python -m benchmarks.growth
-	$(BIN)/python -m benchmarks.growth --commands --write
+	$(BIN)/python -m benchmarks.growth --write
 
+# Changes the code a little, many times, and lists the changes that no test notices.
 mutants: $(TOOLS)
 	$(BIN)/python -m tests.mutation --seed $(SEED)
 
@@ -102,13 +106,17 @@ bench: pyproject.toml setup.py
 docs: $(SITE_TOOLS)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 
-vscode:
-	cp docs/sdfcheck.schema.json editors/vscode/
-	cd editors/vscode && npm install --no-audit --no-fund --silent && npm run --silent package
+vscode: vscode-check
+	cp docs/sdfcheck.schema.json LICENSE editors/vscode/
+	cd editors/vscode && npm run --silent package
+
+vscode-check:
+	cd editors/vscode && npm install --no-audit --no-fund --silent && npm test --silent
 
 package: $(RUNTIME)
 	$(BIN)/python $(PIP_INSTALL) 'build>=1.2'
 	rm -rf build/dist build/try build/lib build/bdist.*
+	mkdir -p build
 	$(BIN)/python -m build --outdir build/dist . >build/package.log 2>&1 || (cat build/package.log; exit 1)
 	for kind in whl tar.gz; do \
 	  $(PYTHON) -m venv --clear build/try && \
@@ -154,6 +162,11 @@ $(RUNTIME): pyproject.toml setup.py $(CONSTRAINTS)
 
 $(TOOLS): $(RUNTIME)
 	$(BIN)/python $(PIP_INSTALL) --constraint $(CONSTRAINTS) --editable '.[dev]'
+	touch $@
+
+# The conditions of the rules in one module, so that a clean file loads no rule; not in the repository.
+$(CONDITIONS): $(RUNTIME) $(RULES)
+	$(BIN)/python -m sdfcheck.lint.rulebook.conditions
 	touch $@
 
 $(SITE_TOOLS): $(RUNTIME)

@@ -445,6 +445,20 @@ def GAZ016_applies(robot):
     files = [plugin.filename for plugin in robot.plugins]
     return gaz_unread_mimic__CONTROL in files and (not any(('mimic' in file.lower() for file in files))) and bool(gaz_unread_mimic__followers(robot))
 
+gaz_outdated_fuel_address__OLD, gaz_outdated_fuel_address__NEW = ('fuel.ignitionrobotics.org', 'fuel.gazebosim.org')
+
+gaz_outdated_fuel_address__OLD, gaz_outdated_fuel_address__NEW = ('fuel.ignitionrobotics.org', 'fuel.gazebosim.org')
+
+gaz_outdated_fuel_address__MARK = f'//{gaz_outdated_fuel_address__OLD}/'
+
+def gaz_outdated_fuel_address__addresses(root):
+    for element in root.all_elements():
+        values = (element.own_value, *map(element.attribute, element.attributes))
+        yield from (value for value in values if value is not None and gaz_outdated_fuel_address__MARK in value.text)
+
+def GAZ017_applies(root):
+    return gaz_outdated_fuel_address__MARK in root.document.source.text and any(gaz_outdated_fuel_address__addresses(root))
+
 geo_oversized_shape__MOST = 100.0
 
 geo_oversized_shape__LEAST = 1.0
@@ -762,6 +776,9 @@ def INR004_applies(link):
         return False
     return (link.has('collision') or link.has('visual')) and (not link.misspells('inertial'))
 
+def inr_moments__is_unit(inertial):
+    return inertial.tensor == (1, 1, 1, 0, 0, 0)
+
 def inr_moments__is_written(inertial):
     return inertial.is_given and (not inertial.is_automatic) and (not inertial.link.may_be_static)
 
@@ -808,11 +825,20 @@ def inr_moments__is_far_off(inertial):
     found = inr_moments__ratio(inertial)
     return (found < 1 / inr_moments___FACTOR or found > inr_moments___FACTOR) and (not inr_moments__is_about_origin(inertial))
 
-def inr_moments__is_unit(inertial):
-    return inertial.tensor == (1, 1, 1, 0, 0, 0)
+def inr_moments__most(inertial):
+    box = inertial.link.extent
+    if box is None:
+        return ()
+    x, y, z = (length * length for length in box.size)
+    return tuple((inertial.mass.number / 4 * square for square in (y + z, x + z, x + y)))
+
+def inr_moments__is_too_large(inertial):
+    if not inr_moments__is_written(inertial) or not 0 < inertial.mass.number != 1 or inr_moments__is_out_of_scale(inertial):
+        return False
+    return any((moment > bound for moment, bound in zip(inertial.tensor[:3], inr_moments__most(inertial), strict=False)))
 
 def INR005_applies(inertial):
-    return inr_moments__is_far_off(inertial) and inr_moments__is_unit(inertial)
+    return inr_moments__is_unit(inertial) and (inr_moments__is_far_off(inertial) or inr_moments__is_too_large(inertial))
 
 def INR006_applies(inertial):
     return inr_moments__is_far_off(inertial) and inertial.inertia is not None and (not inr_moments__is_unit(inertial))
@@ -936,43 +962,67 @@ def INR014_applies(inertial):
 def inr_moments__is_doubtful(inertial):
     return (not inertial.fits_shapes or inertial.link.has_mesh) and inr_moments__is_written(inertial)
 
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
-
-inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
-
-def inr_exchanged_moments__is_turned(inertial):
-    place = inertial.find('origin' if inertial.is_urdf else 'pose')
+def inr_exchanged_moments__is_turned(part):
+    place = part.find('origin' if part.is_urdf else 'pose')
     if place is None:
         return False
-    words = place.text_of('rpy') or '' if inertial.is_urdf else ' '.join(place.content.split()[3:])
+    words = place.text_of('rpy') or '' if part.is_urdf else ' '.join(place.content.split()[3:])
     return any((word.strip('+-0.') for word in words.split())) or place.text_of('quat_xyzw') is not None
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
+
+inr_exchanged_moments__FITS, inr_exchanged_moments__DIFFERS = (1.5, 2.2)
 
 def inr_exchanged_moments__off(moments, others):
     return max((max(one / other, other / one) for one, other in zip(moments, others, strict=True)))
 
 inr_exchanged_moments__PAIRS = ((1, 2), (0, 1), (0, 2))
 
-def inr_exchanged_moments__exchanged(inertial):
-    if not inr_moments__is_doubtful(inertial) or max(inertial.tensor[:3]) < inr_exchanged_moments__DIFFERS / inr_exchanged_moments__FITS * min(inertial.tensor[:3]):
-        return ()
-    if not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
-        return ()
-    moments, box = (inertial.tensor, inertial.link.box)
-    mass = inertial.mass.number
-    if box is None or not mass > 0 or (not min(moments[:3]) > 0) or (max(map(abs, moments[3:])) > min(moments[:3]) / 10):
-        return ()
-    if inertial.link.extent is None or not all((moment.is_given for moment in list(inertial.moments.values())[:3])):
+def inr_exchanged_moments__of_another_body(inertial):
+    moments, box = (inertial.tensor[:3], inertial.link.box)
+    if box is None or max(moments) < inr_exchanged_moments__DIFFERS / inr_exchanged_moments__FITS * min(moments):
         return ()
     squares = [length * length for length in box.size]
-    solid = [mass / 12 * (sum(squares) - square) for square in squares]
-    if not min(solid) > 0 or inr_exchanged_moments__off(moments[:3], solid) <= inr_exchanged_moments__DIFFERS:
+    solid = [inertial.mass.number / 12 * (sum(squares) - square) for square in squares]
+    if not min(solid) > 0 or inr_exchanged_moments__off(moments, solid) <= inr_exchanged_moments__DIFFERS:
         return ()
     for first, second in inr_exchanged_moments__PAIRS:
-        turned = list(moments[:3])
+        turned = list(moments)
         turned[first], turned[second] = (turned[second], turned[first])
         if inr_exchanged_moments__off(turned, solid) <= inr_exchanged_moments__FITS:
             return (first, second)
     return ()
+
+inr_exchanged_moments__NEAR, inr_exchanged_moments__EXACT, inr_exchanged_moments__ROUNDED = (0.05, 0.125, 0.002)
+
+inr_exchanged_moments__NEAR, inr_exchanged_moments__EXACT, inr_exchanged_moments__ROUNDED = (0.05, 0.125, 0.002)
+
+inr_exchanged_moments__NEAR, inr_exchanged_moments__EXACT, inr_exchanged_moments__ROUNDED = (0.05, 0.125, 0.002)
+
+def inr_exchanged_moments__of_other_axes(inertial):
+    moments, solids = (inertial.tensor[:3], inertial.link.solids)
+    only = solids[0].geometry.solid if len(solids) == 1 and (not inr_exchanged_moments__is_turned(solids[0])) else None
+    if only is None or not min(only.moments[:3]) > 0:
+        return ()
+    solid = [inertial.mass.number * moment for moment in only.moments[:3]]
+    for first, second in inr_exchanged_moments__PAIRS:
+        turned = list(moments)
+        turned[first], turned[second] = (turned[second], turned[first])
+        as_written = abs(moments[first] * solid[second] / moments[second] / solid[first] - 1)
+        exchanged_back = abs(turned[first] * solid[second] / turned[second] / solid[first] - 1)
+        if as_written > inr_exchanged_moments__ROUNDED and exchanged_back < inr_exchanged_moments__EXACT * as_written and (inr_exchanged_moments__off(turned, solid) < 1 + inr_exchanged_moments__NEAR):
+            return (first, second)
+    return ()
+
+def inr_exchanged_moments__exchanged(inertial):
+    if not inr_moments__is_doubtful(inertial) or not inr_moments__is_weighed(inertial) or inr_exchanged_moments__is_turned(inertial):
+        return ()
+    moments, mass = (inertial.tensor, inertial.mass.number)
+    if not mass > 0 or not min(moments[:3]) > 0 or max(map(abs, moments[3:])) > min(moments[:3]) / 10:
+        return ()
+    if inertial.link.extent is None or not all((moment.is_given for moment in list(inertial.moments.values())[:3])):
+        return ()
+    return inr_exchanged_moments__of_another_body(inertial) or inr_exchanged_moments__of_other_axes(inertial)
 
 def INR015_applies(inertial):
     return bool(inr_exchanged_moments__exchanged(inertial))
@@ -1328,6 +1378,12 @@ def jnt_mimic_beyond_limits__span(mimic):
 
 def JNT022_applies(mimic):
     return jnt_mimic_beyond_limits__span(mimic) is not None
+
+def JNT023_applies(limit):
+    lower, upper = (limit.lower, limit.upper)
+    if not (lower.is_given and upper.is_given and (lower.number == upper.number != 0)):
+        return False
+    return limit.joint.type in jnt_inverted_limits__BOUNDED and limit.axis.limit is limit
 
 def muj_meshes__compiler(model):
     found = {}
@@ -2078,15 +2134,19 @@ def SCH031_applies(root):
 
 sch_resolution_of_scan__MOST = 0.2
 
+sch_resolution_of_scan__COARSE = 0.0175
+
 def sch_resolution_of_scan__thinned(sensor):
     for name in ('lidar', 'ray'):
         settings = sensor.find(name)
         scan = None if settings is None else settings.find('scan')
         for direction in () if scan is None else scan.children():
             resolution, samples = (direction.value('resolution'), direction.value('samples'))
-            if resolution is None or samples is None or (not samples.number > 1):
+            low, high = (direction.value('min_angle'), direction.value('max_angle'))
+            if resolution is None or samples is None or low is None or (high is None) or (not samples.number > 1):
                 continue
-            if 0 < resolution.number < sch_resolution_of_scan__MOST:
+            beams = resolution.number * samples.number
+            if 0 < resolution.number < sch_resolution_of_scan__MOST and high.number - low.number > sch_resolution_of_scan__COARSE * beams:
                 yield (resolution, samples)
 
 def SCH032_applies(sensor):
@@ -2096,16 +2156,27 @@ def sch_mismatched_intrinsics__within(element, *path):
     found = element
     for name in path:
         found = None if found is None else found.find(name)
+    return found
+
+def sch_mismatched_intrinsics__value_within(element, *path):
+    found = sch_mismatched_intrinsics__within(element, *path)
     return None if found is None else found.own_value
 
-sch_mismatched_intrinsics__MOST = 0.1
+def sch_mismatched_intrinsics__is_measured(intrinsics):
+    fx, fy, cx, cy = (sch_mismatched_intrinsics__value_within(intrinsics, name) for name in ('fx', 'fy', 'cx', 'cy'))
+    if fx is not None and fy is not None and (fx.number != fy.number):
+        return True
+    return any((middle is not None and 2 * middle.number % 1 for middle in (cx, cy)))
+
+sch_mismatched_intrinsics__MOST = 0.01
 
 def sch_mismatched_intrinsics__focal(sensor):
     camera = sensor.find('camera')
-    if camera is None:
+    intrinsics = None if camera is None else sch_mismatched_intrinsics__within(camera, 'lens', 'intrinsics')
+    if camera is None or intrinsics is None or sch_mismatched_intrinsics__is_measured(intrinsics):
         return None
-    view, width = (sch_mismatched_intrinsics__within(camera, 'horizontal_fov'), sch_mismatched_intrinsics__within(camera, 'image', 'width'))
-    given = sch_mismatched_intrinsics__within(camera, 'lens', 'intrinsics', 'fx')
+    view, width = (sch_mismatched_intrinsics__value_within(camera, 'horizontal_fov'), sch_mismatched_intrinsics__value_within(camera, 'image', 'width'))
+    given = sch_mismatched_intrinsics__value_within(intrinsics, 'fx')
     if view is None or width is None or given is None:
         return None
     if not 0 < view.number < math_pi or not width.number > 0 or (not given.number > 0):
@@ -2280,6 +2351,24 @@ def URD024_applies(transmission):
     is_ours = value is not None and value.text.strip().startswith(urd_missing_hardware_interface__PREFIX)
     return is_ours and bool(urd_missing_hardware_interface__bare_joints(transmission)) and urd_missing_hardware_interface__is_for_ros_control(transmission)
 
+urd_unprefixed_hardware_interface__BARE = frozenset(('EffortJointInterface', 'PositionJointInterface', 'VelocityJointInterface'))
+
+def urd_unprefixed_hardware_interface__bare_names(part):
+    for interface in part.children('hardwareInterface'):
+        if interface.content.strip() in urd_unprefixed_hardware_interface__BARE:
+            yield interface.own_value
+
+def urd_unprefixed_hardware_interface__is_bare(part):
+    return any(urd_unprefixed_hardware_interface__bare_names(part))
+
+def urd_unprefixed_hardware_interface__bare_transmissions(document):
+    transmissions = (element for element in document.elements if element.name == 'transmission')
+    return [each for each in transmissions if any(map(urd_unprefixed_hardware_interface__is_bare, each.children('joint')))]
+
+def URD026_applies(transmission):
+    is_old = any(map(urd_unprefixed_hardware_interface__is_bare, transmission.children('joint')))
+    return is_old and transmission.document.view(urd_unprefixed_hardware_interface__bare_transmissions)[0] is transmission
+
 xml_missing_root__OLD = 'gazebo'
 
 xml_missing_root__FORGOTTEN = frozenset({'model', 'world', xml_missing_root__OLD})
@@ -2326,6 +2415,7 @@ CONDITIONS = {
     'GAZ014': GAZ014_applies,
     'GAZ015': GAZ015_applies,
     'GAZ016': GAZ016_applies,
+    'GAZ017': GAZ017_applies,
     'GEO001': GEO001_applies,
     'GEO002': GEO002_applies,
     'GEO003': GEO003_applies,
@@ -2379,6 +2469,7 @@ CONDITIONS = {
     'JNT020': JNT020_applies,
     'JNT021': JNT021_applies,
     'JNT022': JNT022_applies,
+    'JNT023': JNT023_applies,
     'MUJ001': MUJ001_applies,
     'MUJ002': MUJ002_applies,
     'MUJ003': MUJ003_applies,
@@ -2503,5 +2594,6 @@ CONDITIONS = {
     'URD022': URD022_applies,
     'URD023': URD023_applies,
     'URD024': URD024_applies,
+    'URD026': URD026_applies,
     'XML011': XML011_applies,
 }

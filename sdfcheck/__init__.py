@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     from sdfcheck.convert.loss import Loss, NotConvertible
     from sdfcheck.convert.result import Conversion
     from sdfcheck.formats.namespaces import Prefix, PrefixDeclaration, PrefixedName
-    from sdfcheck.formats.suggest import suggest, suggest_in
+    from sdfcheck.formats.near_names import suggest, suggest_in
     from sdfcheck.lint.call import lint
     from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
-    from sdfcheck.lint.editing import EditError, edit
+    from sdfcheck.lint.editing import Edit, EditError, edit
     from sdfcheck.lint.example import (
         IN_COLLISION,
         IN_JOINT,
@@ -45,56 +45,54 @@ if TYPE_CHECKING:
         Bad,
         Good,
     )
-    from sdfcheck.lint.fix import Applicability, Edit, Fix
+    from sdfcheck.lint.fix import Applicability, Fix, TextEdit
     from sdfcheck.lint.rule import Rule, Target, make_fix, rename, replace, write_instead
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.release import __version__
-    from sdfcheck.robot.access.load import Unreadable, load, parse
-    from sdfcheck.robot.access.lookup import NotFound
-    from sdfcheck.robot.custom import Custom
     from sdfcheck.robot.errors import DescriptionError
-    from sdfcheck.robot.frame import Frame
+    from sdfcheck.robot.graph import (
+        Custom,
+        Frame,
+        Model,
+        Node,
+        NotFound,
+        Part,
+        Placement,
+        Scope,
+        Setting,
+        World,
+    )
     from sdfcheck.robot.includes.included import Obstacle
     from sdfcheck.robot.includes.model_config import ConfigFault, ModelConfig
     from sdfcheck.robot.includes.uri_spelling import UriFault
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.load import Unreadable, load, parse
     from sdfcheck.robot.motion.mass_properties import MassProperties
-    from sdfcheck.robot.motion.pose import Pose
-    from sdfcheck.robot.motion.poses import PoseError
+    from sdfcheck.robot.motion.poses import Pose, PoseError
     from sdfcheck.robot.motion.tree import Tree
-    from sdfcheck.robot.naming.frame_reference import FrameReference
+    from sdfcheck.robot.naming.frames import FrameReference
     from sdfcheck.robot.naming.name import Name
-    from sdfcheck.robot.node import Node
-    from sdfcheck.robot.part import Part
-    from sdfcheck.robot.parts.actuation import Transmission
-    from sdfcheck.robot.parts.axis import Axis, Dynamics, Limit, Mimic
-    from sdfcheck.robot.parts.control import ControlTransmission, Ros2Control
-    from sdfcheck.robot.parts.control_component import ControlComponent, ControlInterface
+    from sdfcheck.robot.parts.control import (
+        ControlComponent,
+        ControlInterface,
+        ControlTransmission,
+        Ros2Control,
+        Transmission,
+    )
+    from sdfcheck.robot.parts.files import Include, Resource
     from sdfcheck.robot.parts.gazebo import GazeboBlock
-    from sdfcheck.robot.parts.include import Include
-    from sdfcheck.robot.parts.inertial import Inertial
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.light import Light
-    from sdfcheck.robot.parts.link import Link
-    from sdfcheck.robot.parts.material import Material
+    from sdfcheck.robot.parts.joint import Axis, Dynamics, Joint, Limit, Mimic
+    from sdfcheck.robot.parts.link import Inertial, Link
     from sdfcheck.robot.parts.physics import Actor, Gripper, Physics, State
-    from sdfcheck.robot.parts.placement import Placement
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.resource import Resource
-    from sdfcheck.robot.parts.sensor import Contact, Sensor
-    from sdfcheck.robot.parts.setting import Setting
-    from sdfcheck.robot.parts.shape import Collision, Geometry, Shape, Surface, Visual
+    from sdfcheck.robot.parts.sensor import Contact, Light, Sensor
+    from sdfcheck.robot.parts.shape import Collision, Geometry, Material, Shape, Surface, Visual
     from sdfcheck.robot.root import Root
-    from sdfcheck.robot.scope import Scope
     from sdfcheck.robot.semantics.semantics import Semantics
     from sdfcheck.robot.values import Flag, Number, Text, Vector
-    from sdfcheck.robot.vendor.tag import VendorTag
-    from sdfcheck.robot.vendor.value import VendorValue
-    from sdfcheck.robot.world import World
-    from sdfcheck.source.document import Document
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
+    from sdfcheck.source.document import Document, Element, Value
     from sdfcheck.source.text import Position, Source, Span
     from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -105,12 +103,13 @@ _HOMES = {
     "sdfcheck.convert.loss": "Loss NotConvertible",
     "sdfcheck.convert.result": "Conversion",
     "sdfcheck.formats.namespaces": "Prefix PrefixDeclaration PrefixedName",
-    "sdfcheck.formats.suggest": "suggest suggest_in",
+    "sdfcheck.formats.near_names": "suggest suggest_in",
     "sdfcheck.lint.diagnostic": "Diagnostic Label Missing MissingKind Origin Severity",
     "sdfcheck.lint.example": (
-        "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD SDF Bad Good"
+        "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD "
+        "SDF Bad Good"
     ),
-    "sdfcheck.lint.fix": "Applicability Edit Fix",
+    "sdfcheck.lint.fix": "Applicability Fix TextEdit",
     "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
     "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
@@ -119,52 +118,35 @@ _HOMES = {
     "sdfcheck.consumers.urdf_readers": "is_harmless lacking repeating undersized unexpanded unreadable",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
     "sdfcheck.lint.wording": "listed named used",
-    "sdfcheck.robot.access.load": "Unreadable load parse",
+    "sdfcheck.robot.load": "Unreadable load parse",
     "sdfcheck.release": "__version__",
-    "sdfcheck.robot.custom": "Custom",
-    "sdfcheck.lint.editing": "EditError edit",
+    "sdfcheck.robot.graph": "Custom Frame NotFound Model Node Part Placement Setting Scope World",
+    "sdfcheck.lint.editing": "Edit EditError edit",
     "sdfcheck.robot.errors": "DescriptionError",
-    "sdfcheck.robot.frame": "Frame",
     "sdfcheck.robot.includes.included": "Obstacle",
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
-    "sdfcheck.robot.access.lookup": "NotFound",
-    "sdfcheck.robot.model": "Model",
     "sdfcheck.robot.motion.mass_properties": "MassProperties",
-    "sdfcheck.robot.motion.pose": "Pose",
-    "sdfcheck.robot.motion.poses": "PoseError",
+    "sdfcheck.robot.motion.poses": "Pose PoseError",
     "sdfcheck.robot.motion.tree": "Tree",
     "sdfcheck.robot.naming.name": "Name",
-    "sdfcheck.robot.node": "Node",
-    "sdfcheck.robot.part": "Part",
-    "sdfcheck.robot.parts.actuation": "Transmission",
-    "sdfcheck.robot.parts.control": "ControlTransmission Ros2Control",
-    "sdfcheck.robot.parts.control_component": "ControlComponent ControlInterface",
-    "sdfcheck.robot.parts.axis": "Axis Dynamics Limit Mimic",
+    "sdfcheck.robot.parts.control": (
+        "Transmission ControlTransmission Ros2Control ControlComponent ControlInterface"
+    ),
+    "sdfcheck.robot.parts.joint": "Axis Dynamics Limit Mimic Joint",
     "sdfcheck.robot.parts.gazebo": "GazeboBlock",
-    "sdfcheck.robot.parts.include": "Include",
-    "sdfcheck.robot.parts.inertial": "Inertial",
-    "sdfcheck.robot.parts.joint": "Joint",
-    "sdfcheck.robot.parts.light": "Light",
-    "sdfcheck.robot.parts.link": "Link",
-    "sdfcheck.robot.parts.material": "Material",
+    "sdfcheck.robot.parts.files": "Include Resource",
+    "sdfcheck.robot.parts.link": "Inertial Link",
+    "sdfcheck.robot.parts.sensor": "Light Contact Sensor",
+    "sdfcheck.robot.parts.shape": "Material Collision Geometry Shape Surface Visual",
     "sdfcheck.robot.parts.physics": "Actor Gripper Physics State",
-    "sdfcheck.robot.parts.placement": "Placement",
     "sdfcheck.robot.parts.plugin": "Plugin",
-    "sdfcheck.robot.parts.resource": "Resource",
-    "sdfcheck.robot.parts.sensor": "Contact Sensor",
-    "sdfcheck.robot.parts.setting": "Setting",
-    "sdfcheck.robot.parts.shape": "Collision Geometry Shape Surface Visual",
-    "sdfcheck.robot.naming.frame_reference": "FrameReference",
+    "sdfcheck.robot.naming.frames": "FrameReference",
     "sdfcheck.robot.root": "Root",
-    "sdfcheck.robot.scope": "Scope",
     "sdfcheck.robot.semantics.semantics": "Semantics",
     "sdfcheck.robot.includes.uri_spelling": "UriFault",
     "sdfcheck.robot.values": "Flag Number Text Vector",
-    "sdfcheck.robot.vendor.tag": "VendorTag",
-    "sdfcheck.robot.vendor.value": "VendorValue",
-    "sdfcheck.robot.world": "World",
-    "sdfcheck.source.document": "Document",
-    "sdfcheck.source.element": "Element Value",
+    "sdfcheck.robot.vendor.tags": "VendorTag VendorValue",
+    "sdfcheck.source.document": "Document Element Value",
     "sdfcheck.source.text": "Position Source Span",
     "sdfcheck.source.wrong_usage": "WrongUsage",
 }
@@ -267,6 +249,7 @@ __all__ = [
     "Surface",
     "Target",
     "Text",
+    "TextEdit",
     "Transmission",
     "Tree",
     "Unreadable",

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.robot.access.load import as_text, load, parse
+from sdfcheck.robot.load import as_text, load, parse
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -107,7 +107,8 @@ def targets(
     path = Path(what)
     configuration = Configuration(config, isolated=isolated, trusted=trust_config)
     options = options_of(configuration, target=[consumer.value for consumer in Consumer])
-    return matrix(run([path], options), sniff(read_named(path), path), path)
+    data = read_named(path, configuration.settings_for(path).size_limit)
+    return matrix(run([path], options), sniff(data, path), path)
 
 
 def inertia(what: Description) -> MassReport:
@@ -145,7 +146,7 @@ def print(  # noqa: A001 - the command's name
             result would be another robot.
     """
     from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
-    from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
+    from sdfcheck.convert.rewrite.tidy import NumberStyle
 
     style = CanonicalStyle(NumberStyle(degrees, snap, precision), expand_includes, expand_auto_inertials)
     return canonical(_document(what), style).text

@@ -13,7 +13,7 @@ from itertools import groupby
 from pathlib import Path
 
 from sdfcheck.lint.config import schema as config_schema
-from sdfcheck.lint.config.fields import FIELDS, Field
+from sdfcheck.lint.config.reading import FIELDS, Field
 from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.run import RuleFacts

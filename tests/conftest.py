@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 
@@ -9,9 +11,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--all-examples",
         action="store_true",
-        help="show consumers every example of every rule, which takes long",
+        help="show consumers and commands every example of every rule, which takes long",
     )
     parser.addoption("--golden", action="store_true", help="write the expected outputs again")
+
+
+@pytest.fixture
+def tmp_path(tmp_path: Path) -> Path:
+    """A folder in a folder of its own: the project of a file may be the folder above it, which tests would share."""
+    folder = tmp_path / "test"
+    folder.mkdir()
+    return folder
 
 
 @pytest.fixture(autouse=True)

@@ -15,9 +15,8 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.fix.fixer import FixedFile, applicable, fix_file
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
-from sdfcheck.lint.rulebook.example_run import file_name
 from sdfcheck.lint.rulebook.rulebook import RuleBook
-from sdfcheck.lint.rulebook.trial import Trial
+from sdfcheck.lint.rulebook.trial import Trial, file_name
 from sdfcheck.lint.select import SILENT
 from sdfcheck.source.sniff import Kind, sniff
 from tests.fuzz.documents import Text, changed, fixtures

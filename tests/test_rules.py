@@ -98,4 +98,4 @@ def test_a_part_that_a_condition_applies_to_is_reported(
 
 def test_the_conditions_are_up_to_date() -> None:
     pack = find_pack(BUILT_IN)
-    assert is_current(pack.folder / f"{CONDITIONS}.py", render(pack)), "run `make generate`"
+    assert is_current(pack.folder / f"{CONDITIONS}.py", render(pack)), "run `make rules/conditions.py`"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.items import models
+from sdfcheck.convert.ledger import models
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import read
 from tests.there_and_back import there_and_back, untold

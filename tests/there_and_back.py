@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from sdfcheck.convert.change import Change, ChangeKind
+from sdfcheck.convert.comparison import Change, ChangeKind
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, convert

@@ -99,7 +99,7 @@ class UnactuatedJoint(Rule):
         elif isinstance(part, Transmission):
             yield from self._of_transmission(part)
         elif not part.transmissions:
-            moving = [joint for joint in _joints(part).values() if joint.type in ACTUATED_IN_URDF]
+            moving = [joint for joint in part.driven.values() if joint.type in ACTUATED_IN_URDF]
             for first in moving[:1]:
                 yield self._idle(first, first.name, NO_TRANSMISSION, others=len(moving) - 1)
 
@@ -124,7 +124,7 @@ class UnactuatedJoint(Rule):
             yield self._idle(kind, name, "its transmission is not a SimpleTransmission")
         elif (lack := _lack(transmission)) is not None:
             yield self._refused(lack[0], name, lack[1])
-        elif value is not None and (driven := _joints(transmission.model).get(name)) is not None:
+        elif value is not None and (driven := transmission.model.driven.get(name)) is not None:
             yield from self._of_driven(driven, value)
 
     def _of_driven(self, joint: Joint, value: Value) -> Iterator[Diagnostic]:
@@ -152,12 +152,6 @@ class UnactuatedJoint(Rule):
             message += f", so `{unread.name}` is not read"
         level = Severity.INFO if unread is None and reason in DELIBERATE else Severity.WARNING
         return self.diagnostic(target, message, severity=level, affects=NO_ACTUATOR)
-
-
-def _joints(model: Model) -> dict[str, Joint]:
-    """The joints of a URDF robot by name, those for Drake alone among them."""
-    elements = (child for child in model.children() if child.name in {"joint", "drake:joint"})
-    return {joint.name: joint for joint in map(model.part, elements) if isinstance(joint, Joint)}
 
 
 def _lack(transmission: Transmission) -> tuple[Target, str] | None:

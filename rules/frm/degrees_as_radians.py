@@ -7,11 +7,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Element,
     Good,
     Rule,
     Severity,
+    TextEdit,
     Value,
     listed,
     make_fix,
@@ -87,7 +87,7 @@ class DegreesAsRadians(Rule):
         shown = listed(f"{name} {word}" for _, name, word in found)
         are, look = ("is", "looks") if len(found) == 1 else ("are", "look")
         edits = tuple(
-            Edit(value.part(at), repr(math.radians(float(word))))
+            TextEdit(value.part(at), repr(math.radians(float(word))))
             for at, _, word in found
             if value is not None
         )

@@ -6,10 +6,10 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
     problems,
     warns,
@@ -57,5 +57,8 @@ class MisplacedDegrees(Rule):
             return
         message = f"`degrees` belongs to `pose`, not to `{element.name}`: the angles are read as radians"
         source, start, end = value.span.source, value.name_span.start, value.span.end
-        edits = (Edit(source.span(start - 1, end + 1), ""), Edit(pose.span, f'pose degrees="{value.text}"'))
+        edits = (
+            TextEdit(source.span(start - 1, end + 1), ""),
+            TextEdit(pose.span, f'pose degrees="{value.text}"'),
+        )
         yield self.diagnostic(value.name_span, message, fix=make_fix("move it to `pose`", edits, unsafe=True))

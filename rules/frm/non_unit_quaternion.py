@@ -7,11 +7,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Element,
     Good,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
     warns,
 )
@@ -81,14 +81,14 @@ class NonUnitQuaternion(Rule):
         span = first._replace(end=last.end)
         length = math.hypot(*numbers)
         if length == 0:
-            fix = make_fix("write the quaternion of no rotation", (Edit(span, "0 0 0 1"),), unsafe=True)
+            fix = make_fix("write the quaternion of no rotation", (TextEdit(span, "0 0 0 1"),), unsafe=True)
             message = "the quaternion is zero, which is not a rotation"
             affects = {Consumer.DRAKE: REFUSES}
             yield self.diagnostic(span, message, fix=fix, severity=Severity.ERROR, affects=affects)
             return
         text = " ".join(f"{number / length + 0.0:.14g}" for number in numbers)
         is_unsafe = abs(length - 1) > _ROUNDED
-        fix = make_fix("make its length 1", (Edit(span, text),), unsafe=is_unsafe)
+        fix = make_fix("make its length 1", (TextEdit(span, text),), unsafe=is_unsafe)
         yield self.diagnostic(span, f"the quaternion has the length {length:.3g}, not 1", fix=fix)
 
 

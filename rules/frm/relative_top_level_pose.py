@@ -6,11 +6,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     FrameReference,
     Good,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
 )
 
@@ -51,6 +51,6 @@ class RelativeTopLevelPose(Rule):
     def check(self, reference: FrameReference) -> Iterator[Diagnostic]:
         pose, attribute = reference.value.element, reference.value.attribute or ""
         whole = pose.document.spans.attribute_whole(pose, attribute)
-        fix = make_fix(f"remove `{attribute}`", (Edit(whole, ""),), unsafe=True)
+        fix = make_fix(f"remove `{attribute}`", (TextEdit(whole, ""),), unsafe=True)
         message = f"around {reference.owner_element.title} there is no frame `{reference.name}`"
         yield self.diagnostic(reference, message, fix=fix)

@@ -6,7 +6,6 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Element,
     Good,
     Plugin,
@@ -14,6 +13,7 @@ from sdfcheck import (
     Rule,
     Severity,
     Span,
+    TextEdit,
     Value,
     make_fix,
     warns,
@@ -89,10 +89,6 @@ class IgnitionName(Rule):
             '<plugin filename="own-system" name="my::ignition::Spark"/>',
             why="the ignition of one's own engine",
         ),
-        Good(
-            "<include><uri>https://fuel.ignitionrobotics.org/1.0/a/models/b</uri></include>",
-            why="the old address still leads there",
-        ),
     )
 
     @staticmethod
@@ -103,18 +99,22 @@ class IgnitionName(Rule):
 
     def check(self, part: Plugin | Root) -> Iterator[Diagnostic]:
         if isinstance(part, Root):
-            uses = [Edit(span, NEW_PREFIX + span.text[len(PREFIX) :]) for span in _prefixed(part)]
+            uses = [TextEdit(span, NEW_PREFIX + span.text[len(PREFIX) :]) for span in _prefixed(part)]
             first = uses[0].span
             place = first.source.span(first.start, first.start + len(PREFIX) - 1)
             yield self._report(place, PREFIX[:-1], NEW_PREFIX[:-1], [*uses, *_declarations(part)])
             return
         if changes := _changes(part):
             (value, new), *_ = changes
-            yield self._report(value.span, value.text, new, [Edit(old.span, name) for old, name in changes])
+            yield self._report(
+                value.span, value.text, new, [TextEdit(old.span, name) for old, name in changes]
+            )
         for element in part.children(GUI):
-            yield self._report(element.span, GUI, NEW_GUI, [Edit(span, NEW_GUI) for span in _names(element)])
+            yield self._report(
+                element.span, GUI, NEW_GUI, [TextEdit(span, NEW_GUI) for span in _names(element)]
+            )
 
-    def _report(self, place: Span, old: str, new: str, edits: list[Edit]) -> Diagnostic:
+    def _report(self, place: Span, old: str, new: str, edits: list[TextEdit]) -> Diagnostic:
         fix = make_fix(f"rename it to `{new}`", tuple(dict.fromkeys(edits)))
         return self.diagnostic(place, f"`{old}` is now called `{new}`", fix=fix)
 
@@ -161,7 +161,7 @@ def _names(element: Element) -> Iterator[Span]:
         yield end
 
 
-def _declarations(root: Root) -> Iterator[Edit]:
+def _declarations(root: Root) -> Iterator[TextEdit]:
     """The changes to declarations of the prefix; one goes where its successor has one."""
     old, new = f"xmlns:{PREFIX[:-1]}", f"xmlns:{NEW_PREFIX[:-1]}"
     if old not in root.document.source.text:
@@ -172,8 +172,8 @@ def _declarations(root: Root) -> Iterator[Edit]:
         if old not in given:
             continue
         if new in given or NEW_PREFIX[:-1] in element.namespaces:
-            yield Edit(spans.attribute_whole(element, old), "")
+            yield TextEdit(spans.attribute_whole(element, old), "")
             continue
-        yield Edit(spans.attribute_name(element, old), new)
+        yield TextEdit(spans.attribute_name(element, old), new)
         if (value := spans.attribute_value(element, old)).text == OLD:
-            yield Edit(value, NEW)
+            yield TextEdit(value, NEW)

@@ -6,11 +6,12 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Inertial,
     Rule,
     Severity,
+    Shape,
+    TextEdit,
     make_fix,
     warns,
 )
@@ -18,6 +19,9 @@ from sdfcheck_rules.inr.moments import is_doubtful, is_weighed
 
 FITS, DIFFERS = 1.5, 2.2
 """Moments within the first factor of those of a box are those of the body; beyond the second one they are not."""
+NEAR, EXACT, ROUNDED = 0.05, 0.125, 0.002
+"""Nearer than the first to the moments of the link's only solid, they are those of it; their quotient is off by less
+than the second of what it is off as they are; the third may come from rounding."""
 PAIRS = ((1, 2), (0, 1), (0, 2))
 NAMES = ("ixx", "iyy", "izz")
 WHEEL = (
@@ -28,6 +32,10 @@ INERTIAL = "<inertial>{}<mass>2.6</mass><inertia><ixx>{}</ixx><iyy>{}</iyy><izz>
 BEAM = (
     '<inertial><mass value="1.37"/><inertia ixx="{}" ixy="0" ixz="0" iyy="0.0303" iyz="0" izz="{}"/></inertial>'
     '<collision><geometry><box size="0.508 0.09 0.09"/></geometry></collision>'
+)
+BOARD = (
+    "<inertial><mass>1.2</mass><inertia><ixx>0.00090</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
+    '<collision name="c"><geometry><box><size>1.04 0.03 0.09</size></box></geometry></collision>'
 )
 
 
@@ -59,6 +67,12 @@ class ExchangedMoments(Rule):
             unsafe=True,
             scaffold=IN_URDF_LINK,
         ),
+        Bad(
+            BOARD.format("«0.10825»", "0.10897"),
+            fixed=BOARD.format("0.10897", "0.10825"),
+            unsafe=True,
+            says="iyy 0.10825 and izz 0.10897 look exchanged",
+        ),
     )
     good = (
         Good(INERTIAL.format("", "0.024", "0.044", "0.024") + WHEEL),
@@ -78,7 +92,7 @@ class ExchangedMoments(Rule):
         first, second = (inertial.moments[NAMES[axis]] for axis in exchanged(inertial))
         one, other = (NAMES[axis] for axis in exchanged(inertial))
         lengths = " × ".join(f"{length:.3g}" for length in box.size)
-        edits = (Edit(first.span, second.text), Edit(second.span, first.text))
+        edits = (TextEdit(first.span, second.text), TextEdit(second.span, first.text))
         yield self.diagnostic(
             first,
             f"{one} {first.text} and {other} {second.text} look exchanged: the shapes of {inertial.link.title}"
@@ -90,31 +104,48 @@ class ExchangedMoments(Rule):
 
 def exchanged(inertial: Inertial) -> tuple[int, ...]:
     """The axes of the two moments that fit the link's shapes the other way round; none where they fit."""
-    if not is_doubtful(inertial) or max(inertial.tensor[:3]) < DIFFERS / FITS * min(inertial.tensor[:3]):
+    if not is_doubtful(inertial) or not is_weighed(inertial) or is_turned(inertial):
         return ()
-    if not is_weighed(inertial) or is_turned(inertial):
-        return ()
-    moments, box = inertial.tensor, inertial.link.box
-    mass = inertial.mass.number
-    if (
-        box is None
-        or not mass > 0
-        or not min(moments[:3]) > 0
-        or max(map(abs, moments[3:])) > min(moments[:3]) / 10
-    ):
+    moments, mass = inertial.tensor, inertial.mass.number
+    if not mass > 0 or not min(moments[:3]) > 0 or max(map(abs, moments[3:])) > min(moments[:3]) / 10:
         return ()
     if inertial.link.extent is None or not all(
         moment.is_given for moment in list(inertial.moments.values())[:3]
     ):
         return ()
+    return of_another_body(inertial) or of_other_axes(inertial)
+
+
+def of_another_body(inertial: Inertial) -> tuple[int, ...]:
+    """The two that fit the box around the shapes only the other way round."""
+    moments, box = inertial.tensor[:3], inertial.link.box
+    if box is None or max(moments) < DIFFERS / FITS * min(moments):
+        return ()
     squares = [length * length for length in box.size]
-    solid = [mass / 12 * (sum(squares) - square) for square in squares]
-    if not min(solid) > 0 or off(moments[:3], solid) <= DIFFERS:
+    solid = [inertial.mass.number / 12 * (sum(squares) - square) for square in squares]
+    if not min(solid) > 0 or off(moments, solid) <= DIFFERS:
         return ()
     for first, second in PAIRS:
-        turned = list(moments[:3])
+        turned = list(moments)
         turned[first], turned[second] = turned[second], turned[first]
         if off(turned, solid) <= FITS:
+            return first, second
+    return ()
+
+
+def of_other_axes(inertial: Inertial) -> tuple[int, ...]:
+    """The two that differ little, and just as those of the only solid do about the other axes."""
+    moments, solids = inertial.tensor[:3], inertial.link.solids
+    only = solids[0].geometry.solid if len(solids) == 1 and not is_turned(solids[0]) else None
+    if only is None or not min(only.moments[:3]) > 0:
+        return ()
+    solid = [inertial.mass.number * moment for moment in only.moments[:3]]
+    for first, second in PAIRS:
+        turned = list(moments)
+        turned[first], turned[second] = turned[second], turned[first]
+        as_written = abs(moments[first] * solid[second] / moments[second] / solid[first] - 1)
+        exchanged_back = abs(turned[first] * solid[second] / turned[second] / solid[first] - 1)
+        if as_written > ROUNDED and exchanged_back < EXACT * as_written and off(turned, solid) < 1 + NEAR:
             return first, second
     return ()
 
@@ -124,10 +155,10 @@ def off(moments: Sequence[float], others: Sequence[float]) -> float:
     return max(max(one / other, other / one) for one, other in zip(moments, others, strict=True))
 
 
-def is_turned(inertial: Inertial) -> bool:
+def is_turned(part: Inertial | Shape) -> bool:
     """Does its own pose turn its axes?"""
-    place = inertial.find("origin" if inertial.is_urdf else "pose")
+    place = part.find("origin" if part.is_urdf else "pose")
     if place is None:
         return False
-    words = (place.text_of("rpy") or "") if inertial.is_urdf else " ".join(place.content.split()[3:])
+    words = (place.text_of("rpy") or "") if part.is_urdf else " ".join(place.content.split()[3:])
     return any(word.strip("+-0.") for word in words.split()) or place.text_of("quat_xyzw") is not None

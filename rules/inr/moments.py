@@ -144,3 +144,22 @@ def is_about_origin(inertial: Inertial) -> bool:
 def is_unit(inertial: Inertial) -> bool:
     """Are the moments 1 kg·m² about each axis?"""
     return inertial.tensor == (1, 1, 1, 0, 0, 0)
+
+
+def is_too_large(inertial: Inertial) -> bool:
+    """Is a moment larger than that of any body of this mass within the box around the link's shapes?
+
+    A mass of 1 kg was not thought about either: test worlds are full of such bodies.
+    """
+    if not is_written(inertial) or not 0 < inertial.mass.number != 1 or is_out_of_scale(inertial):
+        return False
+    return any(moment > bound for moment, bound in zip(inertial.tensor[:3], most(inertial), strict=False))
+
+
+def most(inertial: Inertial) -> tuple[float, ...]:
+    """The moments (kg·m²) of its mass spread over the edges of the box around the shapes; none of an unknown box."""
+    box = inertial.link.extent
+    if box is None:
+        return ()
+    x, y, z = (length * length for length in box.size)
+    return tuple(inertial.mass.number / 4 * square for square in (y + z, x + z, x + y))

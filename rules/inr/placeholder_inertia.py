@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
-from sdfcheck_rules.inr.moments import is_far_off, is_unit, ratio
+from sdfcheck_rules.inr.moments import is_far_off, is_too_large, is_unit, most, ratio
 from sdfcheck_rules.inr.ratios import times
 
 
@@ -9,7 +9,8 @@ class PlaceholderInertia(Rule):
     """A link has the unit inertia, which cannot be that of its body.
 
     Moments of 1 kg·m² are what exporters write and consumers take when nobody gave any. For a
-    link of this mass and size they are off by more than a hundredfold: it will hardly turn.
+    link of this mass and size they are off by more than a hundredfold, or larger than those of any body
+    within its shapes: it will hardly turn.
     """
 
     code = "INR005"
@@ -34,6 +35,11 @@ class PlaceholderInertia(Rule):
             '<collision name="c"><geometry><box><size>0.1 0.1 0.1</size></box></geometry></collision>',
             says="left out",
         ),
+        Bad(
+            "<inertial><mass>14</mass><«inertia»><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
+            '<collision name="c"><geometry><box><size>0.5 0.4 0.2</size></box></geometry></collision>',
+            says="too large: 14 kg within this link's shapes have 0.7 kg·m² about x at most",
+        ),
     )
     good = (
         Good(
@@ -45,10 +51,14 @@ class PlaceholderInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return is_far_off(inertial) and is_unit(inertial)
+        return is_unit(inertial) and (is_far_off(inertial) or is_too_large(inertial))
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         is_written, mass = inertial.inertia is not None, inertial.mass.number
         how = "unit inertia" if is_written else "an inertia that is left out, so 1 kg·m² about each axis,"
         message = f"{how} is {times(ratio(inertial))} what {mass:.6g} kg in this link's shapes have"
+        if not is_far_off(inertial):
+            least, axis = min(zip(most(inertial), "xyz", strict=True))
+            shapes = f"{mass:.6g} kg within this link's shapes"
+            message = f"{how} is too large: {shapes} have {least:.2g} kg·m² about {axis} at most"
         yield self.diagnostic(inertial.moments_element, message, labels={inertial.link: "this link"})

@@ -8,11 +8,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Limit,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
     warns,
 )
@@ -75,7 +75,7 @@ class InvertedLimits(Rule):
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper = limit.lower, limit.upper
         fix = make_fix(
-            "exchange them", (Edit(lower.span, upper.text), Edit(upper.span, lower.text)), unsafe=True
+            "exchange them", (TextEdit(lower.span, upper.text), TextEdit(upper.span, lower.text)), unsafe=True
         )
         message = f"lower limit {lower.text} is above upper limit {upper.text}"
         yield self.diagnostic(lower, message, labels={upper: "the upper limit"}, fix=fix)

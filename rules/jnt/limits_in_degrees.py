@@ -7,11 +7,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Limit,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
     warns,
 )
@@ -90,7 +90,7 @@ class LimitsInDegrees(Rule):
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper = limit.lower, limit.upper
-        edits = tuple(Edit(end.span, f"{radians(end):.8g}") for end in (lower, upper))
+        edits = tuple(TextEdit(end.span, f"{radians(end):.8g}") for end in (lower, upper))
         yield self.diagnostic(
             lower,
             f"limits {lower.text} and {upper.text} of {limit.joint.title} are read as radians, and look like degrees",

@@ -7,13 +7,13 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Joint,
     Model,
     Reaction,
     Rule,
     Severity,
+    TextEdit,
     Value,
     accepts,
     make_fix,
@@ -124,7 +124,7 @@ class UnknownJointEnd(Rule):
             return self.diagnostic(value, message, help=advice if name == "world" else None, affects=affects)
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else ""
-        edits = tuple(Edit(end.span, meant) for end in (value, *others))
+        edits = tuple(TextEdit(end.span, meant) for end in (value, *others))
         fix = make_fix(f"write `{meant}`", edits, unsafe=True)
         question = None if is_deeper else meant
         return self.diagnostic(value, message, meant=question, fix=fix, affects=_affects(joint, value))

@@ -5,11 +5,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     PrefixDeclaration,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
     warns,
 )
@@ -53,7 +53,7 @@ class DefaultNamespace(Rule):
         return declaration.name == "xmlns" and declaration.document.kind.value == "sdf"
 
     def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
-        fix = make_fix("remove it", (Edit(declaration.whole, ""),), unsafe=True)
+        fix = make_fix("remove it", (TextEdit(declaration.whole, ""),), unsafe=True)
         yield self.diagnostic(
             declaration, "a default namespace is not permitted; declare a prefix (`xmlns:…`)", fix=fix
         )

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Prefix, PrefixDeclaration, Rule, Severity, make_fix
+from sdfcheck import Bad, Diagnostic, Good, Prefix, PrefixDeclaration, Rule, Severity, TextEdit, make_fix
 
 
 class PrefixDeclaredBelowRoot(Rule):
@@ -59,10 +59,10 @@ class PrefixDeclaredBelowRoot(Rule):
             for declaration in below:
                 yield self.diagnostic(declaration, message)
             return
-        edits = [Edit(declaration.whole, "") for declaration in below]
+        edits = [TextEdit(declaration.whole, "") for declaration in below]
         title = "remove it, the root element has it"
         if not prefix.declarations[0].is_on_root:
-            edits.insert(0, Edit(prefix.insertion, f" {below[0].whole.text.strip()}"))
+            edits.insert(0, TextEdit(prefix.insertion, f" {below[0].whole.text.strip()}"))
             title = "declare it on the root element"
         if len(below) > 1:
             message += f" {len(below)} times"

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Fix, Good, Prefix, Rule, Severity, make_fix, used
+from sdfcheck import Bad, Diagnostic, Fix, Good, Prefix, Rule, Severity, TextEdit, make_fix, used
 
 # Prefixes whose namespace names their vendors have settled.
 WELL_KNOWN = {
@@ -75,7 +75,7 @@ class UndeclaredPrefix(Rule):
         advice: str | None = f'declare it on the root element: xmlns:{name}="…"'
         if namespace:
             advice = None
-            declaration = Edit(prefix.insertion, f' xmlns:{name}="{namespace}"')
+            declaration = TextEdit(prefix.insertion, f' xmlns:{name}="{namespace}"')
             fix = make_fix("declare it on the root element", (declaration,))
         if elsewhere is None:
             message = f"prefix `{name}` is not declared{times}"

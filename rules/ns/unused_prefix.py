@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, PrefixDeclaration, Rule, Severity, make_fix, named
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity, TextEdit, make_fix, named
 from sdfcheck_rules.ns.soundness import is_sound
 
 
@@ -53,7 +53,7 @@ class UnusedPrefix(Rule):
 
     def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
         unused = _unused(declaration)
-        removed = tuple(Edit(each.whole, "") for each in unused)
+        removed = tuple(TextEdit(each.whole, "") for each in unused)
         prefixes = named([each.prefix for each in unused], most=5)
         if len(removed) == 1:
             what, title = f"prefix {prefixes} is", "remove the declaration"

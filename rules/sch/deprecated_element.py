@@ -6,12 +6,12 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Element,
     Fix,
     Good,
     Rule,
     Severity,
+    TextEdit,
     accepts,
     make_fix,
     named,
@@ -90,17 +90,17 @@ class DeprecatedElement(Rule):
 
 def _renaming(problem: problems.DeprecatedElement) -> Fix:
     """Give the value and its settings, or the settings alone, their new names."""
-    edits: tuple[Edit, ...] = ()
+    edits: tuple[TextEdit, ...] = ()
     settings, name = problem.element, problem.successor or ""
     if problem.value is None:
         edits = _renamed(settings, name)
     else:
-        edits = (Edit(problem.value.span, name),)
+        edits = (TextEdit(problem.value.span, name),)
         if problem.settings is not None:
             edits += _renamed(problem.settings, name.removeprefix("gpu_"))
     return make_fix(f"rename it to {name}", edits, unsafe=True)
 
 
-def _renamed(element: Element, name: str) -> tuple[Edit, ...]:
+def _renamed(element: Element, name: str) -> tuple[TextEdit, ...]:
     spans = (element.span, element.document.spans.end_name(element))
-    return tuple(Edit(span, name) for span in spans if span is not None)
+    return tuple(TextEdit(span, name) for span in spans if span is not None)

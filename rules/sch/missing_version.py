@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Edit, Good, Root, Rule, Severity, make_fix
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, TextEdit, make_fix
 
 
 class MissingVersion(Rule):
@@ -44,10 +44,10 @@ class MissingVersion(Rule):
         title = f"declare version {assumed}, as which the file was checked"
         if root.version is not None:
             whole = spans.attribute_whole(element, "version")
-            fix = make_fix(title, (Edit(whole, f' version="{assumed}"'),), unsafe=True)
+            fix = make_fix(title, (TextEdit(whole, f' version="{assumed}"'),), unsafe=True)
             name = spans.attribute_name(element, "version")
             yield self.diagnostic(name, f"`version` of `{element.name}` is empty", fix=fix)
             return
         after = element.span._replace(start=element.span.end)
-        fix = make_fix(title, (Edit(after, f' version="{assumed}"'),), unsafe=True)
+        fix = make_fix(title, (TextEdit(after, f' version="{assumed}"'),), unsafe=True)
         yield self.diagnostic(element, f"`{element.name}` has no `version`", fix=fix)

@@ -4,6 +4,8 @@ from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Sensor, Sev
 
 MOST = 0.2
 """A resolution of less is a step in radians or degrees."""
+COARSE = 0.0175
+"""rad: no scanner has its beams farther apart; some take a tenth of very many samples on purpose."""
 LIDAR = (
     '<sensor name="s" type="gpu_lidar"><lidar><scan><horizontal><samples>920</samples><resolution>{}</resolution>'
     "<min_angle>-3</min_angle><max_angle>3</max_angle></horizontal></scan>"
@@ -21,7 +23,6 @@ class ResolutionOfScan(Rule):
     code = "SCH032"
     name = "resolution-of-scan"
     severity = Severity.WARNING
-    preview = True
     affects = {Consumer.GAZEBO: warns("measures few points")}
     looks_at = (Sensor,)
     needs = ("<resolution",)
@@ -30,7 +31,11 @@ class ResolutionOfScan(Rule):
     bad = (
         Bad(LIDAR.format("«0.03»"), says="a resolution of 0.03 leaves 27 of 920 samples; it is not an angle"),
     )
-    good = (Good(LIDAR.format("1")), Good(LIDAR.format("0.5"), why="every other one"))
+    good = (
+        Good(LIDAR.format("1")),
+        Good(LIDAR.format("0.5"), why="every other one"),
+        Good(LIDAR.format("0.1").replace("920", "10000"), why="1000 beams are enough"),
+    )
 
     @staticmethod
     def applies(sensor: Sensor) -> bool:
@@ -54,7 +59,9 @@ def thinned(sensor: Sensor) -> Iterator[tuple[Value, Value]]:
         scan = None if settings is None else settings.find("scan")
         for direction in () if scan is None else scan.children():
             resolution, samples = direction.value("resolution"), direction.value("samples")
-            if resolution is None or samples is None or not samples.number > 1:
+            low, high = direction.value("min_angle"), direction.value("max_angle")
+            if resolution is None or samples is None or low is None or high is None or not samples.number > 1:
                 continue
-            if 0 < resolution.number < MOST:
+            beams = resolution.number * samples.number
+            if 0 < resolution.number < MOST and high.number - low.number > COARSE * beams:
                 yield resolution, samples

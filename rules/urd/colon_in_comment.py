@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, Edit, Good, Root, Rule, Severity, Span, make_fix
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Root, Rule, Severity, Span, TextEdit, make_fix
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
 DIRECTIVE = "sdfcheck:"
@@ -59,7 +59,7 @@ class ColonInComment(Rule):
         silencing = [colon for colon in found if is_directive(colon)]
         severity = None if is_description(root) else Severity.INFO
         if prose:
-            fix = make_fix("write a dash", tuple(Edit(colon, " -") for colon in prose))
+            fix = make_fix("write a dash", tuple(TextEdit(colon, " -") for colon in prose))
             yield self.diagnostic(prose[0], _message(prose, ""), fix=fix, severity=severity)
         if silencing:
             advice = f"write `{DIRECTIVE}` without a space after it"

@@ -47,5 +47,5 @@ class UnknownControlJoint(Rule):
     def check(self, control: Ros2Control) -> Iterator[Diagnostic]:
         for value in control.unresolved:
             message = f"{control.title} is for joint `{value.text}`, which does not exist"
-            near = control.nearest(value.text, control.model.driven_names)
+            near = control.nearest(value.text, control.model.driven)
             yield self.diagnostic(value, message, meant=near)

@@ -16,7 +16,7 @@ from sdfcheck import (
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 TRANSMISSION = (
     '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>'
-    '<joint name="{}"><hardwareInterface>EffortJointInterface</hardwareInterface></joint>'
+    '<joint name="{}"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>'
     '<actuator name="m"/></transmission>'
 )
 
@@ -53,5 +53,5 @@ class UnknownTransmissionJoint(Rule):
     def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
         for value in transmission.unresolved:
             message = f"{transmission.title} is for joint `{value.text}`, which does not exist"
-            near = transmission.nearest(value.text, transmission.model.driven_names)
+            near = transmission.nearest(value.text, transmission.model.driven)
             yield self.diagnostic(value, message, meant=near)

@@ -5,11 +5,11 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Fix,
     Good,
     Rule,
     Severity,
+    TextEdit,
     lacking,
     make_fix,
     problems,
@@ -83,5 +83,5 @@ def rename(problem: problems.UnknownUrdfAttribute) -> Fix | None:
     if near is None or any(near in use.element.attributes for use in problem.uses):
         return None
     return make_fix(
-        f"rename it to `{near}`", tuple(Edit(use.name_span, near) for use in problem.uses), unsafe=True
+        f"rename it to `{near}`", tuple(TextEdit(use.name_span, near) for use in problem.uses), unsafe=True
     )

@@ -5,10 +5,10 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Rule,
     Severity,
+    TextEdit,
     make_fix,
     problems,
     used,
@@ -82,7 +82,7 @@ class MissingXacroPrefix(Rule):
 
     def check(self, problem: problems.MissingXacroPrefix) -> Iterator[Diagnostic]:
         name = problem.name
-        edits = tuple(Edit(span, f"xacro:{name}") for span in problem.edits)
+        edits = tuple(TextEdit(span, f"xacro:{name}") for span in problem.edits)
         which = "each of them" if problem.others else "it"
         fix = make_fix(f"make {which} `xacro:{name}`", edits, unsafe=True)
         yield self.diagnostic(

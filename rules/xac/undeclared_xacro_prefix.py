@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, make_fix, problems, refuses, used
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    TextEdit,
+    make_fix,
+    problems,
+    refuses,
+    used,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -37,7 +49,7 @@ class UndeclaredXacroPrefix(Rule):
     )
 
     def check(self, problem: problems.UndeclaredXacroPrefix) -> Iterator[Diagnostic]:
-        declaration = Edit(problem.insertion, ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
+        declaration = TextEdit(problem.insertion, ' xmlns:xacro="http://www.ros.org/wiki/xacro"')
         yield self.diagnostic(
             problem.span,
             f"prefix `xacro` is not declared{used(problem.count)}",

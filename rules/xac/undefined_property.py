@@ -4,6 +4,17 @@ from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, 
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
+LIBRARY = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+ARM = (
+    '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="part.urdf.xacro"/>{}'
+    '<link name="base"/></robot>'
+)
+PACKAGE = {
+    ".git/HEAD": "",
+    "package.xml": "<package><name>arm</name></package>",
+    "part.urdf.xacro": LIBRARY.format(""),
+}
+
 
 class UndefinedProperty(Rule):
     """An expression uses a name that is not a property, macro parameter or function of xacro.
@@ -11,7 +22,8 @@ class UndefinedProperty(Rule):
     Properties are evaluated when they are first used, so a misspelled name may lie
     dormant until a macro is called in another way. The diagnostic is in the
     expression that has the name, not where its value is used. In a macro library a
-    name is reported only if no file of the project defines it and a known name is close to it.
+    name is reported only if no file of the project defines it, and a known name is close to it or the library and
+    all files that include it include nothing of other projects.
     """
 
     code = "XAC004"
@@ -47,6 +59,22 @@ class UndefinedProperty(Rule):
             says="property `size` is not defined (used 2 times)",
         ),
         Bad(
+            '<xacro:macro name="m" params="side"><link name="${side}${«offset»}"/></xacro:macro>',
+            file="part.urdf.xacro",
+            scaffold=LIBRARY,
+            files={**PACKAGE, "arm.urdf.xacro": ARM.format("")},
+            says="property `offset` is not defined",
+        ),
+        Bad(
+            '<xacro:macro name="m" params="side"><link name="${side}${«M_PI»}"/></xacro:macro>',
+            fixed='<xacro:macro name="m" params="side"><link name="${side}${pi}"/></xacro:macro>',
+            unsafe=True,
+            file="part.urdf.xacro",
+            scaffold=LIBRARY,
+            files=PACKAGE,
+            says="did you mean `pi`?",
+        ),
+        Bad(
             '<xacro:macro name="m" params="*origin"><xacro:insert_block name="«orign»"/></xacro:macro>',
             fixed='<xacro:macro name="m" params="*origin"><xacro:insert_block name="origin"/></xacro:macro>',
             unsafe=True,
@@ -58,6 +86,23 @@ class UndefinedProperty(Rule):
         Good('<xacro:property name="r" value="1"/><link name="l${sin(r * pi) + max(r, 2)}"/>', file=FILE),
         Good('<link name="l${[x * x for x in range(3)][0]}"/>', why="bound inside the expression", file=FILE),
         Good('<link name="l$${later}"/>', why="escaped", file=FILE),
+        Good(
+            '<xacro:macro name="m" params="side"><link name="${side}${offset}"/></xacro:macro>',
+            why="the file that includes it defines it",
+            file="part.urdf.xacro",
+            scaffold=LIBRARY,
+            files={**PACKAGE, "arm.urdf.xacro": ARM.format('<xacro:property name="offset" value="1"/>')},
+        ),
+        Good(
+            '<xacro:macro name="m" params="side"><link name="${side}${offset}"/></xacro:macro>',
+            why="another package, which its includer reads, may define it",
+            file="part.urdf.xacro",
+            scaffold=LIBRARY,
+            files={
+                **PACKAGE,
+                "arm.urdf.xacro": ARM.format('<xacro:include filename="$(find sizes)/all.xacro"/>'),
+            },
+        ),
     )
 
     def check(self, problem: problems.UndefinedProperty | problems.UndefinedBlock) -> Iterator[Diagnostic]:

@@ -5,10 +5,10 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Edit,
     Good,
     Rule,
     Severity,
+    TextEdit,
     accepts,
     make_fix,
     problems,
@@ -65,10 +65,10 @@ class ContentBeforeDeclaration(Rule):
             )
             moved = source.span(declaration.start, end)
             first = source.span(0, 0)
-            edits = (Edit(first, moved.text), Edit(moved, ""))
+            edits = (TextEdit(first, moved.text), TextEdit(moved, ""))
             fix = make_fix("move the declaration to the front", edits)
         else:
-            fix = make_fix("remove what is before it", (Edit(before, ""),))
+            fix = make_fix("remove what is before it", (TextEdit(before, ""),))
         message = "the XML declaration must be the first thing in the file"
         if before.text.strip():
             yield self.diagnostic(declaration, message, fix=fix)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Edit, Good, Rule, Severity, Span, make_fix, problems
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, Span, TextEdit, make_fix, problems
 from sdfcheck_rules.xml.strict import unless_xacro
 
 XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
@@ -39,7 +39,7 @@ class DoubleHyphenInComment(Rule):
     good = (Good('<sdf version="1.12"><!-- a - b - c --></sdf>', why="single hyphens are fine"),)
 
     def check(self, problem: problems.CommentHyphens) -> Iterator[Diagnostic]:
-        edits = tuple(Edit(run, _apart(run)) for run in problem.runs)
+        edits = tuple(TextEdit(run, _apart(run)) for run in problem.runs)
         fix = make_fix("put spaces between the hyphens", edits)
         own = unless_xacro(problem.span, "`--` inside a comment is not allowed in XML")
         yield self.diagnostic(problem.span, fix=fix, **own)

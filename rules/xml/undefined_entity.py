@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Edit, Good, Rule, Severity, Span, make_fix, problems, warns
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    Span,
+    TextEdit,
+    make_fix,
+    problems,
+    warns,
+)
 from sdfcheck_rules.xml.strict import is_xacro, unless_xacro
 
 _NEAR = 500
@@ -64,15 +76,17 @@ class UndefinedEntity(Rule):
             yield self.diagnostic(span, **unless_xacro(span, message, affects=reads))
             return
         text, end = span.source.text, span.start + 1
+        if text[span.start - 1 : span.start] == "&":
+            return  # said of the first of them
         while text.startswith("&", end):
             end += 1
         ampersands = span.source.span(span.start, end)
-        if text[span.start - 1 : span.start] == "&" or (len(ampersands.text) > 1 and _is_in_expression(span)):
+        if len(ampersands.text) > 1 and _is_in_expression(span):
             return
         message = (
             f"`{span.text}` is not defined in XML" if name else "a bare `&` begins nothing that XML knows"
         )
-        fix = make_fix("write `&amp;`", (Edit(ampersands, "&amp;" * len(ampersands.text)),))
+        fix = make_fix("write `&amp;`", (TextEdit(ampersands, "&amp;" * len(ampersands.text)),))
         yield self.diagnostic(span, fix=fix, **unless_xacro(span, message))
 
 

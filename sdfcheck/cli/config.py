@@ -9,7 +9,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
-from sdfcheck.lint.config.fields import FIELDS
+from sdfcheck.lint.config.reading import FIELDS
 
 
 @click.command(cls=Command)

@@ -8,12 +8,11 @@ from textwrap import wrap
 
 import click
 
-from sdfcheck.cli.parts import completing
+from sdfcheck.cli.parts import options
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import formatted, written
+from sdfcheck.cli.parts.options import formatted, sdf_version, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of
-from sdfcheck.cli.parts.version import sdf_version
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
 from sdfcheck.formats.sdf.version import Version
@@ -27,7 +26,7 @@ _MANY = 3
 
 
 @click.command(cls=Command, name="describe")
-@click.argument("element", shell_complete=completing.places)
+@click.argument("element", shell_complete=options.places)
 @sdf_version("The version of SDFormat to describe", name="version")
 @formatted("Text to read, or JSON.", "text", "json")
 @written()

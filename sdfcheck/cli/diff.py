@@ -18,7 +18,7 @@ from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.convert.change import Change
+    from sdfcheck.convert.comparison import Change
     from sdfcheck.convert.file_difference import FileDifference
 
 _SIGNS = {"added": "+", "removed": "-", "renamed": ">", "changed": "~"}

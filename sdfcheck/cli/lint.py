@@ -86,6 +86,7 @@ class Request:
     model_paths: tuple[Path, ...]
     variables: tuple[str, ...]
     exclude: tuple[Path, ...]
+    changed_since: str
     force_exclude: bool
     skip_unrelated: bool
     configuration: Configuration
@@ -143,6 +144,12 @@ class Request:
     multiple=True,
     metavar="PATH",
     help="A file or folder to leave out. May be repeated.",
+)
+@click.option(
+    "--changed-since",
+    default="",
+    metavar="REF",
+    help="Check only files that changed since a commit or branch of git, and those that name one of them.",
 )
 @click.option("--force-exclude", is_flag=True, help="Exclude also files that are named.")
 @click.option(
@@ -255,6 +262,7 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         Choice(request.select, request.extend_select or (), request.ignore or (), request.preview),
         request.target,
         exclude=request.exclude,
+        changed_since=request.changed_since,
         force_exclude=request.force_exclude,
         skip_unrelated=request.skip_unrelated,
         kind=Kind(request.kind) if request.kind else None,

@@ -15,7 +15,7 @@ from typing import NoReturn
 
 import click
 
-from sdfcheck.cli.parts.group import LazyCommand, LazyGroup
+from sdfcheck.cli.parts.command import LazyCommand, LazyGroup
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.files.regular import noting
 from sdfcheck.release import HOME, __version__

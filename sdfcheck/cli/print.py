@@ -63,7 +63,7 @@ def print_command(**given: Any) -> int:
     snapping is asked for, the result is compared with the source, robot with robot.
     """
     from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
-    from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
+    from sdfcheck.convert.rewrite.tidy import NumberStyle
 
     surroundings = around(given)
     request = Request(**given)

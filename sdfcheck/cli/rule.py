@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.parts import completing
+from sdfcheck.cli.parts import options
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Command)
-@click.argument("selectors", nargs=-1, shell_complete=completing.rules, required=True, metavar="RULE...")
+@click.argument("selectors", nargs=-1, shell_complete=options.rules, required=True, metavar="RULE...")
 @formatted("Pages to read, or JSON.", "text", "json")
 @written()
 @configured

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import click
 
-from sdfcheck.cli.parts import completing
+from sdfcheck.cli.parts import options
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sim_kind import SimKind
+from sdfcheck.convert.simulation import SimKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
@@ -28,7 +28,7 @@ VERSION = 1
 
 
 @click.command(cls=Command)
-@click.argument("selectors", nargs=-1, shell_complete=completing.rules, metavar="[RULES]...")
+@click.argument("selectors", nargs=-1, shell_complete=options.rules, metavar="[RULES]...")
 @formatted("A table to read, or JSON.", "text", "json")
 @written()
 @configured

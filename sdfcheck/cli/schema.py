@@ -8,10 +8,9 @@ import click
 from click.core import ParameterSource
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import PATH, formatted, require_file, written
+from sdfcheck.cli.parts.options import PATH, formatted, require_file, sdf_version, written
 from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
-from sdfcheck.cli.parts.version import sdf_version
 from sdfcheck.files.regular import note_read, read_named
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.wrong_usage import WrongUsage

@@ -34,9 +34,7 @@ def server_command(tcp: bool, host: str, port: int, stdio: bool) -> int:
         if (error.name or "").partition(".")[0] not in {"pygls", "lsprotocol"}:
             raise
         raise WrongUsage("the language server needs pygls: pip install 'sdfcheck[lsp]'") from None
-    gc.set_threshold(
-        2_000_000, 2, 2
-    )  # the worker collects garbage in pauses; this is for sessions without any
+    gc.set_threshold(200_000, 3, 2)  # the worker collects garbage in pauses; this is for sessions without any
     gc.freeze()
     logging.getLogger("pygls").setLevel(logging.CRITICAL)  # what matters is sent to the client
     server = make_server()

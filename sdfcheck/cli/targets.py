@@ -100,7 +100,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    kind = sniff(read_named(file), file)
+    kind = sniff(read_named(file, around.settings_for(file).size_limit), file)
     if kind in _FOREIGN:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
     return matrix(done, kind, file, consumers)

@@ -17,20 +17,19 @@ from typing import TYPE_CHECKING
 from sdfcheck.formats.urdf.table import settings
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import Origin, Triple, origin_in, urdf_number
-from sdfcheck.robot.parts.inertial import MOMENTS
 from sdfcheck.robot.parts.solids import Moments
-from sdfcheck.robot.values import lazy
+from sdfcheck.robot.values import MOMENTS, lazy
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.robot.parts.sensor import Sensor
     from sdfcheck.robot.parts.shape import Shape
-    from sdfcheck.source.element import Element
+    from sdfcheck.source.document import Element
 
 WORLD = "world"
 LEAST = 1e-6

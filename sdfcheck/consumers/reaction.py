@@ -18,7 +18,7 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.consumers.gazebo import GazeboRobot
     from sdfcheck.formats.vendor.definitions import Effect
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model
 
 
 class Consumer(Enum):

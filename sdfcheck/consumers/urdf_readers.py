@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, refuses, warns
 from sdfcheck.formats.urdf.table import extension
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 from sdfcheck.source.sniff import Kind
 
 _NAMING = frozenset(("name", "link", "joint", "type", "reference", "filename"))

@@ -9,7 +9,7 @@ from sdfcheck.convert.loss import Loss, LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.obstacles import refusals
-from sdfcheck.robot.access.load import as_text, load, parse
+from sdfcheck.robot.load import as_text, load, parse
 from sdfcheck.robot.root import Root
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage

@@ -14,11 +14,19 @@ from pathlib import PurePosixPath
 
 import numpy as np
 
-from sdfcheck.convert.change import Change, ChangeKind
-from sdfcheck.convert.contents.difference import Settings
+from sdfcheck.convert.comparison import Change, ChangeKind
+from sdfcheck.convert.contents.comparison import SettingsDiff
 from sdfcheck.convert.contents.entry import Contents
-from sdfcheck.convert.rewrite.reframing import reframed
-from sdfcheck.convert.rewrite.renaming import Names, Shapes, carriers, filled, same_names, same_pose, seat
+from sdfcheck.convert.rewrite.matching import (
+    Names,
+    Shapes,
+    carriers,
+    filled,
+    reframed,
+    same_names,
+    same_pose,
+    seat,
+)
 from sdfcheck.convert.verify import TOLERANCE, Correspondence, Counterpart, verify
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
@@ -43,7 +51,7 @@ def compare(
     comparison = _Comparison(a, b, across_formats, tolerance)
     found = list(comparison.run())
     if contents is not None:
-        settings = Settings(
+        settings = SettingsDiff(
             contents, comparison.names, tolerance, moved=comparison.moved, across_formats=across_formats
         )
         found += settings.run(comparison.shapes)

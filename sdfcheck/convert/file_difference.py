@@ -6,17 +6,16 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdfcheck.convert.change import Change, ChangeKind
+from sdfcheck.convert.comparison import Change, ChangeKind
 from sdfcheck.convert.contents.entry import Contents, divergences
 from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.difference import compare, pose_texts
-from sdfcheck.convert.items import models
-from sdfcheck.convert.rewrite.reframing import shifted_model
-from sdfcheck.convert.rewrite.renaming import same_pose
+from sdfcheck.convert.ledger import models
+from sdfcheck.convert.rewrite.matching import same_pose, shifted_model
 from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
 from sdfcheck.convert.verify import TOLERANCE
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import written_pose

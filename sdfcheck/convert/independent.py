@@ -17,7 +17,7 @@ import numpy as np
 
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, ask
 from sdfcheck.consumers.engines.staging import Stage
-from sdfcheck.convert.verification import Difference
+from sdfcheck.convert.comparison import Difference
 from sdfcheck.robot.motion.kinematics import degrees_of_freedom, link_poses, with_followers
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Mechanism
@@ -131,7 +131,7 @@ def _robot(answer: Answer | None, own: Mechanism, configurations: Sequence[Mappi
     if answer is None:
         return _of_mechanism(own, configurations)
     if "sdf" in answer.result:
-        from sdfcheck.robot.access.load import parse
+        from sdfcheck.robot.load import parse
         from sdfcheck.robot.motion.flatten import mechanism_of
 
         models = parse(answer.result["sdf"]).models

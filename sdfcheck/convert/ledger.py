@@ -1,22 +1,93 @@
-"""The books of a conversion: each item of the source, and what became of it.
-
-Items are elements, attributes, texts and comments. A writer enters what it carries, translates or
-merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so that
-nothing disappears in silence. An item that a writer should have entered is a bug of the converter,
-and is reported as such (CNV030). ``prove`` looks into the result for what is said to be carried as
-it is.
-"""
+"""The books of a conversion: each item of the source, and what became of it."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
-from sdfcheck.convert.items import belongs, is_namesake, other_shapes, part_names, shortened, shown, texts
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.element import Aside, Comment, Element, Node
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Aside, Comment, Document, Element, Node
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
+
+# The items of a source, as messages call them, and whether the format has them where they are.
+
+
+_SHOWN = 30
+_NAMED = frozenset({"joint", "link"})
+"""Parts that share the names of a model."""
+
+
+def models(document: Document) -> list[Model]:
+    """The models at the top of a file and of its worlds, in document order."""
+    tops = ((top,) if isinstance(top, Model) else top.nodes.values() for top in root_of(document).scopes)
+    return [node for nodes in tops for node in nodes if isinstance(node, Model) and node.is_readable]
+
+
+def belongs(element: Element) -> bool:
+    """Does the format have an element of that name at that place?"""
+    if element.document.kind is Kind.URDF:
+        from sdfcheck.formats.urdf.misspellings import definition as urdf_definition
+
+        return urdf_definition(element) is not None
+    from sdfcheck.formats.sdf.schema import Definition, schema
+    from sdfcheck.formats.sdf.version import NEWEST
+
+    names = [each.name for each in (element, *element.around)]
+    definition: Definition | None = schema(NEWEST).root
+    for name in reversed(names[:-1]):
+        definition = definition.children.get(name) if definition is not None else None
+    return definition is not None
+
+
+def texts(element: Element) -> Iterator[str]:
+    """The texts right in an element that are not blank."""
+    found = (element.text, *(node.tail for node in element.nodes))
+    return (text for text in found if text and not text.isspace())
+
+
+def shortened(text: str) -> str:
+    """The beginning of a text, on one line."""
+    words = " ".join(text.split())
+    return words if len(words) <= _SHOWN else f"{words[:_SHOWN]}…"
+
+
+def shown(element: Element) -> str:
+    """The name of an element in a sentence, with its value if that is short, and its parent."""
+    text = element.content
+    value = ""
+    if text and len(text) <= _SHOWN and next(element.children(), None) is None:
+        value = f" ({text})"
+    where = f" in {element.parent.title}" if element.parent is not None else ""
+    return f"{element.title}{value}{where}"
+
+
+def other_shapes(element: Element) -> list[Element]:
+    """The shapes beside a shape in its geometry, which can have one; empty for any other element."""
+    at = element.parent
+    return (
+        [child for child in at.children() if child is not element]
+        if at is not None and at.name == "geometry"
+        else []
+    )
+
+
+def is_named(element: Element) -> bool:
+    """Is it a link or joint, of which a model has one of each name?"""
+    return element.name in _NAMED
+
+
+# The books of a conversion: each item of the source, and what became of it.
+#
+# Items are elements, attributes, texts and comments. A writer enters what it carries, translates or
+# merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so that
+# nothing disappears in silence. An item that a writer should have entered is a bug of the converter,
+# and is reported as such (CNV030). ``prove`` looks into the result for what is said to be carried as
+# it is.
+
 
 TEXT = "#text"
 """Among the attributes of an element: its text is its value."""
@@ -46,6 +117,8 @@ class Ledger:
         self._target = target
         self._taken: dict[Node, frozenset[str]] = {}
         """Elements and comments, with the attributes that are entered."""
+        self._names: set[str | None] = set()
+        """The names of the links and joints that are entered."""
         self._whole: set[Node] = set()
         self._lost: set[Node] = set()
         self._copied: set[Node] = set()
@@ -63,9 +136,7 @@ class Ledger:
         words.
         """
         if element is not None:
-            names = frozenset(attributes) if attributes else self._known(element)
-            before = self._taken.get(element)
-            self._taken[element] = names if before is None else before | names
+            self._enter(element, frozenset(attributes) if attributes else self._known(element))
 
     def _known(self, element: Element) -> frozenset[str]:
         """The parts of an element with a meaning: attributes, and maybe its text."""
@@ -109,15 +180,18 @@ class Ledger:
 
     def copy_attribute(self, element: Element, name: str) -> None:
         """A custom attribute is in the result under its own name."""
-        self._enter(element, name)
+        self._enter(element, frozenset((name,)))
         self._copies.append((element, name))
 
     def is_free(self, element: Element) -> bool:
         """Has nobody but copies made anything of an element?"""
         return element in self._copied or not self.is_entered(element)
 
-    def _enter(self, element: Element, attribute: str) -> None:
-        self._taken[element] = self._taken.get(element, frozenset()) | {attribute}
+    def _enter(self, element: Element, attributes: frozenset[str]) -> None:
+        before = self._taken.get(element)
+        if before is None and is_named(element):
+            self._names.add(element.get("name"))
+        self._taken[element] = attributes if before is None else before | attributes
 
     # Items that are lost
 
@@ -141,7 +215,7 @@ class Ledger:
         severity: Severity = Severity.WARNING,
     ) -> None:
         """An attribute is not in the result."""
-        self._enter(element, name)
+        self._enter(element, frozenset((name,)))
         loss = loss_at(element, kind, message, severity)
         value = element.attribute(name)
         self._report(loss if value is None else loss.at(value.name_span))
@@ -169,26 +243,25 @@ class Ledger:
 
     def is_entered(self, element: Element) -> bool:
         """Is there an outcome for an element?"""
-        return element in self._taken or self._is_within(element, self._whole | self._lost)
+        return element in self._taken or self._is_within(element, self._whole, self._lost)
 
-    def _is_within(self, node: Node, covered: set[Node]) -> bool:
+    def _is_within(self, node: Node, *covered: set[Node]) -> bool:
         at: Node | None = node
         while at is not None:
-            if at in covered:
+            if any(at in each for each in covered):
                 return True
             at = at.parent
         return False
 
     def close(self, root: Element) -> None:
         """Report what is below a root (itself included) and has no outcome."""
-        names = part_names(self._taken)
         waiting = [root]
         while waiting:
             element = waiting.pop()
             if element in self._whole:
                 continue
             if element not in self._taken and element not in self._lost:
-                self._leave(element, names)
+                self._leave(element)
             if element in self._lost:
                 self._report_custom(element)
                 continue
@@ -214,7 +287,7 @@ class Ledger:
             if found[name] < 0:
                 self.forget(element, f"`{name}` of {element.title} is not in the result")
 
-    def _leave(self, element: Element, names: frozenset[str | None]) -> None:
+    def _leave(self, element: Element) -> None:
         """Nobody entered an element: the target has no word for it, or a writer forgot it."""
         if element.is_custom:
             text = f"{shown(element)} is left out: it has no place in {self._target}"
@@ -231,7 +304,10 @@ class Ledger:
         elif any(shape in self._taken for shape in other_shapes(element)):
             text = f"{shown(element)} is left out: there is another shape before it"
             self.lose(LossKind.UNSUPPORTED_GEOMETRY, element, text)
-        elif is_namesake(element, names):
+        elif (is_named(element) or element.name == "frame") and not element.get("name"):
+            text = f"{shown(element)} is left out: it has no name"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
+        elif is_named(element) and element.get("name") in self._names:
             text = f"{shown(element)} is left out: another part of the model has its name"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
         else:

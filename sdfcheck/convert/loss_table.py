@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sim_kind import SimKind
+from sdfcheck.convert.simulation import SimKind
 
 GUIDES: tuple[tuple[Path, str, type[LossKind] | type[SimKind]], ...] = (
     (Path("docs", "converting.md"), "losses", LossKind),

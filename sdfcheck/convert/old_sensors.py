@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.convert.migrate.up.operations import Operation, operations
+from sdfcheck.convert.migrate.up import Operation, operations
 from sdfcheck.convert.writer import Node
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.source.element import Comment
+from sdfcheck.source.document import Comment
 
 _SINCE = Version(1, 6)
 """From here on the noise of an imu is said for each axis."""

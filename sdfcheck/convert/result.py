@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
 from sdfcheck.convert.broken_text import guess_in
+from sdfcheck.convert.comparison import Verification
+from sdfcheck.convert.contents.comparison import SettingsProof
 from sdfcheck.convert.contents.entry import Contents, Divergence
-from sdfcheck.convert.contents.verification import Settings
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
-from sdfcheck.convert.verification import Verification
 from sdfcheck.convert.verify import Correspondence, verify
+from sdfcheck.files.uris import file_path, scheme_of
 from sdfcheck.robot.motion.mechanism import Mechanism
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Document, Element, Value, read
 from sdfcheck.source.record import Record
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.splice import Replacement, replaced
 from sdfcheck.source.text import Source
 
 
@@ -36,7 +40,7 @@ class Comparison(Record):
     def verify(self, losses: Sequence[Loss] = ()) -> Verification:
         """Compare them; what is reported as a loss need not be equal."""
         settings = (
-            Settings(*self.contents, losses, self.translated, self.copies)
+            SettingsProof(*self.contents, losses, self.translated, self.copies)
             if self.contents is not None
             else None
         )
@@ -119,3 +123,39 @@ def conversion(
         (*losses, *custom), key=lambda loss: (loss.span.source.path.as_posix(), loss.span.start, loss.message)
     )
     return Conversion(text, document, tuple(ordered), tuple(comparisons), done)
+
+
+# Relative paths of a result, written for the folder that it goes to.
+
+
+def seen_from(done: Conversion, source: Path, target: Path) -> str:
+    """The text of a result, with meshes, textures and included files named as seen from the folder ``target``."""
+    return replaced(done.text, relative_edits(done, source, target))
+
+
+def relative_edits(done: Conversion, source: Path, target: Path) -> list[Replacement]:
+    """The edits by which files are named as seen from the folder ``target``.
+
+    They were named as seen from ``source``. Only what is there is written otherwise:
+    simulators also look for a relative path in folders that their environment names.
+    """
+    if os.path.realpath(source) == os.path.realpath(target):
+        return []
+    root = root_of(done.document)
+    values = [named.uri_value for named in (*root.resources, *root.includes)]
+    edits = (edit for value in values if value is not None and (edit := _edit(value, source, target)))
+    return sorted(set(edits))
+
+
+def _edit(value: Value, source: Path, target: Path) -> Replacement | None:
+    uri = value.text.strip()
+    scheme = scheme_of(uri)
+    path = file_path(uri) if scheme == "file" else uri
+    if scheme not in {"", "file"} or not path or os.path.isabs(path) or not (source / path).exists():
+        return None
+    span = value.span
+    if span.text.strip() != uri:
+        return None  # spelled with references such as `&amp;`
+    moved = Path(relative_path(source / path, target)).as_posix()
+    start = span.start + len(span.text) - len(span.text.lstrip())
+    return start, start + len(uri), f"file://{moved}" if scheme else moved

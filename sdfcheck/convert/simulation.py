@@ -1,9 +1,4 @@
-"""Lets a robot run in simulators, and says what goes wrong, at its place in the text.
-
-A simulator gets each model as URDF without visuals, with meshes found by us; SDFormat is converted.
-Its measurements (:mod:`sdfcheck.consumers.engines.behavior`) become findings of the family SIM.
-Its own doings (convex hulls, masses that it invents) are named as such.
-"""
+"""Lets a robot run in simulators, and reports what goes wrong, at its place in the text."""
 
 from __future__ import annotations
 
@@ -19,8 +14,7 @@ from lxml import etree
 
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question, ask_all
 from sdfcheck.consumers.engines.staging import Stage
-from sdfcheck.convert.loss import NotConvertible
-from sdfcheck.convert.sim_kind import SimKind
+from sdfcheck.convert.loss import FindingKind, NotConvertible
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
@@ -33,10 +27,51 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
-    from sdfcheck.source.document import Document
-    from sdfcheck.source.element import Element
+    from sdfcheck.robot.graph import Model
+    from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
+
+
+# The kinds of finding of simulations.
+
+
+class SimKind(FindingKind):
+    """The kinds of finding: name, code, what happens and why it matters. Neither name nor code is ever reused."""
+
+    NOT_LOADED = "SIM001 The simulator does not load the robot, or ends while it does."
+    OTHER_MASS = (
+        "SIM002 A link has other mass properties in the simulator than in the text, such as the 1 kg that "
+        "PyBullet gives to links without mass."
+    )
+    OTHER_JOINT = "SIM003 A joint is not in the simulator, or has another range there than in the text."
+    START_OVERLAP = (
+        "SIM004 Two links that are not neighbors overlap where the robot starts, so that the simulator "
+        "pushes them apart or locks them."
+    )
+    UNSTABLE = (
+        "SIM005 The robot gains energy from nothing, or its positions are not finite: mass, inertia or "
+        "joints are not those of a body."
+    )
+    STEP_DEPENDENT = "SIM006 The robot moves differently with half and double the time step."
+    COLLIDING_JOINT = "SIM007 A joint moves one part into another within its range."
+    WEAK_JOINT = "SIM008 A joint cannot hold the robot against gravity with its effort."
+    TIPPING = (
+        "SIM009 A robot with wheels does not stay upright, or does not touch the ground with its wheels."
+    )
+    ENGINES_DISAGREE = "SIM010 Two simulators let the robot fall differently."
+    LEFT_OUT = "SIM011 A part of the robot is not simulated, as the simulator cannot read it."
+
+    @property
+    def is_grave(self) -> bool:
+        return self in {SimKind.NOT_LOADED, SimKind.UNSTABLE}
+
+
+# Lets a robot run in simulators, and says what goes wrong, at its place in the text.
+#
+# A simulator gets each model as URDF without visuals, with meshes found by us; SDFormat is converted.
+# Its measurements (:mod:`sdfcheck.consumers.engines.behavior`) become findings of the family SIM.
+# Its own doings (convex hulls, masses that it invents) are named as such.
+
 
 _MESHES = {
     Engine.MUJOCO: (".stl", ".obj", ".msh"),

@@ -10,8 +10,7 @@ from sdfcheck.consumers.reaction import READS, Consumer, Verdict
 from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.obstacles import OWN_CONSUMER
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""

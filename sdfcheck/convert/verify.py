@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
+from sdfcheck.convert.comparison import Difference, Verification
+from sdfcheck.convert.contents.comparison import Counterparts, SettingsProof
 from sdfcheck.convert.contents.entry import Divergence
-from sdfcheck.convert.contents.verification import Counterparts, Settings
 from sdfcheck.convert.nearby import Nearby
-from sdfcheck.convert.verification import Difference, Verification
 from sdfcheck.robot.motion.kinematics import (
     Bodies,
     Positions,
@@ -82,7 +82,7 @@ def verify(
     result: Mechanism,
     correspondence: Correspondence | None = None,
     *,
-    settings: Settings | None = None,
+    settings: SettingsProof | None = None,
     configurations: int = CONFIGURATIONS,
     tolerance: float = TOLERANCE,
 ) -> Verification:
@@ -109,7 +109,7 @@ class _Comparison:
         self.shapes: list[Counterparts] = []
         self.custom: list[Divergence] = []
 
-    def run(self, configurations: int, settings: Settings | None) -> Verification:
+    def run(self, configurations: int, settings: SettingsProof | None) -> Verification:
         missing = [name for name in self.compared if self.to.link(name).link not in self.result.links]
         for name in missing:
             self.differ("link", name, "is missing")
@@ -134,13 +134,13 @@ class _Comparison:
             tuple(self.custom),
         )
 
-    def counts(self, settings: Settings | None) -> dict[str, int]:
+    def counts(self, settings: SettingsProof | None) -> dict[str, int]:
         """The parts that were compared in addition to links."""
         joints = sum(name not in self.to.dropped_joints for name in self.source.joints)
         others = settings.source.count() if settings is not None else {}
         return {"joint": joints, "shape": len(self.shapes), **dict(sorted(others.items()))}
 
-    def compare_settings(self, settings: Settings) -> None:
+    def compare_settings(self, settings: SettingsProof) -> None:
         links = {name: self.to.link(name).link for name in self.compared}
         joints = {
             name: self.to.joint(name) for name in self.source.joints if name not in self.to.dropped_joints

@@ -6,7 +6,7 @@ import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from pathlib import Path
 
-from sdfcheck.source.element import Comment, Element
+from sdfcheck.source.document import Comment, Element
 from sdfcheck.source.references import IN_ATTRIBUTE, escape
 from sdfcheck.source.wrong_usage import WrongUsage
 

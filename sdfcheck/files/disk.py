@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import TypeVar, cast
 
 T = TypeVar("T")
+_NO_NAMES = frozenset({"", os.curdir, os.pardir})
 
 
 class Disk:
@@ -25,7 +26,7 @@ class Disk:
         key = (compute, folder)
         if key not in self._views:
             self._views[key] = compute(folder, self)
-        return cast(T, self._views[key])
+        return cast("T", self._views[key])
 
     def has(self, path: str) -> bool:
         """Is there a file or folder?"""
@@ -37,13 +38,24 @@ class Disk:
     def real(self, path: str | os.PathLike[str]) -> str:
         """The absolute path without symbolic links; folders on the way are followed once."""
         folder, name = os.path.split(path)
-        if name in {"", os.curdir, os.pardir}:
+        if name in _NO_NAMES:
             return os.path.realpath(path)
-        above = self._real.get(folder)
-        if above is None:
-            above = self._real[folder] = os.path.realpath(folder)
-        found = os.path.join(above, name)
+        found = os.path.join(self._folder(folder), name)
         return os.path.realpath(found) if os.path.islink(found) else found
+
+    def _folder(self, folder: str) -> str:
+        below: list[tuple[str, str]] = []
+        while (found := self._real.get(folder)) is None:
+            above, name = os.path.split(folder)
+            if name in _NO_NAMES:
+                found = self._real[folder] = os.path.realpath(folder)
+            else:
+                below.append((folder, name))
+                folder = above
+        for folder, name in reversed(below):
+            plain = os.path.join(found, name)
+            found = self._real[folder] = os.path.realpath(plain) if os.path.islink(plain) else plain
+        return found
 
     def ignoring_case(self, path: str) -> str | None:
         """A path that exists and differs from this one only in the case of letters."""

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.relative import relative_path
+from sdfcheck.source.wrong_usage import WrongUsage
 
 _LOCAL_VARIABLES = frozenset(
     """
@@ -64,6 +65,46 @@ def listed(folder: Path) -> Listing | None:
         for name, why in _UNREAD.findall(done.complaints)
     ]
     return Listing(tuple(sorted(names)), tuple(unread))
+
+
+def changed_since(root: Path, reference: str) -> tuple[Path, ...]:
+    """The files of a repository that differ from what its branch left of ``reference``.
+
+    Those that are not committed, not tracked or deleted since are among them. No program that a repository
+    names runs: neither filters nor other comparisons.
+
+    Raises:
+        WrongUsage: the reference names no commit, or git has no answer.
+    """
+    commit = _git(root, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{reference}^{{commit}}")
+    if commit is None:
+        text = f"--changed-since: `{reference}` names no commit in {root}; a shallow clone may lack it"
+        raise WrongUsage(f"{text} (`git fetch --unshallow`)")
+    start = os.fsdecode(commit.output.strip())
+    left_at = _git(root, "merge-base", start, "HEAD")
+    if left_at is not None:
+        start = os.fsdecode(left_at.output.strip())
+    found: list[Path] = []
+    filters = _without_filters(root)
+    for question in (
+        ("diff-index", "--cached", "--name-only", "--no-renames", "-z", start, "--"),
+        ("diff-files", "--name-only", "-z"),
+        ("ls-files", "--others", "--exclude-standard", "-z"),
+    ):
+        done = _git(root, *filters, *question)
+        if done is None:
+            raise WrongUsage(f"--changed-since: git has no answer about {root}")
+        found += [root / os.fsdecode(name) for name in done.output.split(b"\0") if name]
+    return tuple(dict.fromkeys(found))
+
+
+def _without_filters(root: Path) -> list[str]:
+    """Options by which git runs no filter: it would for files that are as old as its index."""
+    done = _git(root, "config", "-z", "--name-only", "--get-regexp", r"^filter\..*\.(clean|process)$")
+    keys = [os.fsdecode(key) for key in done.output.split(b"\0") if key] if done is not None else []
+    filters = dict.fromkeys(key.rpartition(".")[0] for key in keys)
+    settings = [f"{each}.{key}" for each in filters for key in ("clean=", "process=", "required=false")]
+    return [word for setting in settings for word in ("-c", setting)]
 
 
 def _has_odd_ignores(folder: Path, root: Path) -> bool:

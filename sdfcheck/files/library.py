@@ -220,7 +220,7 @@ class Library:
         key = (view, packages.root)
         if key not in self._projects:
             self._projects[key] = view(packages)
-        return cast(T, self._projects[key])
+        return cast("T", self._projects[key])
 
     def forget(self) -> None:
         """Read files anew when they are asked for next; what packages there are is remembered."""

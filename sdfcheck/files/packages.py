@@ -30,7 +30,7 @@ def project_root(path: Path) -> Path:
 
     Without either it is the current folder if the file lies below it, else the folder
     above the outermost ``package.xml``, else the one above the file's own. The home
-    folder and what is above it never count.
+    folder, the one of temporary files and what is above them never count.
     """
     own = list(_folders_around(os.path.abspath(path)))
     for folder in own:
@@ -51,13 +51,23 @@ def project_root(path: Path) -> Path:
 
 
 def _folders_around(file: str) -> Iterator[str]:
-    """The folders that a file is in, the innermost first, but for the home folder and what is above it."""
-    home = os.path.join(os.path.expanduser("~"), "")
+    """The folders that a file is in, the innermost first, but for those that everyone's files share."""
+    shared = [os.path.join(folder, "") for folder in (os.path.expanduser("~"), *_temporary())]
     folder, above = os.path.dirname(file), ""
     while folder != above:
-        if not home.startswith(os.path.join(folder, "")):
+        own = os.path.join(folder, "")
+        if not any(one.startswith(own) for one in shared):
             yield folder
         folder, above = os.path.dirname(folder), folder
+
+
+def _temporary() -> Iterator[str]:
+    """The folders of temporary files, without the module that makes such files: it takes long to load."""
+    for name in ("TMPDIR", "TEMP", "TMP"):
+        if folder := os.environ.get(name):
+            yield os.path.abspath(folder)
+    if os.name == "posix":
+        yield from ("/tmp", "/var/tmp")
 
 
 class Packages:
@@ -251,6 +261,14 @@ def _folders(root: Path) -> Iterator[Path]:
             reverse=True,
         )
         yield Path(folder)
+
+
+def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
+    """The folder and the name of the package that a file is in, by the nearest ``package.xml`` above it."""
+    for folder in _folders_around(os.path.abspath(path)):
+        if name := _package_name(Path(folder, "package.xml")):
+            return folder, name
+    return None
 
 
 def _package_name(path: Path) -> str:

@@ -20,6 +20,11 @@ MEGABYTE = 1024 * 1024
 SIZE_LIMIT = 256 * MEGABYTE
 """Larger files are not read, unless the configuration says otherwise."""
 
+
+class Configured(int):
+    """A limit, in bytes, that the configuration sets (``max-file-size``)."""
+
+
 _LONGEST_CHAIN = 40
 """So many symbolic links are followed, as by Linux."""
 
@@ -249,7 +254,8 @@ def _kind(status: os.stat_result) -> str:
 
 def _too_large(path: Path, limit: int) -> Unfit:
     size = f"{limit} bytes" if limit % MEGABYTE else f"{limit // MEGABYTE} MB"
-    return Unfit(path, f"larger than {size} (`max-file-size` in the configuration)")
+    hint = " (`max-file-size` in the configuration)" if isinstance(limit, Configured) else ""
+    return Unfit(path, f"larger than {size}{hint}")
 
 
 def descriptor(path: Path) -> int | None:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Hashable
 
 from sdfcheck.formats.sdf.problems import RemovedElement, RepeatedElement, UnknownAttribute
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 
 MOST = 10
 """So many unknown attributes of one element are reported one by one."""

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.schema import Definition
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:

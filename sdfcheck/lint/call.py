@@ -12,7 +12,7 @@ from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.select import Choice, check_targets
 from sdfcheck.lint.session import Options, run
-from sdfcheck.robot.access.load import as_text
+from sdfcheck.robot.load import as_text
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor

@@ -11,21 +11,18 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.obstacles import errors
-from sdfcheck.robot.access.load import Unreadable, as_text, load, parse
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model, Part, Scope
+from sdfcheck.robot.load import Unreadable, as_text, load, parse
 from sdfcheck.robot.naming.occurrences import name_refusal, node_names, taken_by
-from sdfcheck.robot.part import Part
-from sdfcheck.robot.scope import Scope
 from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.splice import replaced, splice
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.graph import Node, World
     from sdfcheck.robot.root import Root
-    from sdfcheck.robot.world import World
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span
 
 Writable = str | bool | float | Iterable[float]

@@ -13,14 +13,13 @@ from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import EXTENSION, RuleFacts, reactions
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.lint.subjects import OF_VENDORS, Subjects, is_extension
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.document import problems as text_problems
-from sdfcheck.source.element import Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.graph import Part
     from sdfcheck.xacro.expansion import Expander
 
 INTERNAL_ERROR = RuleFacts(

@@ -6,10 +6,9 @@ from collections.abc import Iterable, Mapping
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, explain, lint_document, look_at
-from sdfcheck.lint.fold import fold, said_once, settle
+from sdfcheck.lint.fold import fold, settle, without_repeats
 from sdfcheck.robot.includes.macros import parts_in_macros
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.prepare import prepare
 from sdfcheck.xacro.static.macro_survey import Bodies
@@ -33,7 +32,7 @@ def lint_xacro(
     for expanded in prepared.partial:
         if expanded.root is not None:
             found += settle(_lint_pieces(expanded, [expanded.root], dispatch), expanded, document)
-    return said_once(fold(found))
+    return without_repeats(fold(found))
 
 
 def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispatch) -> list[Diagnostic]:

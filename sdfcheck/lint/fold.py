@@ -53,7 +53,7 @@ def _with_values(diagnostic: Diagnostic, file: Document) -> Diagnostic:
     value: str | None = getattr(span, "value", None)
     if value is None:
         return diagnostic
-    from sdfcheck.xacro.givers import givers
+    from sdfcheck.xacro.value_sources import givers
 
     found = givers(span, getattr(span, "origins", ()), file)
     message, code = diagnostic.message.replace(span.text, value), f"`{span.text}`"
@@ -104,7 +104,7 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
     return first._replace(message=message, fix=first.fix if same_fix else None)
 
 
-def said_once(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
+def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The diagnostics of a run, each defect once, also where it is in a file that others include.
 
     A defect that several files reach is reported with its highest severity. A consequence is left out

@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.fix import Fix
     from sdfcheck.lint.run import RuleFacts
     from sdfcheck.lint.source_file import FileResult
-    from sdfcheck.lint.suppress.comments import Comment
-    from sdfcheck.lint.suppress.directives import Directive
+    from sdfcheck.lint.suppress.directives import Comment, Directive
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander, Surroundings
 
@@ -69,16 +68,19 @@ class Caches:
             from sdfcheck.lint.engine import Xacro
 
             return Xacro(None, ())
-        from sdfcheck.xacro.expansion import Expander
-
         key = settings.search, settings.env
         if key not in self._expanders:
-            self._expanders[key] = Expander(self._surroundings(settings))
+            self._expanders[key] = self._expander(self._surroundings(settings))
             self._expanders[key].start()
         from sdfcheck.lint.engine import Xacro
 
         sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
         return Xacro(self._expanders[key], tuple(dict(given) for given in sets))
+
+    def _expander(self, surroundings: Surroundings) -> Expander:
+        from sdfcheck.xacro.expansion import Expander
+
+        return Expander(surroundings)
 
     def _surroundings(self, settings: Settings) -> Surroundings:
         from sdfcheck.xacro.expansion import Surroundings
@@ -179,7 +181,7 @@ def _silence(
 
 def _without_fixes_of(comments: Sequence[Comment], found: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
     """The diagnostics; no fix of theirs changes a comment for sdfcheck."""
-    from sdfcheck.lint.suppress.comments import touched
+    from sdfcheck.lint.suppress.directives import touched
 
     def is_free(fix: Fix) -> bool:
         own = (edit.span for edit in fix.edits if comments and edit.span.source is comments[0].span.source)
@@ -207,7 +209,7 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
         start = bisect_left(document.scan.starts, target.start)
         end = document.scan.close_ends[start]
         subjects = Subjects(facts.looks_at, facts.selects, ()).of(document)
-        spans = (span_of(cast(Target, subject)) for subject in subjects)
+        spans = (span_of(cast("Target", subject)) for subject in subjects)
         return not any(target.start <= span.start < end for span in spans)
 
     return is_idle
@@ -223,7 +225,7 @@ def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
     }
     if not sources:
         return []
-    from sdfcheck.lint.suppress.comments import comments
+    from sdfcheck.lint.suppress.directives import comments
     from sdfcheck.source.scanner.full_scan import scan
 
     return [comment for source in sources for comment in comments(source, scan(source))]

@@ -9,11 +9,11 @@ from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
 from sdfcheck.formats.near_names import question
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, Origin, Severity
 from sdfcheck.lint.example import Bad, Good
-from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Fix, TextEdit
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.source.element import Element
+    from sdfcheck.source.document import Element
 
 
 class Placed(Protocol):
@@ -121,7 +121,7 @@ def span_of(target: Target) -> Span:
 
 def replace(target: Target, text: str, title: str, *, unsafe: bool = False) -> Fix:
     """A fix that replaces what ``target`` points at."""
-    return make_fix(title, (Edit(span_of(target), text),), unsafe=unsafe)
+    return make_fix(title, (TextEdit(span_of(target), text),), unsafe=unsafe)
 
 
 def write_instead(name: str | None, *targets: Target) -> Fix | None:
@@ -131,7 +131,7 @@ def write_instead(name: str | None, *targets: Target) -> Fix | None:
     """
     if not name or set(name) & set("<>&\"'"):
         return None
-    return make_fix(f"write `{name}`", tuple(Edit(span_of(one), name) for one in targets), unsafe=True)
+    return make_fix(f"write `{name}`", tuple(TextEdit(span_of(one), name) for one in targets), unsafe=True)
 
 
 def rename(name: str | None, *elements: Element, unsafe: bool = True) -> Fix | None:
@@ -139,7 +139,7 @@ def rename(name: str | None, *elements: Element, unsafe: bool = True) -> Fix | N
     if not name:
         return None
     edits = [
-        Edit(span, name)
+        TextEdit(span, name)
         for one in elements
         for span in (one.span, one.document.spans.end_name(one))
         if span is not None
@@ -147,6 +147,6 @@ def rename(name: str | None, *elements: Element, unsafe: bool = True) -> Fix | N
     return make_fix(f"rename it to `{name}`", tuple(edits), unsafe=unsafe)
 
 
-def make_fix(title: str, edits: tuple[Edit, ...], *, unsafe: bool = False) -> Fix:
+def make_fix(title: str, edits: tuple[TextEdit, ...], *, unsafe: bool = False) -> Fix:
     """A fix of several edits."""
     return Fix(title, edits, Applicability.UNSAFE if unsafe else Applicability.SAFE)

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, Xacro, lint_document
 from sdfcheck.lint.fold import fold, settle
-from sdfcheck.robot.semantics.find import semantics_in
 from sdfcheck.robot.semantics.robots import find_robots
+from sdfcheck.robot.semantics.semantics import semantics_in
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.sniff import Kind
 

@@ -84,6 +84,8 @@ class Options(NamedTuple):
     variables: tuple[str, ...] = ()
     exclude: tuple[Path, ...] = ()
     """Files and folders that are left out, also where they are named."""
+    changed_since: str = ""
+    """A commit of git: only files are linted that a change since then can affect."""
 
     def settings_for(self, path: Path) -> Settings:
         """The settings of a file, with what the caller adds."""
@@ -211,9 +213,9 @@ def joined(parts: Sequence[Part]) -> Run:
     for reported, _ in foreign.values():
         diagnostics += reported
     if diagnostics:
-        from sdfcheck.lint.fold import said_once
+        from sdfcheck.lint.fold import without_repeats
 
-        diagnostics = sorted(said_once(diagnostics), key=lambda diagnostic: diagnostic.sort_key)
+        diagnostics = sorted(without_repeats(diagnostics), key=lambda diagnostic: diagnostic.sort_key)
     rules = {code: facts for part in parts for code, facts in part.rules.items()}
     return Run(
         tuple(diagnostics),
@@ -258,6 +260,10 @@ def find(paths: Sequence[Path], options: Options) -> Found:
     if left_out:
         files = tuple(file for file in found.files if not is_left_out(file.path))
         found = found._replace(files=files)
+    if options.changed_since:
+        from sdfcheck.files.changed import only_affected
+
+        found = found._replace(files=only_affected(found.files, paths, options.changed_since))
     if options.stdin is None:
         return found
     if options.force_exclude and exclude(options.stdin_path):

@@ -15,7 +15,7 @@ from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Library
-    from sdfcheck.lint.suppress.comments import Comment
+    from sdfcheck.lint.suppress.directives import Comment
 
 
 class FileResult(NamedTuple):
@@ -46,7 +46,7 @@ def lint_source(
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
     if document.kind is Kind.URDF and library is not None:
-        from sdfcheck.xacro.fragment import is_fragment
+        from sdfcheck.xacro.prepare import is_fragment
 
         if is_fragment(document):
             document, is_own = read(data, path, Kind.XACRO), True
@@ -73,7 +73,7 @@ def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = Fa
     source = document.source
     if "sdfcheck:" not in source.text or document.root is None:
         return FileResult(diagnostics)
-    from sdfcheck.lint.suppress.comments import comments, includes
+    from sdfcheck.lint.suppress.directives import comments, includes
 
     whole = [source.span(0, len(source.text))]
     outward = whole if open else includes(source, document.scan)

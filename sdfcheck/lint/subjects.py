@@ -8,19 +8,18 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.graph import Part
 
 OF_TEXT: dict[str, tuple[Kind | None, str]] = {
     "ModelConfig": (Kind.MODEL_CONFIG, "sdfcheck.robot.includes.model_config:model_configs"),
     "Prefix": (None, "sdfcheck.formats.namespaces:prefixes"),
     "PrefixDeclaration": (None, "sdfcheck.formats.namespaces:declarations"),
     "PrefixedName": (None, "sdfcheck.formats.namespaces:names"),
-    "Semantics": (Kind.SRDF, "sdfcheck.robot.semantics.find:semantics_in"),
+    "Semantics": (Kind.SRDF, "sdfcheck.robot.semantics.semantics:semantics_in"),
 }
 """Class → the kind of documents that have its objects (None: all), and what finds them."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.fix import Edit
+from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lint.fix.fixer import Lint, fix_file, harmless
 from sdfcheck.lint.one_file import Selected, lint_file
 from sdfcheck.lint.suppress.add_ignores import ignoring
@@ -23,7 +23,7 @@ class Offer(NamedTuple):
 
     title: str
     diagnostic: Diagnostic
-    edits: tuple[Edit, ...]
+    edits: tuple[TextEdit, ...]
     is_fix: bool
     is_safe: bool
 
@@ -73,7 +73,7 @@ def _silences(workspace: Workspace, buffer: Buffer, diagnostic: Diagnostic) -> I
         yield Offer(f"Ignore {diagnostic.name} {where}", diagnostic, tuple(edits), False, True)
 
 
-def fix_all(workspace: Workspace, buffer: Buffer) -> list[Edit]:
+def fix_all(workspace: Workspace, buffer: Buffer) -> list[TextEdit]:
     """The edits that all safe fixes of an open text come to; none where they would do no good."""
     file, lint = _trial(workspace, buffer)
     fixed_file = fix_file(file, lint, unsafe=False)
@@ -82,7 +82,7 @@ def fix_all(workspace: Workspace, buffer: Buffer) -> list[Edit]:
     return differences(buffer.source, decode(fixed_file.after, buffer.path)[0].text)
 
 
-def differences(source: Source, after: str) -> list[Edit]:
+def differences(source: Source, after: str) -> list[TextEdit]:
     """The edits that turn a text into another, line by line."""
     from difflib import SequenceMatcher
 
@@ -99,12 +99,12 @@ def differences(source: Source, after: str) -> list[Edit]:
     start = sum(map(len, old[:same]))
     middle, other = old[same : len(old) - tail], new[same : len(new) - tail]
     if len(middle) > _LINES:
-        return [Edit(source.span(start, start + sum(map(len, middle))), "".join(other))]
+        return [TextEdit(source.span(start, start + sum(map(len, middle))), "".join(other))]
     edits = []
     places = [start]
     for line in middle:
         places.append(places[-1] + len(line))
     for kind, first, last, begin, end in SequenceMatcher(None, middle, other, autojunk=False).get_opcodes():
         if kind != "equal":
-            edits.append(Edit(source.span(places[first], places[last]), "".join(other[begin:end])))
+            edits.append(TextEdit(source.span(places[first], places[last]), "".join(other[begin:end])))
     return edits

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from json import dumps
 from typing import Any
 
 from lsprotocol import types
@@ -10,17 +11,20 @@ from lsprotocol import types
 from sdfcheck.lsp.actions import Offer, fix_all, offers
 from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.completion.item import Item, Sort
+from sdfcheck.lsp.edits import EXTRACT, Edits
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.names.index import everywhere, occurrences
-from sdfcheck.lsp.names.rename import Refused, rename
+from sdfcheck.lsp.names.index import definitions, occurrences, references
+from sdfcheck.lsp.names.rename import Target, rename, target
+from sdfcheck.lsp.names.spread import Refused
 from sdfcheck.lsp.outline import Entry, folds, links, outline, target_of
-from sdfcheck.lsp.speech import NAME, Speech
+from sdfcheck.lsp.speech import NAME, Speech, Written, plain
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence
 from sdfcheck.source.document import Document
+from sdfcheck.source.text import Source
 
 FIX_ALL = f"source.fixAll.{NAME}"
 
@@ -61,6 +65,7 @@ class Answers:
         self.workspace = workspace
         self.findings = findings
         self.speech = speech
+        self.edits = Edits(workspace, speech)
 
     def document(self, buffer: Buffer) -> Document:
         """The document of an open text, with its library."""
@@ -81,6 +86,8 @@ class Answers:
             found += map(self._action, offers(self.workspace, buffer, known, at))
         if _is_wanted(FIX_ALL, wanted):
             found += self._fix_all(buffer, asked=bool(wanted))
+        if _is_wanted(EXTRACT, wanted):
+            found += self.edits.extractions(buffer, params.range)
         return found
 
     def _action(self, offer: Offer) -> types.CodeAction:
@@ -106,6 +113,9 @@ class Answers:
 
     def resolved(self, buffer: Buffer, action: types.CodeAction) -> types.CodeAction:
         """The edits of what was offered without them."""
+        data = plain(action.data)
+        if isinstance(data, dict) and "extract" in data:
+            return self.edits.extracted(buffer, action, data["extract"])
         action.edit = self.speech.workspace_edit(fix_all(self.workspace, buffer))
         return action
 
@@ -114,7 +124,7 @@ class Answers:
     def hover(self, buffer: Buffer, params: types.HoverParams) -> types.Hover | None:
         document = self.document(buffer)
         offset = self.speech.offset(document.source, params.position)
-        found = hover(document, offset, self.findings.at(buffer.path))
+        found = hover(document, offset, self.findings.at(buffer.path), self.workspace)
         if found is None:
             return None
         content = types.MarkupContent(types.MarkupKind.Markdown, found.text)
@@ -130,39 +140,33 @@ class Answers:
         place = types.Range(
             self.speech.position(source, found.start), self.speech.position(source, found.end)
         )
-        return types.CompletionList(False, [_item(item, place, has_snippets) for item in found.items])
-
-    def symbols(self, buffer: Buffer, _: Any) -> list[types.DocumentSymbol] | list[types.SymbolInformation]:
-        entries = outline(self.document(buffer))
-        if self.speech.is_able("text_document", "document_symbol", "hierarchical_document_symbol_support"):
-            return list(map(self._symbol, entries))
-        return list(self._flat(entries, ""))
-
-    def _symbol(self, entry: Entry) -> types.DocumentSymbol:
-        return types.DocumentSymbol(
-            name=entry.name,
-            detail=entry.detail,
-            kind=_SYMBOLS.get(entry.kind, types.SymbolKind.Property),
-            range=self.speech.range(entry.whole),
-            selection_range=self.speech.range(entry.place),
-            children=list(map(self._symbol, entry.children)),
+        return types.CompletionList(
+            False, [_item(n, item, place, has_snippets) for n, item in enumerate(found.items)]
         )
 
-    def _flat(self, entries: Iterable[Entry], holder: str) -> Iterable[types.SymbolInformation]:
+    def symbols(self, buffer: Buffer, _: Any) -> Written | list[types.SymbolInformation]:
+        entries = outline(buffer.source)
+        if self.speech.is_able("text_document", "document_symbol", "hierarchical_document_symbol_support"):
+            places = self.speech.written_places(buffer.source)
+            return Written(f"[{','.join(_symbol(entry, places) for entry in entries)}]")
+        return list(self._flat(buffer.source, entries, ""))
+
+    def _flat(
+        self, source: Source, entries: Iterable[Entry], holder: str
+    ) -> Iterable[types.SymbolInformation]:
         for entry in entries:
             kind = _SYMBOLS.get(entry.kind, types.SymbolKind.Property)
-            yield types.SymbolInformation(
-                self.speech.location(entry.place), entry.name, kind, container_name=holder
-            )
-            yield from self._flat(entry.children, entry.name)
+            place = self.speech.location(source.span(*entry.place))
+            yield types.SymbolInformation(place, entry.name, kind, container_name=holder)
+            yield from self._flat(source, entry.children, entry.name)
 
-    def folds(self, buffer: Buffer, _: Any) -> list[types.FoldingRange]:
-        return [
-            types.FoldingRange(
-                fold.first, fold.last, kind=types.FoldingRangeKind.Comment if fold.is_comment else None
-            )
-            for fold in folds(self.document(buffer))
-        ]
+    def folds(self, buffer: Buffer, _: Any) -> Written:
+        kinds = {True: ',"kind":"comment"', False: ""}
+        written = (
+            f'{{"startLine":{first},"endLine":{last}{kinds[is_comment]}}}'
+            for first, last, is_comment in folds(self.document(buffer))
+        )
+        return Written(f"[{','.join(written)}]")
 
     def links(self, buffer: Buffer, _: Any) -> list[types.DocumentLink]:
         return [
@@ -215,13 +219,17 @@ class Answers:
         document = self.document(buffer)
         return occurrences(document).at(self.speech.offset(document.source, position))
 
-    def definition(self, buffer: Buffer, params: types.DefinitionParams) -> types.Location | None:
+    def definition(
+        self, buffer: Buffer, params: types.DefinitionParams
+    ) -> types.Location | list[types.Location] | None:
         from sdfcheck.lsp.cursor import at
 
-        named = self.named(buffer, params.position)
-        if named is not None:
-            return self.speech.location(named.symbol.span)
         document = self.document(buffer)
+        named = self.named(buffer, params.position)
+        found = [] if named is None else definitions(self.workspace, document, named)
+        if found:
+            places = list(map(self.speech.location, found))
+            return places if len(places) > 1 else places[0]
         cursor = at(document, self.speech.offset(document.source, params.position))
         target = None if cursor is None or cursor.value is None else target_of(document, cursor.value)
         if target is None:
@@ -233,7 +241,7 @@ class Answers:
         named = self.named(buffer, params.position)
         if named is None:
             return None
-        found = everywhere(self.workspace, self.document(buffer), named.symbol)
+        found = references(self.workspace, self.document(buffer), named)
         wanted = [each for each in found if params.context.include_declaration or not each.is_definition]
         return [self.speech.location(each.span) for each in wanted]
 
@@ -252,34 +260,61 @@ class Answers:
 
     def prepared(
         self, buffer: Buffer, params: types.PrepareRenameParams
-    ) -> types.PrepareRenamePlaceholder | None:
-        named = self.named(buffer, params.position)
-        if named is None:
+    ) -> types.PrepareRenamePlaceholder | Refused | None:
+        found = self._target(buffer, params.position)
+        if isinstance(found, Refused):
+            return found
+        if found is None:
             return None
-        return types.PrepareRenamePlaceholder(self.speech.range(named.span), named.symbol.name)
+        piece = found.piece
+        shown = found.named.symbol.name if piece == found.named.span else piece.text
+        return types.PrepareRenamePlaceholder(self.speech.range(piece), shown)
 
     def rename(self, buffer: Buffer, params: types.RenameParams) -> types.WorkspaceEdit | Refused:
-        named = self.named(buffer, params.position)
-        if named is None:
+        self.workspace.look_again(buffer)
+        found = self._target(buffer, params.position)
+        if isinstance(found, Refused):
+            return found
+        if found is None:
             return Refused("there is nothing with a name here")
         try:
-            edits = rename(self.workspace, self.document(buffer), named, params.new_name)
+            edits = rename(self.workspace, self.document(buffer), found.named, params.new_name, found.piece)
             return self.speech.workspace_edit(edits)
         except Refused as refusal:
             return refusal
+
+    def _target(self, buffer: Buffer, position: types.Position) -> Target | Refused | None:
+        document = self.document(buffer)
+        try:
+            return target(document, self.speech.offset(document.source, position))
+        except Refused as refusal:
+            return refusal
+
+
+def _symbol(entry: Entry, places: Callable[[int, int], str]) -> str:
+    """A part of the outline with its own parts, as the protocol writes it."""
+    kind = int(_SYMBOLS.get(entry.kind, types.SymbolKind.Property))
+    children = ",".join([_symbol(child, places) for child in entry.children])
+    name = f'"{entry.name}"' if entry.name.isidentifier() else dumps(entry.name)
+    detail = f'"{entry.detail}"' if entry.detail.isidentifier() else dumps(entry.detail)
+    return (
+        f'{{"name":{name},"detail":{detail},"kind":{kind},'
+        f'"range":{places(entry.start, entry.end)},"selectionRange":{places(*entry.place)},'
+        f'"children":[{children}]}}'
+    )
 
 
 def _is_wanted(kind: str, wanted: list[str]) -> bool:
     return not wanted or any(kind == each or kind.startswith(f"{each}.") for each in wanted)
 
 
-def _item(item: Item, place: types.Range, has_snippets: bool) -> types.CompletionItem:
+def _item(number: int, item: Item, place: types.Range, has_snippets: bool) -> types.CompletionItem:
     text = item.snippet if has_snippets and item.snippet else item.text
     return types.CompletionItem(
         label=item.label,
         kind=_ITEMS[item.sort],
         detail=item.detail or None,
-        sort_text=f"{item.rank:02}{item.label}",
+        sort_text=f"{number:04}",
         filter_text=item.label if item.sort is not Sort.ELEMENT else text,
         insert_text_format=types.InsertTextFormat.Snippet
         if has_snippets and item.snippet

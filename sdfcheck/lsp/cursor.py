@@ -5,8 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from enum import Enum
 
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 

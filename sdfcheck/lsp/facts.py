@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.robot.graph import Node
     from sdfcheck.robot.motion.mass_properties import MassProperties
-    from sdfcheck.robot.node import Node
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
 
@@ -72,7 +71,7 @@ def _node(document: Document, named: Occurrence) -> Node | None:
 
 def _written(document: Document, symbol: Symbol) -> Node | None:
     """The node of an element that a document writes."""
-    from sdfcheck.robot.node import Node
+    from sdfcheck.robot.graph import Node
 
     element = element_of(document, symbol) if symbol.span.source is document.source else None
     part = None if element is None else root_of(document).part_of(element)

@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.fold import said_once
+from sdfcheck.lint.fold import without_repeats
 from sdfcheck.lint.one_file import Selected, lint_file, lint_included
+from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -17,10 +18,7 @@ from sdfcheck.source.text import Source
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.source.element import Value
-
-MOST_INCLUDERS = 4
-"""So many files that are not open are linted because they use an open one."""
+    from sdfcheck.source.document import Value
 
 
 class _Foreign(NamedTuple):
@@ -50,50 +48,32 @@ class Findings:
         if self._looked.get(key) != state:
             self._lint(buffer.path, buffer.data, buffer)
             self._looked[key] = state
+            self.workspace.caches.tidy()
 
     def lint_from_disk(self, path: Path) -> None:
         """Look at a file that is not open, for what it shows about those that are."""
         from sdfcheck.files.regular import read_regular
 
         try:
-            self._lint(path, read_regular(path), None)
+            around = self.workspace.library(path).around(path)
+            self._lint(path, read_regular(path, within=around), None)
         except OSError:
             self.forget(path)
 
-    def lint_includers(self, buffer: Buffer) -> bool:
-        """Look at the robots that are not open and use a file of macros; False if there are none."""
+    def includers(self, buffer: Buffer) -> list[Path]:
+        """The robots that are not open and use a file of macros; those that did so before are forgotten."""
         if buffer.kind is not Kind.XACRO:
-            return False
+            return []
         key = self.workspace.key(buffer.path)
         before = self._roots_for.pop(key, set())
-        roots = self._robots_with(self.workspace.document(buffer.path))
-        self._roots_for[key] = {self.workspace.key(root) for root in roots}
+        document = self.workspace.document(buffer.path)
+        robots = [] if document is None else roots_of(document)
+        open_texts = self.workspace.buffers
+        roots = [each.path for each in robots if self.workspace.key(each.path) not in open_texts]
+        self._roots_for[key] = set(map(self.workspace.key, roots))
         for gone in before - self._roots_for[key]:
             self._by_root.pop(gone, None)
-        for root in roots:
-            self.lint_from_disk(root)
-        return bool(roots or before)
-
-    def _robots_with(self, document: Document | None) -> list[Path]:
-        """The robots on disk whose files include a document."""
-        from sdfcheck.xacro.static.definitions import is_robot
-        from sdfcheck.xacro.static.project import includers
-
-        waiting = [document]
-        seen: set[str] = set()
-        found: list[Path] = []
-        while waiting and len(found) < MOST_INCLUDERS:
-            one = waiting.pop(0)
-            for path in [] if one is None else includers(one):
-                key = self.workspace.key(path)
-                if key in seen or key in self.workspace.buffers:
-                    continue
-                seen.add(key)
-                other = self.workspace.library(path).document(path, Kind.XACRO)
-                if other is not None and is_robot(other):
-                    found.append(path)
-                waiting.append(other)
-        return found[:MOST_INCLUDERS]
+        return roots
 
     def forget(self, path: Path) -> None:
         """Drop the findings of a root."""
@@ -152,7 +132,7 @@ class Findings:
         by_path: dict[str, list[Diagnostic]] = {}
         keys: dict[Source, str] = {}
         seen: set[tuple[object, ...]] = set()
-        for diagnostic in sorted(said_once(self._found()), key=lambda each: each.sort_key):
+        for diagnostic in sorted(without_repeats(self._found()), key=lambda each: each.sort_key):
             source = diagnostic.span.source
             if source not in keys:
                 keys[source] = self.workspace.key(source.path)

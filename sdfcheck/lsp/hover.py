@@ -5,22 +5,26 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from sdfcheck.formats.describe.description import HOW_OFTEN, Description
+from sdfcheck.formats import plugins
+from sdfcheck.formats.describe.description import HOW_OFTEN, Description, summary
 from sdfcheck.formats.describe.spot import Spot, describe_custom, spot
-from sdfcheck.formats.describe.summary import summary
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lsp.completion.likely import plain
 from sdfcheck.lsp.cursor import Cursor, at
+from sdfcheck.lsp.evaluated import expression_at, values
 from sdfcheck.lsp.facts import of_symbol
-from sdfcheck.lsp.names.index import occurrences
+from sdfcheck.lsp.names.index import is_made, occurrences
 from sdfcheck.lsp.outline import target_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.lsp.workspace import Workspace
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
+from sdfcheck.xacro.language import KEYWORDS, PREFIX
 
 _MOST_CHOICES = 12
+_FORMATS = {"srdf": "SRDF"}
 
 
 class Hover(NamedTuple):
@@ -30,8 +34,10 @@ class Hover(NamedTuple):
     span: Span
 
 
-def hover(document: Document, offset: int, found: Sequence[Diagnostic] = ()) -> Hover | None:
-    """The facts about a place; ``found`` are the diagnostics of the document."""
+def hover(
+    document: Document, offset: int, found: Sequence[Diagnostic] = (), workspace: Workspace | None = None
+) -> Hover | None:
+    """The facts about a place; ``found`` are the diagnostics of the document, and a workspace has its expansions."""
     cursor = at(document, offset)
     if cursor is None:
         return None
@@ -43,6 +49,8 @@ def hover(document: Document, offset: int, found: Sequence[Diagnostic] = ()) -> 
         span = named.span
     elif cursor.value is not None and (target := target_of(document, cursor.value)) is not None:
         sections.append(f"`{target}`" + _size(target))
+    if workspace is not None and is_made(document):
+        sections += _values(workspace, document, cursor, offset)
     description = describe_at(document, cursor)
     if description is not None:
         sections.append("\n\n".join(_described(description)))
@@ -50,6 +58,20 @@ def hover(document: Document, offset: int, found: Sequence[Diagnostic] = ()) -> 
     if reactions:
         sections.append("\n".join(reactions))
     return Hover("\n\n---\n\n".join(filter(None, sections)), span) if any(sections) else None
+
+
+def _values(workspace: Workspace, document: Document, cursor: Cursor, offset: int) -> Iterator[str]:
+    """The values of the expression at a place, and of a whole name with expressions."""
+    expression = expression_at(cursor, offset)
+    places = [cursor.span] if expression is None and "$" in cursor.span.text else [expression]
+    for place in places:
+        if place is None or cursor.value is None:
+            continue
+        whole = cursor.span if place == cursor.span else place
+        known = values(workspace, document, cursor, whole)
+        if known:
+            shown = ", ".join(f"`{value}`" for value in known)
+            yield f"`{whole.text}` is {shown}"
 
 
 def _size(path: Path) -> str:
@@ -84,28 +106,52 @@ def spot_of(element: Element) -> Spot | None:
 def describe_at(document: Document, cursor: Cursor) -> Description | None:
     """The definition of the element or attribute at a place."""
     element, attribute = cursor.element, cursor.attribute
-    is_urdf = document.kind is not Kind.SDF
-    names = names_around(element)
+    names = list(plain(names_around(element)))
+    if names[-1:] != [element.name]:
+        names.append(element.name)
+    if element.name.startswith(PREFIX):
+        own = element.name[len(PREFIX) :]
+        return _in_words("xacro", [own], attribute) if own in KEYWORDS else None
+    if document.kind is Kind.SRDF:
+        return _in_words("srdf", names, attribute)
+    is_urdf = names[0] == "robot"
     if attribute and ":" in attribute and not attribute.startswith("xmlns"):
         return describe_custom(f"@{attribute}", names, is_urdf=is_urdf)
     if ":" in element.name:
-        if element.name.startswith("xacro:"):
-            return None
         if attribute:
             return describe_custom(f"{element.name}/@{attribute}", names[:-1], is_urdf=is_urdf)
         return describe_custom(element.name, names[:-1], is_urdf=is_urdf)
     if is_urdf and "ros2_control" in names:
-        return _of_control(names, attribute)
+        return _in_words("ros2_control", names[names.index("ros2_control") :], attribute)
+    if "plugin" in names[:-1]:
+        return _of_plugin(element, names)
     place = spot_of(element)
     return None if place is None else place.describe(attribute)
 
 
-def _of_control(names: list[str], attribute: str) -> Description | None:
-    """The facts about a place in a ``ros2_control`` block."""
-    inner = names[names.index("ros2_control") :] + ([f"@{attribute}"] if attribute else [])
-    text = summary("ros2_control", inner)
+def _in_words(dialect: str, names: list[str], attribute: str) -> Description | None:
+    """The facts about a place that the descriptions alone know."""
+    inner = [*names, *([f"@{attribute}"] if attribute else [])]
+    text = summary(dialect, inner)
     what = "attribute" if attribute else "element"
-    return Description("/".join(inner), "ros2_control", what, summary=text) if text else None
+    return Description("/".join(inner), _FORMATS.get(dialect, dialect), what, summary=text) if text else None
+
+
+def _of_plugin(element: Element, names: list[str]) -> Description | None:
+    """A parameter of one of Gazebo's plugins."""
+    plugin = next((each for each in element.around if each.name == "plugin"), None)
+    path = "/".join(names[len(names) - names[::-1].index("plugin") :])
+    for facts in () if plugin is None else plugins.known(plugin.attributes.get("filename", "")):
+        if path not in facts.parameters and not any(path == naming.path for naming in facts.namings):
+            continue
+        naming = next((each for each in facts.namings if each.path == path), None)
+        text = f"A parameter of `{facts.file}` ({facts.generation})."
+        if naming is not None:
+            text += f" It names a {naming.kind}" + (" by its scoped name." if naming.is_scoped else ".")
+        if path in facts.required:
+            text += " The plugin does not run without it."
+        return Description(path, facts.generation, "parameter", summary=text)
+    return None
 
 
 def _described(one: Description) -> Iterator[str]:

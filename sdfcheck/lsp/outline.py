@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Iterator
+from itertools import repeat
 from pathlib import Path
+from typing import Any
 
 from sdfcheck.files.uris import locate
 from sdfcheck.lsp.cursor import elements
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.references import unescape
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Span
+from sdfcheck.source.text import Source, Span
 
 _SHOWN = frozenset(
     """
@@ -25,52 +28,100 @@ _URIS = frozenset(
 )
 
 
-class Entry(NamedTuple):
-    """A part of a text; ``kind`` is the name of its element."""
-
-    kind: str
-    name: str
-    detail: str
-    whole: Span
-    place: Span
-    children: tuple[Entry, ...]
-
-
-def outline(document: Document) -> tuple[Entry, ...]:
-    """The named parts of a document, as a tree."""
-    root = document.root
-    return () if root is None else tuple(_entries(root))
+_TAGS = re.compile(
+    rf"<(?:!--[\s\S]*?-->|!\[CDATA\[[\s\S]*?\]\]>|(?P<name>{'|'.join(sorted(_SHOWN))})(?=[\s/>])"
+    rf"(?P<inside>[^<>\"']*(?:(?:\"[^\"<]*\"|'[^'<]*')[^<>\"']*)*)>|/(?P<end>{'|'.join(sorted(_SHOWN))})\s*>)"
+)
+_LABELS = {
+    label: re.compile(rf"(?:^|\s){label}\s*=\s*[\"']\s*([^\"']*?)\s*[\"']")
+    for label in ("name", "filename", "reference", "type")
+}
+_TYPED = frozenset({"joint", "sensor", "light"})
+_BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 
 
-def _entries(element: Element) -> Iterator[Entry]:
-    # Documents are not deep where parts have names, and those that are were refused as too deep.
-    children = tuple(entry for child in element.children() for entry in _entries(child))
-    name = element.name
-    if name not in _SHOWN or (name == "material" and not element.attributes.get("name")):
-        yield from children
+_NOTHING: list[Any] = []
+"""The parts of what has none; never changed."""
+
+
+class Entry:
+    """A part of a text; ``kind`` is the name of its element. Its name is at ``place``."""
+
+    __slots__ = ("children", "detail", "end", "kind", "name", "place", "start")
+
+    def __init__(self, kind: str, start: int) -> None:
+        self.kind = kind
+        self.start = self.end = start
+        self.name = self.detail = ""
+        self.place = start, start
+        self.children: list[Entry] = _NOTHING
+
+
+def outline(source: Source) -> list[Entry]:
+    """The named parts of a text, as a tree; found by their tags alone, broken or not."""
+    text = source.text
+    top: list[Entry] = []
+    stack: list[Entry] = []
+    for tag in _TAGS.finditer(text):
+        name, end = tag["name"], tag["end"]
+        if name is not None:
+            entry = _entry(name, tag)
+            if tag["inside"].endswith("/"):
+                _close(entry, tag.end(), stack, top)
+            else:
+                stack.append(entry)
+        elif end is not None and stack and stack[-1].kind == end:
+            _close(stack.pop(), tag.end(), stack, top)
+        elif end is not None and any(each.kind == end for each in stack):
+            while stack[-1].kind != end:
+                _close(stack.pop(), tag.start(), stack, top)
+            _close(stack.pop(), tag.end(), stack, top)
+    while stack:
+        _close(stack.pop(), len(text), stack, top)
+    for entry in top:
+        _name_includes(entry, text)
+    return top
+
+
+def _entry(name: str, tag: re.Match[str]) -> Entry:
+    entry = Entry(name, tag.start())
+    label = "filename" if name == "xacro:include" else "reference" if name == "gazebo" else "name"
+    inside, at = tag["inside"], tag.start("inside")
+    found = _LABELS[label].search(inside) if inside else None
+    if found is not None and found[1]:
+        entry.name = unescape(found[1]) if "&" in found[1] else found[1]
+        entry.place = at + found.start(1), at + found.end(1)
+    else:
+        entry.place = tag.start() + 1, tag.start() + 1 + len(name)
+    entry.detail = name
+    if name in _TYPED and (kind := _LABELS["type"].search(inside)) is not None:
+        entry.detail = f"{name} {kind[1]}".strip()
+    return entry
+
+
+def _close(entry: Entry, end: int, stack: list[Entry], top: list[Entry]) -> None:
+    """An element ends: it belongs to the one around it, or else its parts do."""
+    entry.end = end
+    if entry.kind == "material" and not entry.name and not entry.children:
         return
-    value = element.attribute("name")
-    label, place = name, element.span
-    if value is not None and value.text.strip():
-        label, place = value.text.strip(), value.span
-    elif name in {"include", "xacro:include", "gazebo"}:
-        own = _brought(element)
-        label = own.text.strip() if own is not None and own.text.strip() else name
-    spans = element.document.spans
-    yield Entry(name, label, _detail(element), spans.whole(element), place, children)
+    if not stack:
+        top.append(entry)
+    elif stack[-1].children:
+        stack[-1].children.append(entry)
+    else:
+        stack[-1].children = [entry]
 
 
-def _brought(element: Element) -> Value | None:
-    if element.name == "xacro:include":
-        return element.attribute("filename")
-    if element.name == "gazebo":
-        return element.attribute("reference")
-    return element.value("name") or element.value("uri")
-
-
-def _detail(element: Element) -> str:
-    kind = element.attributes.get("type", "")
-    return f"{element.name} {kind}".strip() if element.name in {"joint", "sensor", "light"} else element.name
+def _name_includes(entry: Entry, text: str) -> None:
+    """Name includes after what they bring, and what has no name after its element."""
+    waiting = [entry]
+    while waiting:
+        one = waiting.pop()
+        waiting += one.children
+        if not one.name and one.kind == "include":
+            found = {match[1]: match[2] for match in _BROUGHT.finditer(text, one.start, one.end)}
+            one.name = found.get("name") or found.get("uri") or ""
+        one.name = one.name or one.kind
 
 
 class Fold(NamedTuple):
@@ -83,13 +134,13 @@ class Fold(NamedTuple):
 
 def folds(document: Document) -> list[Fold]:
     """The elements and comments of several lines."""
-    lines = document.source.line_starts
-    scan = document.scan
+    lines, scan = document.source.line_starts, document.scan
     found: dict[int, Fold] = {}
-    for start, close in zip(scan.starts, scan.closes, strict=True):
-        first, last = bisect_right(lines, start) - 1, bisect_right(lines, close) - 2
-        if last > first:
-            found.setdefault(first, Fold(first, last, False))
+    firsts = map(bisect_right, repeat(lines), scan.starts)
+    lasts = map(bisect_right, repeat(lines), scan.closes)
+    for first, last in zip(firsts, lasts, strict=True):
+        if last > first + 1 and first - 1 not in found:
+            found[first - 1] = Fold(first - 1, last - 2, False)
     for start, end in scan.comments:
         first, last = bisect_right(lines, start) - 1, bisect_right(lines, end) - 1
         if last > first:

@@ -14,8 +14,9 @@ _QUICK = 0.04
 class Schedule:
     """Calls ``work`` with a key after each change of what the key names; changes in quick succession count once."""
 
-    def __init__(self, work: Callable[[str], Awaitable[None]]) -> None:
+    def __init__(self, work: Callable[[str], Awaitable[None]], longest: float = LONGEST) -> None:
         self._work = work
+        self._longest = longest
         self._took: dict[str, float] = {}
         self._timers: dict[str, asyncio.TimerHandle] = {}
         self._running: dict[str, asyncio.Task[None]] = {}
@@ -30,7 +31,7 @@ class Schedule:
         if timer is not None:
             timer.cancel()
         took = self._took.get(key, 0.0)
-        wait = 0.0 if took < _QUICK else min(LONGEST, took / 2)
+        wait = 0.0 if took < _QUICK else min(self._longest, took / 2)
         self._timers[key] = asyncio.get_running_loop().call_later(wait, self._begin, key)
 
     def drop(self, key: str) -> None:

@@ -2,27 +2,45 @@
 
 from __future__ import annotations
 
+import asyncio
+import inspect
+import json
 import traceback
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
 from lsprotocol import types
-from pygls.exceptions import FeatureRequestError, JsonRpcException
+from pygls.exceptions import (
+    FeatureRequestError,
+    JsonRpcException,
+    JsonRpcInvalidParams,
+    JsonRpcMethodNotFound,
+)
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
+from pygls.uris import from_fs_path
 
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.positions import Units, changed
 from sdfcheck.lsp.prime import prime
 from sdfcheck.lsp.schedule import Schedule
-from sdfcheck.lsp.speech import NAME, Speech, path_of
+from sdfcheck.lsp.speech import NAME, Speech, Written, path_of
+from sdfcheck.lsp.sweep import Sweep
 from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Worker
 from sdfcheck.lsp.workspace import Buffer, Choices, Workspace
 from sdfcheck.release import __version__
 from sdfcheck.source.wrong_usage import REPORT_IT
 
 T = TypeVar("T")
+_LONGEST = 300
+"""So many characters of a problem with a message are logged."""
+
+Report = types.WorkspaceFullDocumentDiagnosticReport | types.WorkspaceUnchangedDocumentDiagnosticReport
+
+_PAUSE, _PATIENCE = 2.0, 30
+"""A request for the diagnostics of files that are not open waits so many pauses, in s, for news."""
 
 
 class Protocol(LanguageServerProtocol):
@@ -32,12 +50,29 @@ class Protocol(LanguageServerProtocol):
         """The messages of the client; a request that cannot be read is answered, too."""
         if data.get("method") == types.TEXT_DOCUMENT_CODE_ACTION and "jsonrpc" in data:
             data = {**data, "params": _without_diagnostics(data.get("params"))}
+        is_request = "jsonrpc" in data and "id" in data and "method" in data
         try:
-            return super().structure_message(data)
+            message = super().structure_message(data)
+            if is_request and not hasattr(message, "id"):  # of a method that is only noticed
+                raise JsonRpcMethodNotFound.of(data["method"])
         except JsonRpcException as error:
-            if "id" in data and "method" in data:
-                self._send_response(data["id"], None, error.to_response_error())
+            answer = error if isinstance(error, JsonRpcMethodNotFound) else JsonRpcInvalidParams()
+            if is_request:
+                self._send_response(data["id"], None, answer.to_response_error())
             raise
+        return message
+
+    def _send_response(self, msg_id: Any, result: Any = None, error: Any = None) -> None:
+        """Answer a request; what is written already is sent as it is."""
+        if error is not None or not isinstance(result, Written):
+            super()._send_response(msg_id, result, error)
+            return
+        self._result_types.pop(msg_id, None)
+        body = f'{{"jsonrpc":"2.0","id":{json.dumps(msg_id)},"result":{result.text}}}'.encode(self.CHARSET)
+        head = f"Content-Length: {len(body)}\r\nContent-Type: {self.CONTENT_TYPE}; charset={self.CHARSET}\r\n\r\n"
+        sent = self.writer.write(head.encode() + body) if self.writer is not None else None
+        if inspect.isawaitable(sent):
+            self._sent = asyncio.ensure_future(sent)
 
     @lsp_method(types.TEXT_DOCUMENT_DID_OPEN)
     def lsp_text_document__did_open(self, params: types.DidOpenTextDocumentParams) -> Iterator[Any]:
@@ -74,11 +109,19 @@ class Server(LanguageServer):
         self.robots = Workspace()
         self.findings = Findings(self.robots)
         self.speech = Speech(self.robots)
+        self.sweep = Sweep(self.robots)
+        self.followers: list[Callable[[str], None]] = []
+        """Called with the key of a text that has changed and was linted, or was closed."""
+        self.endings: list[Callable[[], None]] = []
         self.lints = Schedule(self._lint)
         self.open: dict[str, str] = {}
         """Open URI → key of the text."""
         self._edits: dict[str, int] = {}
         self._published: dict[str, list[types.Diagnostic]] = {}
+        self._pulled: dict[str, tuple[int | None, list[types.Diagnostic]]] = {}
+        """Open URI → how often its text had changed when the client asked last, and the answer."""
+        self._seen = 0
+        """The generation of documents that hints and colors at the client are of."""
         self._reported: set[str] = set()
         self._fault = ""
         self._is_primed = False
@@ -114,8 +157,11 @@ class Server(LanguageServer):
             self.show(f"sdfcheck: internal error: {' '.join(words.split())} ({REPORT_IT})")
 
     def report_server_error(self, error: Exception, source: Any) -> None:
-        """Errors outside of the work on documents; refusals are answers."""
-        if source is not FeatureRequestError or not isinstance(error, JsonRpcException):
+        """Errors outside of the work on documents; refusals are answers, and what cannot be read is the client's."""
+        if source is JsonRpcException:
+            words = " ".join(f"a message of the client cannot be read: {error.__cause__ or error}".split())
+            self.window_log_message(types.LogMessageParams(types.MessageType.Warning, words[:_LONGEST]))
+        elif source is not FeatureRequestError or not isinstance(error, JsonRpcException):
             self.report(error.__cause__ or error)
 
     def show(self, text: str, kind: types.MessageType = types.MessageType.Error) -> None:
@@ -155,9 +201,10 @@ class Server(LanguageServer):
     async def closed(self, params: types.DidCloseTextDocumentParams) -> None:
         uri = params.text_document.uri
         key = self.open.pop(uri, None)
-        if key is None:
-            return
+        if key is None or key in self.open.values():
+            return  # never opened, or open by another address
         self._edits.pop(key, None)
+        self._pulled.pop(uri, None)
         self.lints.drop(key)
         path = path_of(uri)
 
@@ -166,7 +213,8 @@ class Server(LanguageServer):
             self.findings.forget(path)
 
         await self.work(job, None)
-        await self._publish()
+        await self._update_client()
+        self._follow(key)
 
     async def refreshed(self, job: Callable[[], None]) -> None:
         """Files, configuration or settings have changed: do what that takes, and lint all again."""
@@ -177,6 +225,10 @@ class Server(LanguageServer):
         """Lint all open texts, one before the others."""
         for key in sorted(set(self.open.values()), key=lambda each: each != first):
             self.lints.note(key)
+
+    def _follow(self, key: str) -> None:
+        for follow in self.followers:
+            follow(key)
 
     # Diagnostics
 
@@ -195,7 +247,8 @@ class Server(LanguageServer):
 
         await self.work(job, None, LINT)
         if self._edits.get(key) == number:  # else another run follows, and this one is stale
-            await self._publish()
+            await self._update_client()
+            self._follow(key)
             await self._survey(key)
             await self.work(lambda: self._prime(key, number), None, SURVEY)
 
@@ -206,17 +259,25 @@ class Server(LanguageServer):
             self._is_primed = True
 
     async def _survey(self, key: str) -> None:
-        """Look at files that are not open and use this one: what they bring out is shown here as well."""
+        """Look at files that are not open and use this one, one at a time: what they bring out is shown here, too."""
+        number = self._edits.get(key)
 
-        def job() -> bool:
+        def job() -> list[Path]:
             buffer = self.robots.buffers.get(key)
-            return buffer is not None and self.findings.lint_includers(buffer)
+            return [] if buffer is None else self.findings.includers(buffer)
 
-        if await self.work(job, False, LINT):
-            await self._publish()
+        nothing: list[Path] = []
+        roots = await self.work(job, nothing, LINT)
+        for root in roots:
+            if self._edits.get(key) == number:
+                await self.work(partial(self.findings.lint_from_disk, root), None, SURVEY)
+        if roots:
+            await self._update_client()
 
-    async def _publish(self) -> None:
-        """Send what has changed of the diagnostics."""
+    async def _update_client(self) -> None:
+        """Bring the client up to date after a change of state: send the diagnostics that it does not ask for, and
+        let it ask again for what has changed without an edit of its own.
+        """
 
         def job() -> dict[str, tuple[list[types.Diagnostic], int | None]]:
             shown: dict[str, tuple[list[types.Diagnostic], int | None]] = {}
@@ -233,6 +294,11 @@ class Server(LanguageServer):
             return
         for uri in self._published.keys() - shown.keys():
             shown[uri] = [], None
+        stale = [
+            uri
+            for uri, (number, found) in self._pulled.items()
+            if uri in shown and number == self._edits.get(self.open.get(uri, "")) and found != shown[uri][0]
+        ]
         for uri, (found, version) in sorted(shown.items(), key=lambda item: item[0]):
             sent = [] if self.is_pulled and uri in self.open else found
             if self._published.get(uri) != sent and (sent or uri in self._published or uri in self.open):
@@ -242,7 +308,22 @@ class Server(LanguageServer):
                 self._published[uri] = sent
             else:
                 self._published.pop(uri, None)
+        for uri in stale:
+            del self._pulled[uri]  # it is asked for again
+        self._refresh(is_stale=bool(stale))
         self._report_fault()
+
+    def _refresh(self, *, is_stale: bool) -> None:
+        """Ask the client to ask again, as far as it takes that."""
+        if is_stale and self.speech.is_able("workspace", "diagnostics", "refresh_support"):
+            self.workspace_diagnostic_refresh(None)
+        if self._seen == self.robots.generation:
+            return
+        self._seen = self.robots.generation
+        if self.speech.is_able("workspace", "inlay_hint", "refresh_support"):
+            self.workspace_inlay_hint_refresh(None)
+        if self.speech.is_able("workspace", "semantic_tokens", "refresh_support"):
+            self.workspace_semantic_tokens_refresh(None)
 
     def _report_fault(self) -> None:
         """Show what is wrong with the configuration, once for each fault."""
@@ -258,7 +339,55 @@ class Server(LanguageServer):
             self.findings.lint(buffer)
             return list(map(self.speech.diagnostic, self.findings.at(buffer.path)))
 
-        return await self.ask(uri, answer, [])
+        number = self._edits.get(self.open.get(uri, ""))
+        nothing: list[types.Diagnostic] = []
+        found = await self.ask(uri, answer, nothing)
+        self._pulled[uri] = number, found
+        return found
+
+    async def swept(self, params: types.WorkspaceDiagnosticParams) -> types.WorkspaceDiagnosticReport:
+        """The diagnostics of files that are not open; waits a while where none of them has changed."""
+        before = {each.uri: each.value for each in params.previous_result_ids}
+        generation = self.robots.generation
+        reports = await self._sweep(before)
+        if not reports:
+            await self._quiet_after(generation)
+            reports = await self._sweep(before)
+        return types.WorkspaceDiagnosticReport(reports)
+
+    async def _quiet_after(self, generation: int) -> None:
+        """Wait until a document has changed and then none has for a while, or for long enough."""
+        for _ in range(_PATIENCE):
+            last = self.robots.generation
+            await asyncio.sleep(_PAUSE)
+            if generation != last == self.robots.generation:
+                return
+
+    async def _sweep(self, before: dict[str, str]) -> list[Report]:
+        """The reports that differ from those that a client has."""
+        nothing: list[Path] = []
+        paths = await self.work(self.sweep.paths, nothing, SURVEY) if self.robots.choices.sweep else nothing
+        reports: list[Report] = []
+        gone = dict(before)
+        for path in paths:
+            uri = from_fs_path(str(path.absolute())) or ""
+            gone.pop(uri, None)
+            report = await self.work(partial(self._swept, path, uri, before.get(uri)), None, SURVEY)
+            if report is not None:
+                reports.append(report)
+        await self.work(self.sweep.rest, None, SURVEY)
+        return [*reports, *(types.WorkspaceFullDocumentDiagnosticReport(uri, []) for uri in sorted(gone))]
+
+    def _swept(self, path: Path, uri: str, before: str | None) -> Report | None:
+        """The report about a file; None where the client has it."""
+        swept = self.sweep.lint(path)
+        own = {(each.code, str(each.range)) for each in self._published.get(uri, ())}
+        found = [self.speech.diagnostic(each) for each in swept.found]
+        items = [each for each in found if (each.code, str(each.range)) not in own]
+        state = f"{swept.id}-{len(items)}"
+        if state == before or (before is None and not items):
+            return None
+        return types.WorkspaceFullDocumentDiagnosticReport(uri, items, result_id=state)
 
     # The session
 
@@ -274,7 +403,7 @@ class Server(LanguageServer):
         folders = [path_of(folder.uri) for folder in params.workspace_folders or ()]
         if not folders and params.root_uri:
             folders = [path_of(params.root_uri)]
-        self.robots.folders = tuple(folders)
+        self.robots.surround(tuple(folders))
 
     async def chosen(self, choices: Choices) -> None:
         """Take other settings."""
@@ -288,5 +417,7 @@ class Server(LanguageServer):
     def ended(self) -> None:
         """Stop the threads beside the server."""
         self.is_finished = True
+        for end in self.endings:
+            end()
         self.robots.close()
         self.worker.close()

@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 from lsprotocol import types
 from pygls.uris import from_fs_path, to_fs_path
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Edit
+from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.positions import Change, Place, Units, offset_of, place_of
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.text import Source, Span
 
 NAME = "sdfcheck"
+_NOT_ENCODED = re.compile("[\ud800-\udfff]")
 
 _SEVERITIES = {
     Severity.ERROR: types.DiagnosticSeverity.Error,
@@ -32,8 +36,33 @@ def path_of(uri: str) -> Path:
         path = to_fs_path(uri) if parts.scheme == "file" else None
     except ValueError:  # such as a malformed address of a computer
         return Path("untitled")
-    # No file has the character NUL in its name.
-    return Path((path or unquote(parts.path.rpartition("/")[2]) or "untitled").replace("\0", "\ufffd"))
+    # No file has the character NUL in its name, or one that cannot be encoded, such as half of a pair.
+    name = (path or unquote(parts.path.rpartition("/")[2]) or "untitled").replace("\0", "\ufffd")
+    try:
+        os.fsencode(name)
+    except UnicodeEncodeError:
+        name = _NOT_ENCODED.sub("\ufffd", name)
+    return Path(name)
+
+
+def plain(value: Any) -> Any:
+    """A mapping from an object that the protocol library made of it."""
+    if hasattr(value, "_asdict"):
+        value = value._asdict()
+    if isinstance(value, Mapping):
+        return {str(key): plain(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(each) for each in value]
+    return value
+
+
+class Written:
+    """A long answer as the protocol writes it; making objects of all of it would take long."""
+
+    __slots__ = ("text",)
+
+    def __init__(self, text: str) -> None:
+        self.text = text
 
 
 class Speech:
@@ -61,6 +90,23 @@ class Speech:
         source = span.source
         return types.Range(self.position(source, span.start), self.position(source, span.end))
 
+    def written_places(self, source: Source) -> Callable[[int, int], str]:
+        """A function that writes the range between two characters of a text."""
+        starts = source.line_starts
+        is_plain = self.units is Units.UTF32 or source.text.isascii()
+
+        def written(start: int, end: int) -> str:
+            if is_plain:
+                first = bisect_right(starts, start) - 1
+                last = bisect_right(starts, end, first) - 1
+                column, close = start - starts[first], end - starts[last]
+            else:
+                first, column = place_of(source, start, self.units)
+                last, close = place_of(source, end, self.units)
+            return f'{{"start":{{"line":{first},"character":{column}}},"end":{{"line":{last},"character":{close}}}}}'
+
+        return written
+
     def location(self, span: Span) -> types.Location:
         source = span.source
         return types.Location(self._uri(source.real_path, source.path), self.range(span))
@@ -86,12 +132,12 @@ class Speech:
 
     # Edits
 
-    def text_edits(self, edits: Iterable[Edit]) -> list[types.TextEdit]:
+    def text_edits(self, edits: Iterable[TextEdit]) -> list[types.TextEdit]:
         return [types.TextEdit(self.range(edit.span), edit.text) for edit in edits]
 
-    def workspace_edit(self, edits: Iterable[Edit]) -> types.WorkspaceEdit:
+    def workspace_edit(self, edits: Iterable[TextEdit]) -> types.WorkspaceEdit:
         """Edits in any number of files; with the versions that they are meant for, where the client takes them."""
-        by_path: dict[str, list[Edit]] = {}
+        by_path: dict[str, list[TextEdit]] = {}
         for edit in edits:
             by_path.setdefault(self.workspace.key(edit.span.source.path), []).append(edit)
         able = self.client.workspace.workspace_edit if self.client.workspace else None
@@ -103,7 +149,7 @@ class Speech:
             changes={self.uri(Path(key)): self.text_edits(own) for key, own in sorted(by_path.items())}
         )
 
-    def _versioned(self, path: Path, edits: list[Edit]) -> types.TextDocumentEdit:
+    def _versioned(self, path: Path, edits: list[TextEdit]) -> types.TextDocumentEdit:
         buffer = self.workspace.buffers.get(self.workspace.key(path))
         identifier = types.OptionalVersionedTextDocumentIdentifier(
             uri=self.uri(path), version=buffer.version if buffer is not None else None

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import os
+import time
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -14,16 +16,19 @@ from lsprotocol import types
 from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import NAMES
 from sdfcheck.lsp.server import Server
-from sdfcheck.lsp.speech import NAME, path_of
+from sdfcheck.lsp.speech import NAME, path_of, plain
 from sdfcheck.lsp.workspace import Choices
 
 _DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,dae,stl,obj}"
 _SURROUNDINGS = "**/{.sdfcheck.toml,sdfcheck.toml,pyproject.toml,package.xml,CMakeLists.txt,.gitignore}"
+_LAUNCHES = "**/*{.launch,launch.xml,launch.py}"
 _LAYOUT = frozenset({*NAMES, "package.xml", "CMakeLists.txt"})
 _OUTDATED = -1.0
 """When a file was changed that is not as it was read."""
 _PAUSE = 1.0
 """Between two looks at the disk, in s, for clients that do not watch files."""
+_SHARE = 20
+"""The pause is so many times as long as a look at very many files, or at very long paths, takes."""
 
 
 class Watch:
@@ -33,6 +38,8 @@ class Watch:
         self.server = server
         self._polling: asyncio.Task[None] | None = None
         self._stamps: dict[str, float] = {}
+        self._is_configured = False
+        """Has the client sent settings after its first request?"""
 
     def began(self, params: types.InitializeParams) -> None:
         """Take the settings that come with the first request."""
@@ -46,7 +53,7 @@ class Watch:
         if speech.is_able("workspace", "configuration"):
             await self.configured(None)
         if speech.is_able("workspace", "did_change_watched_files", "dynamic_registration"):
-            watchers = [types.FileSystemWatcher(glob) for glob in (_DESCRIPTIONS, _SURROUNDINGS)]
+            watchers = [types.FileSystemWatcher(glob) for glob in (_DESCRIPTIONS, _SURROUNDINGS, _LAUNCHES)]
             options = types.DidChangeWatchedFilesRegistrationOptions(watchers)
             method = types.WORKSPACE_DID_CHANGE_WATCHED_FILES
             registration = types.Registration(id=f"{NAME}.files", method=method, register_options=options)
@@ -75,6 +82,14 @@ class Watch:
         elif news:
             await self.server.refreshed(robots.forget)
 
+    async def turned_to(self, added: Iterable[Path], removed: Iterable[Path]) -> None:
+        """Folders were added to the workspace, or removed from it."""
+        robots, gone = self.server.robots, set(removed)
+        kept = [folder for folder in robots.folders if folder not in gone]
+
+        folders = tuple(dict.fromkeys([*kept, *added]))
+        await self.server.refreshed(lambda: robots.surround(folders))
+
     async def configured(self, settings: Any) -> None:
         """The settings of the client have changed, or are to be asked for."""
         if self.server.speech.is_able("workspace", "configuration"):
@@ -82,9 +97,10 @@ class Watch:
             with suppress(Exception):  # a client may have no settings to give
                 answer = await self.server.workspace_configuration_async(types.ConfigurationParams([item]))
                 settings = answer[0] if answer else None
-        own = _plain(settings)
+        own = plain(settings)
         own = own.get(NAME, own) if isinstance(own, Mapping) else None
-        if own:
+        if own or (self._is_configured and isinstance(own, Mapping)):
+            self._is_configured = True
             choices = choices_of(own, self._folder)
             if choices != self.server.robots.choices:
                 await self.server.chosen(choices)
@@ -95,10 +111,13 @@ class Watch:
         return folders[0] if folders else Path.cwd()
 
     async def _poll(self) -> None:
+        took = 0.0
         while True:
-            await asyncio.sleep(_PAUSE)
+            await asyncio.sleep(max(_PAUSE, _SHARE * took))
             nothing: dict[str, float] = {}
+            begin = time.monotonic()
             stamps = await self.server.work(self._look, nothing)
+            took = time.monotonic() - begin
             before, self._stamps = self._stamps, stamps
             if not before or stamps == before:
                 continue
@@ -115,18 +134,19 @@ class Watch:
     def _look(self) -> dict[str, float]:
         """When the files that count were changed last; 0 for those that are not there."""
         robots = self.server.robots
-        paths = {
+        read = {
             str(document.path)
             for library in robots.caches.libraries
             for document in library.documents()
             if robots.key(document.path) not in robots.buffers
         }
+        around = {str(folder / "package.xml") for folder in robots.folders if robots.buffers}
         for buffer in robots.buffers.values():
             folder = Path(os.path.abspath(buffer.path)).parent
-            paths |= {str(above / name) for above in (folder, *folder.parents) for name in NAMES}
-            for around in robots.folders:
-                paths.add(str(around / "package.xml"))
-        return {path: _stamp(path) if self._is_as_read(path) else _OUTDATED for path in sorted(paths)}
+            above = map(str, (folder, *folder.parents))
+            around |= {os.path.join(each, name) for each in above for name in NAMES}
+        outdated = {path for path in read if not self._is_as_read(path)}
+        return {path: _OUTDATED if path in outdated else _stamp(path) for path in sorted(read | around)}
 
     def _is_as_read(self, path: str) -> bool:
         """Does a file that was not looked at before hold what was read of it?"""
@@ -147,42 +167,45 @@ def _stamp(path: str) -> float:
         return 0.0
 
 
-def _plain(value: Any) -> Any:
-    """A mapping from an object that the protocol library made of it."""
-    if hasattr(value, "_asdict"):
-        value = value._asdict()
-    if isinstance(value, Mapping):
-        return {str(key): _plain(each) for key, each in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(each) for each in value]
-    return value
+_SETTINGS: Mapping[str, tuple[str, type | tuple[type, ...], str]] = {
+    "configuration": ("configuration", str, "the path of a file"),
+    "select": ("select", (str, list), "a list of rules"),
+    "extendSelect": ("extend_select", (str, list), "a list of rules"),
+    "ignore": ("ignore", (str, list), "a list of rules"),
+    "preview": ("preview", bool, "true or false"),
+    "target": ("target", (str, list), "a list of consumers"),
+    "trustConfig": ("trust", bool, "true or false"),
+    "expandXacro": ("expand", bool, "true or false"),
+    "codeLens": ("lenses", bool, "true or false"),
+    "workspaceDiagnostics": ("sweep", bool, "true or false"),
+}
+"""Name of a setting → that of the choice, the types of its value, and what it must be."""
 
 
 def choices_of(given: Any, folder: Path) -> Choices:
-    """The choices that a client's settings make; what is not of the right kind is left out."""
-    plain = _plain(given)
-    own: Mapping[str, Any] = plain if isinstance(plain, Mapping) else {}
-    if isinstance(inner := own.get(NAME), Mapping):
+    """The choices that a client's settings make; those of a wrong kind are left out, and named as faults."""
+    own = plain(given)
+    if isinstance(own, Mapping) and isinstance(inner := own.get(NAME), Mapping):
         own = inner
-
-    def words(key: str) -> tuple[str, ...] | None:
-        value = own.get(key)
-        if isinstance(value, str):
-            value = value.split(",")
-        return (
-            tuple(str(each).strip() for each in value if str(each).strip())
-            if isinstance(value, list)
-            else None
-        )
-
-    path = own.get("configuration")
-    return Choices(
-        configuration=folder / os.path.expanduser(path) if isinstance(path, str) and path else None,
-        select=words("select") or None,
-        extend_select=words("extendSelect") or (),
-        ignore=words("ignore") or (),
-        preview=True if own.get("preview") is True else None,
-        target=words("target") or None,
-        trust=own.get("trustConfig") is True,
-        expand=own.get("expandXacro") is not False,
-    )
+    if not isinstance(own, Mapping):
+        return Choices()
+    taken: dict[str, Any] = {}
+    faults = []
+    for name, (choice, kinds, expected) in _SETTINGS.items():
+        value: Any = own.get(name)
+        if value is None:
+            continue
+        is_list = isinstance(value, list) and not all(isinstance(each, str) for each in value)
+        is_right = isinstance(value, kinds) and not is_list
+        if not is_right:
+            faults.append(f"setting `{name}` is {json.dumps(value)}; it must be {expected}")
+        elif kinds is bool:
+            taken[choice] = value
+        elif kinds is str:
+            taken[choice] = folder / os.path.expanduser(value) if value else None
+        else:
+            words = value.split(",") if isinstance(value, str) else value
+            taken[choice] = tuple(filter(None, (word.strip() for word in words)))
+    for name in ("select", "target", "preview"):
+        taken[name] = taken.get(name) or None
+    return Choices(**taken, faults=tuple(faults))

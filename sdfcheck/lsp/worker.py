@@ -20,6 +20,8 @@ text, diagnostics of files that include it.
 
 PAUSE = 5.0
 """After so many seconds without a job, garbage is collected: what is read after an edit is read by then."""
+MANY = 500
+"""After so many jobs without a pause as well."""
 
 _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], None]]
 """Urgency, number, the work, and what takes its result or its exception."""
@@ -68,14 +70,13 @@ class Worker:
             self._news.notify()
 
     def _serve(self) -> None:
-        is_tidy = False
+        done_since = 0
         while True:
             with self._news:
                 while not self._jobs and not self._is_closed:
-                    if not self._news.wait(None if is_tidy else PAUSE):
+                    if not self._news.wait(PAUSE if done_since else None):
                         gc.collect()
-                        is_tidy = True
-                is_tidy = False
+                        done_since = 0
                 if self._is_closed:
                     return
                 *_, work, done = heapq.heappop(self._jobs)
@@ -86,3 +87,7 @@ class Worker:
             else:
                 done(value, None)
             del work, done
+            done_since += 1
+            if done_since >= MANY:
+                gc.collect()
+                done_since = 0

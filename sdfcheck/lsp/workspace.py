@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
+from sdfcheck.files.discover import discover
+from sdfcheck.files.disk import Disk
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.files.regular import read_regular
+from sdfcheck.files.regular import SIZE_LIMIT, read_regular
 from sdfcheck.lint.config.configuration import Configuration, Settings
 from sdfcheck.lint.one_file import Caches
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.select import Choice
+from sdfcheck.lint.select import Choice, check_targets, covered
 from sdfcheck.lsp.completion.context import Checkpoints
+from sdfcheck.lsp.names.xacro_names import Own
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.text import Source
 from sdfcheck.source.wrong_usage import WrongUsage
-from sdfcheck.xacro.expansion import Surroundings
+from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
+from sdfcheck.xacro.static.definitions import Reading, is_robot
+
+MOST_EXPANSIONS = 8
+"""So many expansions are remembered."""
 
 
 class Choices(NamedTuple):
@@ -33,6 +41,11 @@ class Choices(NamedTuple):
     target: tuple[str, ...] | None = None
     trust: bool = False
     expand: bool = True
+    lenses: bool = True
+    sweep: bool = True
+    """Are files linted that nobody has opened?"""
+    faults: tuple[str, ...] = ()
+    """The faults of some of them, each as a sentence; these are left out."""
 
 
 class Buffer:
@@ -54,6 +67,11 @@ class Buffer:
         self.forget()
         self.source, self.version = source, version
         self.checkpoints.cut(kept)
+
+    @property
+    def made(self) -> Document | None:
+        """The document, if it was asked for."""
+        return self._document
 
     def forget(self) -> None:
         """Make the document anew when it is asked for next."""
@@ -109,11 +127,56 @@ Buffers = dict[str, Buffer]
 class LiveLibrary(Library):
     """A library in which open texts take the place of files."""
 
-    __slots__ = ("_buffers",)
+    __slots__ = ("_buffers", "_looked_into", "dropped")
 
     def __init__(self, buffers: Buffers, search: SearchPaths, limit: int) -> None:
         super().__init__(search, limit)
         self._buffers = buffers
+        self._looked_into: set[str] = set()
+        self.dropped: list[Document] = []
+        """Documents that nobody asks for any more."""
+
+    def read(self, path: Path, of: Document, limit: int = SIZE_LIMIT) -> bytes:
+        key = self.disk.real(path)
+        self._looked_into.add(key)
+        buffer = self._buffers.get(key)
+        return super().read(path, of, limit) if buffer is None else buffer.data
+
+    def holds(self, path: Path) -> bool:
+        return super().holds(path) or self.disk.real(path) in self._looked_into
+
+    def forget(self) -> None:
+        self._drop(self.documents())
+        super().forget()
+        self._looked_into.clear()
+
+    def look_again(self) -> None:
+        """Look for the files of projects again: some may be new."""
+        self._projects.clear()
+
+    def forget_robots(self, path: Path) -> None:
+        """The text of a xacro file has changed: read robots anew, and that file; macros of others stay known."""
+        changed = self.disk.real(path)
+        kept = {
+            key: (document, self._hashes[key])
+            for key, document in self._documents.items()
+            if document is not None and key != changed and key not in self._buffers and _is_library(document)
+        }
+        disk, projects = self.disk, dict(self._projects)
+        self._drop(
+            document for key, document in self._documents.items() if document is not None and key not in kept
+        )
+        super().forget()
+        self.disk = disk
+        self._projects.update(projects)
+        for key, (document, size) in kept.items():
+            document.forget_views((Reading, Own))
+            self._documents[key], self._hashes[key] = document, size
+
+    def _drop(self, documents: Iterable[Document]) -> None:
+        """Take documents apart later, but for those of open texts."""
+        own = {id(buffer.made) for buffer in self._buffers.values()}
+        self.dropped += [document for document in documents if id(document) not in own]
 
     def known(self, data: bytes, path: Path) -> Document | None:
         buffer = self._buffers.get(self.disk.real(path))
@@ -133,17 +196,22 @@ class LiveLibrary(Library):
         return document
 
 
+def _is_library(document: Document) -> bool:
+    """Is a file for others to include?"""
+    return document.kind is Kind.XACRO and not is_robot(document)
+
+
 class LiveCaches(Caches):
     """Libraries and expanders that know the open texts."""
 
     __slots__ = ("_buffers",)
 
-    def __init__(self, buffers: Buffers, *, expand: bool) -> None:
-        super().__init__(expand=expand)
+    def __init__(self, buffers: Buffers, *, expand: bool, named: tuple[Path, ...]) -> None:
+        super().__init__(expand=expand, named=named)
         self._buffers = buffers
 
     def library(self, settings: Settings) -> LiveLibrary:
-        search = settings.search
+        search = settings.search._replace(named=self._named)
         if search not in self._libraries:
             self._libraries[search] = LiveLibrary(self._buffers, search, settings.size_limit)
         found = self._libraries[search]
@@ -155,8 +223,117 @@ class LiveCaches(Caches):
         """Those that were asked for."""
         return tuple(self._libraries.values())
 
+    def forget(self) -> None:
+        """Files have changed: expand anew, and read documents anew, when that is asked for next."""
+        for library in self.libraries:
+            library.forget()
+        for expander in self._expanders.values():
+            assert isinstance(expander, LiveExpander)
+            expander.forget()
+
+    def forget_robots(self, path: Path) -> None:
+        """The text of a xacro file has changed; expanders notice that themselves."""
+        for library in self.libraries:
+            assert isinstance(library, LiveLibrary)
+            library.forget_robots(path)
+
+    def tidy(self) -> None:
+        """Take apart what was dropped: it refers to itself, and would stay in memory."""
+        for library in self.libraries:
+            assert isinstance(library, LiveLibrary)
+            for document in library.dropped:
+                document.release()
+            library.dropped.clear()
+        for expander in self._expanders.values():
+            assert isinstance(expander, LiveExpander)
+            expander.tidy()
+
+    def _expander(self, surroundings: Surroundings) -> Expander:
+        return LiveExpander(surroundings)
+
     def _surroundings(self, settings: Settings) -> Surroundings:
         return super()._surroundings(settings)._replace(texts=_Texts(self._buffers))
+
+
+class _Known(NamedTuple):
+    """An expansion, and the open texts that it came from."""
+
+    text: str
+    texts: Mapping[str, str]
+    expansion: Expansion
+
+
+_Request = tuple[str, tuple[tuple[str, str], ...], bool]
+"""Path, arguments, whether it may be partial."""
+
+
+class LiveExpander(Expander):
+    """Remembers its last expansions, which diagnostics and names both ask for."""
+
+    def __init__(self, surroundings: Surroundings) -> None:
+        super().__init__(surroundings)
+        self._known: dict[_Request, _Known] = {}
+        self._dropped: list[Expansion] = []
+
+    def forget(self) -> None:
+        """Expand anew when that is asked for next."""
+        self._dropped += [known.expansion for known in self._known.values()]
+        self._known.clear()
+
+    def tidy(self) -> None:
+        """Take apart the documents of expansions that nobody asks for any more."""
+        for expansion in self._dropped:
+            if expansion.document is not None:
+                expansion.document.release()
+        self._dropped.clear()
+
+    def known(
+        self, document: Document, arguments: Mapping[str, str] | None = None, *, is_partial: bool = False
+    ) -> Expansion | None:
+        """The expansion of a document, if it was made before, and of the texts that are open now."""
+        request = self._request(document, arguments, is_partial)
+        known = self._known.get(request)
+        if known is None:
+            return None
+        texts = self.surroundings.texts
+        if known.text == document.source.text and all(
+            texts.get(path) == text for path, text in known.texts.items()
+        ):
+            self._known[request] = self._known.pop(request)
+            return known.expansion
+        self._dropped.append(self._known.pop(request).expansion)
+        return None
+
+    def tried(self, document: Document, arguments: Mapping[str, str], texts: Mapping[str, str]) -> Expansion:
+        """The expansion that a document would have with other texts in the files at some absolute paths."""
+        around = self.surroundings
+        path = os.path.abspath(document.path)
+        text = texts.get(path, document.source.text)
+        self.surroundings = around._replace(texts={**around.texts, **texts})
+        try:
+            changed = Document(Source(document.path, text), document.kind, [])
+            changed.library = document.library
+            return super()._expand(changed, arguments, is_partial=False)
+        finally:
+            self.surroundings = around
+
+    def _request(self, document: Document, arguments: Mapping[str, str] | None, is_partial: bool) -> _Request:
+        return os.path.abspath(document.path), tuple(sorted((arguments or {}).items())), is_partial
+
+    def _expand(
+        self, document: Document, arguments: Mapping[str, str] | None, *, is_partial: bool
+    ) -> Expansion:
+        known = self.known(document, arguments, is_partial=is_partial)
+        if known is not None:
+            return known
+        texts = dict(self.surroundings.texts)
+        made = super()._expand(document, arguments, is_partial=is_partial)
+        own = {path: texts[path] for path in map(os.path.abspath, made.files) if path in texts}
+        request = self._request(document, arguments, is_partial)
+        self._known[request] = _Known(document.source.text, own, made)
+        while len(self._known) > MOST_EXPANSIONS:
+            self._dropped.append(self._known.pop(next(iter(self._known))).expansion)
+        return made
 
 
 class _Texts(Mapping[str, str]):
@@ -182,26 +359,71 @@ class _Texts(Mapping[str, str]):
         return len(self._open())
 
 
+def _fault(setting: str, word: str, rules: tuple[RuleFacts, ...]) -> str:
+    """The fault of a word of a setting; empty: it has none."""
+    try:
+        if setting == "target":
+            check_targets([word])
+        elif rules:
+            covered(word, rules)
+    except WrongUsage as error:
+        return str(error)
+    return ""
+
+
 class Workspace:
     """The open texts with their settings, rules and libraries; everything here belongs to one thread."""
 
     def __init__(self) -> None:
         self.folders: tuple[Path, ...] = ()
         self.buffers: Buffers = {}
+        self._disk = Disk()
         self.generation = 0
         """How often documents were forgotten: what was worked out before has no worth after."""
         self.fault = ""
         """The fault of the configuration, as a sentence for people."""
         self.choose(Choices())
 
+    def surround(self, folders: tuple[Path, ...]) -> None:
+        """Take other folders of the editor; the files in them may refer to one another."""
+        self.folders = folders
+        self.refresh()
+
     def choose(self, choices: Choices) -> None:
         """Take other settings of the client; whatever was known is worked out anew."""
         self.choices = choices
         self.configuration = self._configuration()
+        self.fault, choices = self._without_faults(choices)
         choice = Choice(choices.select, choices.extend_select, choices.ignore, choices.preview)
         self.book = RuleBook(choice, choices.target or None)
-        self.caches = LiveCaches(self.buffers, expand=choices.expand)
+        self.caches = LiveCaches(self.buffers, expand=choices.expand, named=self.folders)
         self.forget()
+
+    def _without_faults(self, choices: Choices) -> tuple[str, Choices]:
+        """The faults of the settings, and those that are right."""
+        faults = [*filter(None, [self.fault]), *choices.faults]
+        rules = self._known_rules() if choices.select or choices.extend_select or choices.ignore else ()
+        right: dict[str, tuple[str, ...]] = {}
+        for name in ("select", "extend_select", "ignore", "target"):
+            words = getattr(choices, name) or ()
+            found = {word: _fault(name, word, rules) for word in words}
+            setting = re.sub(r"_(.)", lambda match: match[1].upper(), name)
+            faults += (f"setting `{setting}`: {fault}" for fault in found.values() if fault)
+            right[name] = tuple(word for word in words if not found[word])
+        return "; ".join(faults), choices._replace(
+            select=right["select"] or None,
+            extend_select=right["extend_select"],
+            ignore=right["ignore"],
+            target=right["target"] or None,
+        )
+
+    def _known_rules(self) -> tuple[RuleFacts, ...]:
+        """The rules that settings can name; none where the configuration keeps them from being known."""
+        folder = self.folders[0] if self.folders else Path.cwd()
+        try:
+            return RuleBook(Choice(), None).rules(self.settings_for(folder / "any.sdf"))
+        except WrongUsage:
+            return ()
 
     def refresh(self) -> None:
         """Find configuration files, packages and documents again."""
@@ -211,8 +433,8 @@ class Workspace:
     def forget(self) -> None:
         """Read all documents again when they are asked for."""
         self.generation += 1
-        for library in self.caches.libraries:
-            library.forget()
+        self._disk = Disk()
+        self.caches.forget()
         for buffer in self.buffers.values():
             buffer.forget()
 
@@ -224,7 +446,7 @@ class Workspace:
 
     def key(self, path: Path) -> str:
         """By what a file is known, whatever links lead to it."""
-        return os.path.realpath(path)
+        return self._disk.real(path)
 
     def open(self, uri: str, path: Path, text: str, version: int | None) -> Buffer:
         """Take a text that the editor shows."""
@@ -248,10 +470,24 @@ class Workspace:
 
     def _turn(self, path: Path) -> None:
         """Documents that depend on a file must be read again."""
-        if self.is_referred_to(path):
+        if not self.is_referred_to(path):
+            return
+        buffer = self.buffers.get(self.key(path))
+        if buffer is None or buffer.kind is not Kind.XACRO:
             self.forget()
+            return
+        self.generation += 1
+        self.caches.forget_robots(path)
+        for each in self.buffers.values():
+            each.forget()
 
     # Documents
+
+    def look_again(self, buffer: Buffer) -> None:
+        """Look for the files around a xacro file again, of which some may be new to a client that does not watch."""
+        if buffer.kind in {Kind.XACRO, Kind.SRDF, Kind.URDF} and buffer.made is not None:
+            self.library(buffer.path).look_again()
+            buffer.made.forget_views((Reading, Own))
 
     def settings_for(self, path: Path) -> Settings:
         """The settings of a file; the defaults where the configuration is faulty."""
@@ -283,10 +519,16 @@ class Workspace:
         document.library = library
         return document
 
+    def listed(self, folder: Path) -> list[Path]:
+        """The descriptions in a folder."""
+        found = discover([folder], exclude=lambda each: self.settings_for(each).excludes(each))
+        return [file.path for file in found.files]
+
     def _configuration(self) -> Configuration:
+        """The configuration that is set, or else that of the files; none where it is faulty."""
         self.fault = ""
         try:
             return Configuration(self.choices.configuration, trusted=self.choices.trust)
         except WrongUsage as error:
-            self.fault = str(error)
-            return Configuration(isolated=True)
+            self.fault = f"setting `configuration`: {error}"
+            return Configuration(trusted=self.choices.trust)

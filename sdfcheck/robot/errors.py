@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from sdfcheck.source.element import Element
+    from sdfcheck.source.document import Element
 
 
 class DescriptionError(ValueError):

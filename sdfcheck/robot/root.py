@@ -2,38 +2,83 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
+from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import NEWEST, Version
-from sdfcheck.robot.kinds import ELEMENTS, class_named
-from sdfcheck.robot.node import Node, Outside
-from sdfcheck.robot.part import Part, Registry
+from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named
 from sdfcheck.robot.reserved import WORLD_FRAME
-from sdfcheck.robot.scope import Scope
-from sdfcheck.robot.special import SPECIAL
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model, World
     from sdfcheck.robot.motion.mass_properties import MassProperties
     from sdfcheck.robot.motion.poses import Poses
-    from sdfcheck.robot.naming.frame_reference import FrameReference
+    from sdfcheck.robot.naming.frames import FrameReference
     from sdfcheck.robot.naming.names import Names
     from sdfcheck.robot.naming.rings import Ring
+    from sdfcheck.robot.parts.control import ControlComponent, Ros2Control
+    from sdfcheck.robot.parts.files import Include, Resource
     from sdfcheck.robot.parts.gazebo import GazeboBlock
-    from sdfcheck.robot.parts.include import Include
     from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.physics import Actor
-    from sdfcheck.robot.parts.resource import Resource
-    from sdfcheck.robot.world import World
-    from sdfcheck.source.document import Document
-    from sdfcheck.source.element import Element
+    from sdfcheck.robot.parts.sensor import Light
+    from sdfcheck.source.document import Document, Element
 
-P = TypeVar("P", bound=Part)
+
+# Parts of the robot that the names of elements alone do not determine.
+
+
+_LISTENERS = frozenset({"sensor", "audio_source"})
+
+
+def _customs(root: Root) -> list[Element]:
+    if root.is_urdf:
+        from sdfcheck.formats.urdf.survey import survey as urdf_survey
+
+        return urdf_survey(root.document).customs
+    return survey(root.document).customs
+
+
+def _contacts(root: Root) -> Iterator[Part]:
+    """The contacts of sensors and sounds; surfaces have contacts of their own, and are many."""
+    given = root.elements.get("contact", ())
+    return (
+        root.part_of(each) for each in given if each.parent is not None and each.parent.name in _LISTENERS
+    )
+
+
+def _control(root: Root) -> Sequence[Ros2Control]:
+    return root.each("Ros2Control") if root.is_urdf and root.elements.get("ros2_control") else ()
+
+
+def _components(root: Root) -> Iterator[ControlComponent]:
+    return (component for block in _control(root) for component in block.components)
+
+
+SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
+    "Custom": lambda root: root.made_of(found, "Custom") if (found := _customs(root)) else (),
+    "Contact": _contacts,
+    "ControlComponent": _components,
+    "ControlInterface": lambda root: chain.from_iterable(map(attrgetter("interfaces"), _components(root))),
+    "ControlTransmission": lambda root: (each for block in _control(root) for each in block.transmissions),
+    "Include": attrgetter("includes"),
+    "FrameReference": attrgetter("frame_references"),
+    "Resource": attrgetter("resources"),
+    "Root": lambda root: (root,),
+}
+"""Class → its parts, where the names of elements alone do not determine them."""
+
+
+# The root of a description: everything that a file says, as one graph of parts.
+
+
+P = TypeVar("P", bound="Part")
 
 
 class Root(Part):
@@ -99,7 +144,7 @@ class Root(Part):
     @lazy
     def resources(self) -> tuple[Resource, ...]:
         """The meshes, textures, scripts and sounds that it names."""
-        from sdfcheck.robot.parts.resource import resources_of
+        from sdfcheck.robot.parts.files import resources_of
 
         return resources_of(self)
 
@@ -189,7 +234,7 @@ class Root(Part):
         """The references to frames that the file writes, resolved or not."""
         if self.is_urdf and not self.elements.get("gazebo"):
             return ()
-        from sdfcheck.robot.naming.frame_reference import frame_references
+        from sdfcheck.robot.naming.frames import frame_references
 
         return tuple(frame_references(self))
 
@@ -232,7 +277,7 @@ class Root(Part):
     @lazy
     def outside(self) -> Node:
         """The substitute for the world in a file without a world."""
-        return Outside(self, self.element, WORLD_FRAME)
+        return ImplicitWorld(self, self.element, WORLD_FRAME)
 
     @lazy
     def poses(self) -> Poses:
@@ -254,7 +299,7 @@ class Root(Part):
             index = urdf_survey(self.document).index
             if not index.get("gazebo"):
                 return index
-            from sdfcheck.robot.parts.gazebo_blocks import with_extensions
+            from sdfcheck.robot.parts.gazebo import with_extensions
 
             return with_extensions(index)
         return self._survey.index
@@ -284,13 +329,13 @@ class Root(Part):
 
     def world(self, key: str | int) -> World:
         """A world by name or index; raises NotFound."""
-        from sdfcheck.robot.access.lookup import pick
+        from sdfcheck.robot.graph import pick
 
         return pick(self, "world", self.worlds, key)
 
     def model(self, key: str | int) -> Model:
         """A model that is in no world, by name or index; raises NotFound."""
-        from sdfcheck.robot.access.lookup import pick
+        from sdfcheck.robot.graph import pick
 
         return pick(self, "model", self.models, key)
 

@@ -11,10 +11,13 @@ from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 if TYPE_CHECKING:
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span
 
 T = TypeVar("T")
+
+MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+"""The moments and products of an inertia, by the names of their elements and attributes."""
 
 
 class lazy(Generic[T]):  # noqa: N801 - used like `property`
@@ -177,3 +180,23 @@ class Text(_Placed, str):
 def is_true(text: str) -> bool:
     """The texts that the formats take for true."""
     return text.strip().lower() in {"true", "1"}
+
+
+def reference_of(pose: Element | None) -> str:
+    """The frame that a pose is written relative to; empty for the default."""
+    value = reference_value(pose)
+    return "" if value is None else value.text.strip()
+
+
+def reference_value(pose: Element | None) -> Value | None:
+    """The reference of a pose with its place: until 1.6 it was called ``frame``."""
+    if pose is None or pose.name != "pose":
+        return None
+    old = pose.attribute("frame")
+    if old is not None:
+        from sdfcheck.formats.sdf.survey import survey
+        from sdfcheck.formats.sdf.version import Version
+
+        if survey(pose.document).version < Version(1, 7):
+            return old
+    return pose.attribute("relative_to")

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from copy import copy
 
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Node
+from sdfcheck.source.document import Document, Element, Node, Spans
 from sdfcheck.source.scanner.scan import ElementPlace, Scan
 from sdfcheck.source.scanner.start_tag import StartTag
-from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source, Span, Step
 
 

@@ -253,7 +253,7 @@ def _is_misspelt(name: str, suffix: str, text: str, start: int) -> bool:
 
 def suggested_root(name: str) -> str | None:
     """The root element whose name is a misspelling away from this one."""
-    from sdfcheck.source.scanner.evidence import alike
+    from sdfcheck.source.scanner.pairing import alike
 
     return next((root for root in ROOTS if alike(name, root)), None)
 

@@ -140,3 +140,8 @@ class Step(NamedTuple):
 
     span: Span
     text: str
+
+
+def is_expression(text: str) -> bool:
+    """Whether xacro should have replaced something in a text."""
+    return "${" in text or "$(" in text

@@ -7,10 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.parts.light import Light
-from sdfcheck.robot.parts.sensor import Sensor
+from sdfcheck.robot.parts.sensor import Light, Sensor
 from sdfcheck.robot.values import Vector
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.view.numbers import Json, finite, flat
 
 REACH = 2.0

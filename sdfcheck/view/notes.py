@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 
-from sdfcheck.convert.change import Change
+from sdfcheck.convert.comparison import Change
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.model import Model
-from sdfcheck.robot.part import Part
+from sdfcheck.robot.graph import Model, Part, World
+from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.world import World
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 from sdfcheck.view.numbers import Json
@@ -41,7 +40,7 @@ def findings(
 
     ``pages`` are the addresses of the pages about the rules, by code.
     """
-    parts = sorted(_parts(document), key=lambda part: part.whole.end - part.whole.start)
+    parts = document.view(Parts)
     return [
         {
             "severity": one.severity.value,
@@ -50,7 +49,7 @@ def findings(
             "message": one.message,
             "place": f"{one.span.source.path.name}:{one.span.begin.line}",
             "url": pages.get(one.code),
-            **_around(one.span, parts),
+            **parts.around(one.span),
         }
         for one in found
     ]
@@ -79,6 +78,7 @@ def _difference(model: str, change: Change) -> Json:
 class _Part(NamedTuple):
     """A part that the file writes, with all that is in it."""
 
+    element: Element
     whole: Span
     layer: str | None
     model: str | None
@@ -90,7 +90,7 @@ def _parts(document: Document) -> Iterator[_Part]:
     root = root_of(document)
     for kind, layer in _LAYERS.items():
         for part in root.each(kind):
-            yield _Part(document.spans.whole(part.element), layer, *_address(part))
+            yield _Part(part.element, document.spans.whole(part.element), layer, *_address(part))
 
 
 def _address(part: Part) -> tuple[str | None, str | None]:
@@ -105,10 +105,66 @@ def _address(part: Part) -> tuple[str | None, str | None]:
     return model, "::".join(reversed(names)) or None
 
 
-def _around(span: Span, parts: Iterable[_Part]) -> Json:
-    """The innermost part around a place; of what a macro made, the part that it was made for."""
-    for part in parts:
-        whole = part.whole
-        if whole.source.path == span.source.path and whole.start <= span.start < whole.end:
-            return {"model": part.model, "part": part.name, "layer": part.layer}
-    return {"model": None, "part": None, "layer": None}
+class Parts:
+    """The parts that a file writes, by place and by name."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._parts = sorted(_parts(document), key=lambda part: part.whole.end - part.whole.start)
+        self._written: dict[_Tag, list[_Part]] = {}
+        self._made: dict[_Tag, list[_Part]] = {}
+        """The name of a macro's call → the links that it made."""
+
+    def around(self, span: Span) -> Json:
+        """The innermost part around a place; of what a macro made, the part that it was made for."""
+        for part in self._parts:
+            whole = part.whole
+            if whole.source.path == span.source.path and whole.start <= span.start < whole.end:
+                return {"model": part.model, "part": part.name, "layer": part.layer}
+        return {"model": None, "part": None, "layer": None}
+
+    def at(self, element: Element) -> list[Json]:
+        """The parts that an element of one of the files is or makes, or those of the nearest element around it."""
+        if not self._written:
+            self._list_tags()
+        for each in (element, *element.around):
+            tag = _tag(each.span)
+            if found := self._written.get(tag) or self._made.get(tag):
+                known = dict.fromkeys((part.model, part.name) for part in found)
+                return [{"model": model, "part": name} for model, name in known]
+        return []
+
+    def _list_tags(self) -> None:
+        for part in self._parts:
+            self._written.setdefault(_tag(part.element.span), []).append(part)
+            if part.element.name == "link":
+                for step in self._document.origins(part.element):
+                    self._made.setdefault(_tag(step.span), []).append(part)
+
+    def place(self, model: str | None, name: str | None) -> Span | None:
+        """Where a link, a joint or a model (``name`` is None) is written, also in an included file."""
+        for part in self._parts:
+            if part.layer in {None, "axes"} and (part.model, part.name) == (model, name):
+                return part.element.span
+        root = root_of(self._document)
+        for one in (*root.models, *(model for world in root.worlds for model in world.models)):
+            if one.name == model:
+                return _place(one, name)
+        return None
+
+
+_Tag = tuple[str, int]
+"""The path of a file, and where the name of a start tag begins in it."""
+
+
+def _tag(span: Span) -> _Tag:
+    return span.source.real_path, span.start
+
+
+def _place(model: Model, name: str | None) -> Span | None:
+    try:
+        made = mechanism_of(model, vendors=True)
+    except (DescriptionError, ValueError):
+        return model.element.span
+    part = made.links.get(name or "") or made.joints.get(name or "")
+    return (model if part is None else part).element.span

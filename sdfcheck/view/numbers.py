@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 
 Json = dict[str, Any]
 

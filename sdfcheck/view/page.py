@@ -8,7 +8,7 @@ from importlib.resources import files
 from typing import Any
 
 from sdfcheck.view.scene import MOST_SHAPES
-from sdfcheck.view.sealed import Assets, sealed
+from sdfcheck.view.sealed import Assets, policy, sealed
 
 _STYLE = """
 :root { color-scheme: light dark; --line: #8886; --error: #c92a2a; --warning: #8f5200; --info: #1864ab; }
@@ -27,6 +27,10 @@ canvas { display: block; width: 100%; height: 100%; touch-action: none; position
 #panel { width: 360px; overflow: auto; border-left: 1px solid var(--line); padding: 8px 12px; }
 #legend { position: absolute; left: 12px; bottom: 8px; margin: 0; pointer-events: none; }
 #legend span { display: block; }
+#note { position: absolute; left: 12px; right: 12px; top: 8px; padding: 4px 8px; background: Canvas; }
+#note { color: var(--warning); border: 1px solid var(--line); }
+.argument { display: grid; grid-template-columns: 9em 1fr; gap: 6px; margin: 2px 0; overflow-wrap: anywhere; }
+.argument input, .argument select { min-width: 0; font: inherit; }
 #legend .before::before, #legend .after::before { content: "■ "; }
 #legend .before::before { color: var(--before); }
 #legend .after::before { color: var(--after); }
@@ -53,6 +57,7 @@ _BODY = """<header><h1>{title}</h1></header>
 <div id="stage">
 <canvas aria-label="The robot, drawn; drag to turn, scroll to zoom" role="img"></canvas>
 <p id="legend"></p>
+<p id="note" aria-live="polite" hidden></p>
 <p id="no-webgl" hidden>This browser cannot draw in three dimensions (WebGL is off). The lists are complete.</p>
 </div>
 <section id="panel" aria-label="Parts, joints and findings" tabindex="0"></section>
@@ -81,6 +86,33 @@ def page(
         "mostShapes": MOST_SHAPES,
     }
     return sealed(title, _BODY.format(title=escape(title)), data, assets())
+
+
+def live_policy(how: str) -> str:
+    """The policy of :func:`live_page`, for the server that sends it."""
+    return policy([_live_assets(how)])
+
+
+def live_page(title: str, how: str) -> str:
+    """A page whose robot follows its text.
+
+    ``how`` it gets the robot: ``"http"``, as events of the server that it is from, or ``"editor"``, as messages
+    of the editor that shows it.
+    """
+    data = {
+        "live": how,
+        "scenes": [],
+        "meshes": [],
+        "findings": [],
+        "differences": [],
+        "mostShapes": MOST_SHAPES,
+    }
+    body = _BODY.format(title=escape(title))
+    return sealed(title, body, data, _live_assets(how))
+
+
+def _live_assets(how: str) -> Assets:
+    return assets()._replace(connects=how == "http")
 
 
 def assets() -> Assets:

@@ -12,17 +12,16 @@ from collections.abc import Iterator
 import numpy as np
 
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.parts.light import Light
 from sdfcheck.robot.parts.link import Link as LinkPart
+from sdfcheck.robot.parts.sensor import Light
 from sdfcheck.robot.parts.shape import Visual
 from sdfcheck.robot.root import Root, root_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.view.beside import light_of, sensor_of
 from sdfcheck.view.meshes import Meshes
 from sdfcheck.view.numbers import Json, bound, finite, flat, place

@@ -32,10 +32,14 @@ _UNPRINTABLE = re.compile(r"[^\x20-\x7e]")
 
 
 class Assets(NamedTuple):
-    """The style and the scripts of a page: CSS and JavaScript."""
+    """The style and the scripts of a page: CSS and JavaScript.
+
+    ``connects``: the script may talk to the server that the page is from, and to no other.
+    """
 
     style: str
     script: str
+    connects: bool = False
 
 
 def sealed(
@@ -54,7 +58,7 @@ def sealed(
     """
     return _TEMPLATE.format(
         title=escape(title),
-        policy=_policy([assets, *framed]),
+        policy=policy([assets, *framed]),
         style=assets.style,
         body=body,
         more="".join(f"{_opening(name)}{text}</script>\n" for name, text in (more or {}).items()),
@@ -86,12 +90,14 @@ def _escaped(match: re.Match[str]) -> str:
     return match[0] if match[0].isprintable() else json.dumps(match[0])[1:-1]
 
 
-def _policy(all_assets: Sequence[Assets]) -> str:
+def policy(all_assets: Sequence[Assets]) -> str:
+    """The policy of a page with these assets, as browsers read it."""
     scripts = " ".join(f"'{_digest(each.script)}'" for each in all_assets)
     styles = " ".join(f"'{_digest(each.style)}'" for each in all_assets)
+    own = "'self' " if any(each.connects for each in all_assets) else ""
     return (
         f"default-src 'none'; script-src {scripts}; style-src {styles}; "
-        "img-src data: blob:; connect-src data: blob:; base-uri 'none'; form-action 'none'"
+        f"img-src data: blob:; connect-src {own}data: blob:; base-uri 'none'; form-action 'none'"
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.relative import relative_path
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.origins import ExpandedDocument

@@ -1,24 +1,219 @@
-"""Expanding a xacro file: the text, the document, or what was in the way."""
+"""Expanding a xacro file: the text, the document, or what was in the way, with its exact place."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import TracebackType
 from typing import Any, TypeGuard
 
+from sdfcheck.files.library import Surroundings as Places
 from sdfcheck.files.packages import Packages, project_root
-from sdfcheck.files.regular import note_read, read_named
+from sdfcheck.files.regular import Bounds, note_read, read_named
 from sdfcheck.source.document import Document, read
+from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.scanner.parse_tag import parse_start_tag
+from sdfcheck.source.scanner.start_tag import StartTag
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source
-from sdfcheck.xacro.explanation import explain
+from sdfcheck.source.text import Source, Span, Step
 from sdfcheck.xacro.origins import Call, ExpandedDocument, Provenance, Sources, shown
-from sdfcheck.xacro.problems import ExpansionFailure, Failure, Problem
+from sdfcheck.xacro.problems import (
+    ExpansionFailure,
+    Failure,
+    Mismatch,
+    Problem,
+    UndefinedMacro,
+    UndefinedProperty,
+    UnknownPackage,
+    WrongMacroArguments,
+    XacroIncludeCycle,
+)
 from sdfcheck.xacro.process.watch import Limits
 from sdfcheck.xacro.process.worker import Worker
+
+# From what the expanding process reports to a problem with an exact place.
+
+
+Report = Mapping[str, Any]
+
+_MISMATCHES = {
+    "Invalid": Mismatch.UNKNOWN,
+    "Undefined": Mismatch.MISSING,
+    "Not": Mismatch.MISSING_BLOCK,
+    "Unused": Mismatch.EXTRA_BLOCK,
+}
+_FAILURES: Mapping[str, Failure] = {
+    "argument": Failure.ARGUMENT,
+    "variable": Failure.VARIABLE,
+    "limit": Failure.LIMIT,
+    "refused": Failure.REFUSED,
+    "other": Failure.EXPRESSION,
+}
+
+
+def explain(report: Report, provenance: Provenance, document: Document) -> Problem:
+    """The problem that made an expansion fail."""
+    case = _Case(report, provenance, document)
+    kind: str = report["kind"]
+    take: Callable[[_Case], Problem] | None = _TAKE.get(kind)
+    if take is not None:
+        return take(case)
+    detail = str(report.get("name") or report.get("message") or "")
+    failure = _FAILURES[kind]
+    if failure is Failure.VARIABLE and detail in os.environ:
+        failure = Failure.WITHHELD
+    return ExpansionFailure(case.span(), failure, detail, str(report.get("expression", "")), case.origins)
+
+
+class _Case:
+    """A report, and the place that it speaks of."""
+
+    def __init__(self, report: Report, provenance: Provenance, document: Document) -> None:
+        self.report = report
+        self.provenance = provenance
+        self.source, self.at = self.place(document)
+        self.tag: StartTag = parse_start_tag(self.source, self.at)[0]
+        self.origins: tuple[Step, ...] = _shortened(provenance.steps(report.get("step", -1)))
+
+    def place(self, document: Document) -> tuple[Source, int]:
+        place = self.report.get("place")
+        if place and place[0] < len(self.provenance.files) and place[1]:
+            source = self.provenance.files[place[0]]
+            at = source.offset(place[1], place[2])
+            if source.text.startswith("<", at):
+                return source, at
+        scan = document.scan
+        return document.source, scan.starts[0] if scan.starts else 0
+
+    @property
+    def name(self) -> Span:
+        return self.source.span(self.tag.name_start, self.tag.name_end)
+
+    def span(self, word: str = "") -> Span:
+        """The smallest place known: the word in the expression, the expression, the value, the tag."""
+        start, end = self.value()
+        expression: str = self.report.get("expression", "")
+        if expression:
+            found = self.source.text.find(expression, start, end)
+            if found < 0:
+                start, end = self.at, self.reach()
+                found = self.source.text.find(expression, start, end)
+            if found < 0:
+                return self.value_span()
+            start, end = found, found + len(expression)
+        if word:
+            match = re.compile(rf"(?<![\w.]){re.escape(word)}(?!\w)").search(self.source.text, start, end)
+            if match:
+                return self.source.span(match.start(), match.end())
+        return self.source.span(start, end) if expression else self.value_span()
+
+    def value(self) -> tuple[int, int]:
+        """The range of the attribute that is spoken of, else of the start tag after its name."""
+        for attribute in self.tag.attributes:
+            if attribute.name == self.report.get("attribute"):
+                return attribute.value_start, attribute.value_end
+        return self.tag.name_end, self.tag.end
+
+    def value_span(self) -> Span:
+        start, end = self.value()
+        known = end != self.tag.end and start < end
+        return self.source.span(start, end) if known else self.name
+
+    def attribute(self, name: str) -> Span:
+        for attribute in self.tag.attributes:
+            if attribute.name == name:
+                return self.source.span(attribute.name_start, attribute.name_end)
+        return self.name
+
+    def reach(self) -> int:
+        """Where the element ends: the text inside may hold the expression."""
+        scan = self.provenance.sources.scan(self.source)
+        if self.at in scan.starts:
+            return scan.close_ends[scan.starts.index(self.at)]
+        return self.tag.end
+
+
+def _shortened(steps: tuple[Step, ...], most: int = 12) -> tuple[Step, ...]:
+    """A long chain without its middle."""
+    return steps if len(steps) <= most else (*steps[: most // 2], *steps[-most // 2 :])
+
+
+def _property(case: _Case) -> Problem:
+    name: str = case.report["name"]
+    return UndefinedProperty(case.span(name), name, None, case.origins)
+
+
+def _macro(case: _Case) -> Problem:
+    attribute = "macro" if case.tag.name == "xacro:call" else ""
+    span = case.name
+    if attribute:
+        span = case.value_span()
+    elif ":" in span.text:
+        span = case.source.span(span.start + span.text.index(":") + 1, span.end)
+    return UndefinedMacro(span, case.report["name"], None, case.origins)
+
+
+def _package(case: _Case) -> Problem:
+    name: str = case.report["name"]
+    return UnknownPackage(case.span(name), name, None, case.origins)
+
+
+def _file(case: _Case) -> Problem:
+    detail = f"{case.report['name']}: {case.report['message']}"
+    expression = case.report.get("expression", "")
+    return ExpansionFailure(case.span(), Failure.FILE, detail, expression, case.origins)
+
+
+def _syntax(case: _Case) -> Problem:
+    file, line, column = case.report["at"]
+    source = case.provenance.files[file]
+    start = source.offset(line, column)
+    fault = source.span(start, start + 1)
+    detail: str = case.report["message"]
+    if not case.report.get("place"):  # the file itself: no include was under way
+        return ExpansionFailure(fault, Failure.TEXT, detail, cause=fault)
+    defects = (
+        each.span for each in Document(source, Kind.XACRO, []).problems if isinstance(each, SyntaxDefect)
+    )
+    cause = next(defects, fault)
+    return ExpansionFailure(case.span(), Failure.SYNTAX, detail, origins=case.origins, cause=cause)
+
+
+def _recursion(case: _Case) -> Problem:
+    name: str = case.report["name"]
+    if case.report["what"] == "include":
+        return XacroIncludeCycle(case.value_span(), name, (), case.origins)
+    return ExpansionFailure(case.name, Failure.RECURSION, name, "", case.origins)
+
+
+def _arguments(case: _Case) -> Problem:
+    report = case.report
+    kind = _MISMATCHES[report["what"]]
+    names = tuple(report["names"])
+    span = case.attribute(names[0]) if kind is Mismatch.UNKNOWN else case.name
+    definition = None
+    if report.get("definition"):
+        definition = case.provenance.name_at(*report["definition"])
+    parameters = tuple(report["parameters"])
+    return WrongMacroArguments(span, report["macro"], kind, names, parameters, definition, case.origins)
+
+
+_TAKE: Mapping[str, Callable[[_Case], Problem]] = {
+    "property": _property,
+    "macro": _macro,
+    "package": _package,
+    "file": _file,
+    "syntax": _syntax,
+    "recursion": _recursion,
+    "arguments": _arguments,
+}
+
+
+# Expanding a xacro file: the text, the document, or what was in the way.
+
 
 PASSED_ON = tuple(
     """
@@ -131,13 +326,19 @@ class Expander:
             texts=dict(texts),
         )
         try:
-            return _expansion(answer, document, texts)
-        except (KeyError, IndexError, TypeError, ValueError):  # code in a file has got at the answer
+            return _expansion(answer, document, texts, _readable(packages))
+        except (
+            KeyError,
+            IndexError,
+            TypeError,
+            ValueError,
+            AttributeError,
+        ):  # code in a file has got at the answer
             refusal = {
                 "kind": "refused",
                 "message": "the answer of the process that expands is not as it must be",
             }
-            return _expansion({"failure": refusal, "files": [], "steps": []}, document, {})
+            return _expansion({"failure": refusal, "files": [], "steps": []}, document, {}, None)
 
     def walls(self) -> Mapping[str, bool]:
         """The parts of the system that lock an expansion up, and whether they do so here."""
@@ -176,17 +377,47 @@ def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
     return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
 
 
-def _expansion(answer: Mapping[str, Any], document: Document, texts: Mapping[str, str]) -> Expansion:
-    files: Sequence[str] = answer["files"]
+def _readable(packages: Packages) -> Bounds:
+    """The places that the process that expands may read from."""
+    trusted = [os.fspath(folder) for folder in packages.trusted()]
+    roots = (os.fspath(packages.root), *map(os.fspath, packages.installed()), *trusted)
+    return Places(tuple(map(os.path.realpath, roots)), tuple(map(os.path.abspath, trusted)), ())
+
+
+def _expansion(
+    answer: Mapping[str, Any], document: Document, texts: Mapping[str, str], within: Bounds | None
+) -> Expansion:
+    """The outcome that an answer reports; raises one of several errors for an answer that is not as it must be."""
+    files: list[str] = [*answer["files"]]
+    others: list[str] = [*answer.get("others", ())]
+    if any("\0" in name for name in (*files, *others)):
+        raise ValueError
     calls = [Call(*row) for row in answer["steps"]]
-    sources = Sources(document.source, texts)
-    read_files = tuple(dict.fromkeys(shown(Path(name)) for name in (*files, *answer.get("others", ()))))
-    note_read(map(Path, (*files, *answer.get("others", ()))))
+    for number, call in enumerate(calls):
+        _check([call.file, call.line, call.column, call.outer], len(files), number)
+    sources = Sources(document.source, texts, within)
+    read_files = tuple(dict.fromkeys(shown(Path(name)) for name in (*files, *others)))
+    note_read(map(Path, (*files, *others)))
     if "failure" in answer:
         provenance = Provenance(sources, files, calls, [])
         found = explain(answer["failure"], provenance, document)
         return Expansion(None, None, (found,), read_files)
     text: str = answer["text"]
-    provenance = Provenance(sources, files, calls, answer["places"])
+    places: list[int] = answer["places"]
+    _check(places, len(files), len(calls))
+    provenance = Provenance(sources, files, calls, places)
     expanded = ExpandedDocument(Source(document.path, text), provenance)
-    return Expansion(text, expanded, (), read_files, tuple(answer["arguments"]))
+    if len(places) < 4 * len(expanded.elements):
+        raise ValueError
+    return Expansion(text, expanded, (), read_files, tuple(map(str, answer["arguments"])))
+
+
+def _check(places: list[int], files: int, steps: int) -> None:
+    """Raise ValueError unless each four numbers are a file, a line, a column, and a step or -1."""
+    if not places:
+        return
+    file, line, column, step = (places[start::4] for start in range(4))
+    is_right = set(map(type, places)) == {int} and min(file) >= 0 and max(file) < files
+    is_right = is_right and min(line) > 0 and min(column) > 0 and min(step) >= -1 and max(step) < steps
+    if not is_right:
+        raise ValueError

@@ -1,9 +1,15 @@
-"""The words of the xacro language."""
+"""The words of the xacro language, and the parameters of macros as it takes them apart."""
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
+
+from sdfcheck.source.record import NamedTuple
+
+# The words of the xacro language.
+
 
 PREFIX = "xacro:"
 
@@ -44,6 +50,9 @@ BUILT_IN = frozenset(
     sqrt sumprod tan tanh tau trunc ulp
     """.split()
 )
+
+LONGEST_CODE = 65_536
+"""Code with more characters is not read: of a chain of twice that, such as ``a.a.a``, Python 3.10 dies."""
 
 DEPRECATED: Mapping[str, str] = {
     "abs_filename": "xacro",
@@ -113,3 +122,172 @@ def substitutions(text: str) -> Iterator[tuple[int, str]]:
 def is_literal(text: str) -> bool:
     """Whether a text means itself."""
     return "${" not in text and "$(" not in text
+
+
+def syntax_tree(code: str, mode: str = "eval") -> ast.AST:
+    """The tree of an expression of Python; of a program with the mode ``exec``.
+
+    Raises:
+        SyntaxError: the code has another form.
+        ValueError, RecursionError, MemoryError: it is too long, or nested too deep.
+    """
+    if len(code) > LONGEST_CODE:
+        raise ValueError(f"more than {LONGEST_CODE} characters")
+    return ast.parse(code, mode=mode)
+
+
+# The parameters of a macro, as xacro takes ``params`` apart.
+#
+# xacro's regular expression tries every way to part a default into quoted and bare pieces,
+# which takes for ever where a quote is left over. Here each offset is decided once.
+
+
+_HEAD = re.compile(r"\s*([^\s:=]+)\s*:?=")
+_BLANKS = re.compile(r"\s*")
+_PLAIN = re.compile(r"\s*(\S+)")
+
+
+class Parameter(NamedTuple):
+    """A parameter of a macro, as ``params`` spells it: ``*name`` and ``**name`` take blocks.
+
+    ``start`` and ``end`` are the name's place in the text. ``forwards``: the caller's
+    property of that name replaces it.
+    """
+
+    name: str
+    start: int
+    end: int
+    default: str | None
+    forwards: bool
+
+    @property
+    def is_block(self) -> bool:
+        return self.name.startswith("*")
+
+    @property
+    def is_optional(self) -> bool:
+        return self.default is not None or self.forwards
+
+
+def parameters(text: str) -> Iterator[Parameter]:
+    """The parameters in a ``params`` attribute."""
+    return (parameter for parameter, _ in Parameters(text).after(0))
+
+
+class Parameters:
+    """A ``params`` attribute, and where the defaults in it may end."""
+
+    __slots__ = ("_closing", "_ends", "text")
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self._ends: list[int] = []
+        self._closing: dict[str, list[int]] = {}
+        if "=" in text:
+            self._decide()
+
+    def after(self, at: int) -> Iterator[tuple[Parameter, int]]:
+        """The parameters from an offset on, each with where the next one begins."""
+        while match := _PLAIN.match(self.text, at):
+            found = self._with_default(at)
+            if found is None:
+                found = Parameter(match[1], match.start(1), match.end(1), None, False), match.end()
+            yield found
+            at = found[1]
+
+    def _with_default(self, at: int) -> tuple[Parameter, int] | None:
+        head = _HEAD.match(self.text, at)
+        if head is None:
+            return None
+        begin = self.skip(head.end())
+        marks = [mark for mark in ("^|", "^", "") if self.text.startswith(mark, begin)]
+        for mark in marks:
+            start = begin + len(mark)
+            end = self._end(start)
+            if end >= 0:
+                default = self.text[start:end] or None
+                return Parameter(head[1], *head.span(1), default, bool(mark)), self.skip(end)
+        # The text after the spaces is not a default, so the parameter has none.
+        return (Parameter(head[1], *head.span(1), None, False), begin) if begin > head.end() else None
+
+    def _end(self, at: int) -> int:
+        """The end of the default that begins at an offset; -1 if none does."""
+        for opening, mark in (("${", "}"), ("$(", ")")):
+            if self.text.startswith(opening, at) and self._closing[mark][at + 2] >= 0:
+                return self._closing[mark][at + 2]
+        return self._ends[at] if self._ends[at] >= 0 or not self._is_over(at) else at
+
+    def _decide(self) -> None:
+        """From the end on: where the pieces that begin at an offset end, and the next mark that ends a default."""
+        text, size = self.text, len(self.text)
+        ends = self._ends = [-1] * (size + 2)
+        quoted = {quote: [-1] * (size + 2) for quote in "'\""}
+        closing = self._closing = {mark: [-1] * (size + 2) for mark in "})"}
+        for at in range(size - 1, -1, -1):
+            character, following = text[at], at + 1
+            # More pieces are preferred to an end.
+            past = ends[following]
+            if past < 0 and self._is_over(following):
+                past = following
+            if character in quoted:
+                ends[at] = quoted[character][following]
+            elif not character.isspace():
+                is_inside = (
+                    following < size and text[following] not in "'\"" and not text[following].isspace()
+                )
+                ends[at] = ends[following] if is_inside else past
+            if character == "\n":
+                continue
+            for quote, found in quoted.items():
+                found[at] = past if character == quote and past >= 0 else found[following]
+            for mark, found in closing.items():
+                found[at] = following if character == mark and self._is_over(following) else found[following]
+
+    def _is_over(self, at: int) -> bool:
+        return at >= len(self.text) or self.text[at].isspace()
+
+    def skip(self, at: int) -> int:
+        """The offset of the next character that is not blank."""
+        match = _BLANKS.match(self.text, at)
+        assert match
+        return match.end()
+
+
+class _Rest:
+    """The rest of a ``params`` attribute; true where there is one."""
+
+    __slots__ = ("at", "of")
+
+    def __init__(self, of: Parameters, at: int) -> None:
+        self.of = of
+        self.at = at
+
+    def __bool__(self) -> bool:
+        return self.at < len(self.of.text)
+
+    def __str__(self) -> str:
+        return self.of.text[self.at :]
+
+
+class ArgumentParser:
+    """Does the work of ``xacro.parse_macro_arg``: the first parameter, its default, and the rest.
+
+    xacro only asks whether there is a rest, and hands it back; a text would be copied for each parameter.
+    """
+
+    __slots__ = ()
+
+    def __call__(self, given: str | _Rest) -> tuple[str, tuple[str | None, str | None] | None, _Rest]:
+        rest = given if isinstance(given, _Rest) else _Rest(Parameters(given), 0)
+        whole = rest.of.text
+        parameter, following = next(rest.of.after(rest.at))
+        has_default = _HEAD.match(whole, parameter.start) is not None and following > parameter.end
+        has_default = has_default and whole.find("=", parameter.end, following) >= 0
+        if not has_default:
+            return parameter.name, None, _Rest(rest.of, rest.of.skip(following))
+        forwarded = parameter.name if parameter.forwards else None
+        # xacro reads on to the end of the line only.
+        line_end = whole.find("\n", following)
+        if line_end >= 0:
+            rest, following = _Rest(Parameters(whole[following:line_end]), 0), 0
+        return parameter.name, (forwarded, parameter.default), _Rest(rest.of, following)

@@ -8,16 +8,13 @@ from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from sdfcheck.files.regular import read_regular
+from sdfcheck.files.regular import Bounds, read_regular
 from sdfcheck.source.decode import decode
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, Spans
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
-from sdfcheck.source.scanner.quick_scan import quick_scan
-from sdfcheck.source.scanner.scan import Scan
+from sdfcheck.source.scanner.scan import Scan, quick_scan
 from sdfcheck.source.scanner.start_tag import START, StartTag
-from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source, Span, Step
 
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -73,10 +70,17 @@ class Call(NamedTuple):
 
 
 class Sources:
-    """The files that took part, read once; ``top`` is read already, as are the ``texts`` by their paths."""
+    """The files that took part, read once; ``top`` is read already, as are the ``texts`` by their paths.
 
-    def __init__(self, top: Source, texts: Mapping[str, str] | None = None) -> None:
+    Others are named by the process that expands, which code in a file may have taken over: they are read
+    ``within`` what that process may read, and are empty otherwise.
+    """
+
+    def __init__(
+        self, top: Source, texts: Mapping[str, str] | None = None, within: Bounds | None = None
+    ) -> None:
         self.top = top
+        self._within = within
         self._known = {path: Source(shown(Path(path)), text) for path, text in (texts or {}).items()}
         self._known[_key(top.path)] = top
         self._scans: dict[int, Scan] = {}
@@ -87,7 +91,7 @@ class Sources:
         source = self._known.get(key)
         if source is None:
             try:
-                data = read_regular(Path(key))
+                data = read_regular(Path(key), within=self._within)
             except OSError:
                 data = b""
             source = self._known[key] = decode(data, shown(path))[0]
@@ -124,9 +128,17 @@ class Provenance:
         self.places = places
         self._chains: dict[int, tuple[Step, ...]] = {-1: ()}
         self._written: dict[int, tuple[list[int], list[int]]] = {}
+        self._with_tags: dict[int, Source] = {}
 
     def source(self, number: int) -> Source:
-        return self.files[self.places[4 * number]]
+        """The file that an element was written in; one without any tag is not, and the top file is meant."""
+        file = self.places[4 * number]
+        found = self._with_tags.get(file)
+        if found is None:
+            source = self.files[file]
+            has_tags = source is self.sources.top or bool(self.sources.scan(source).starts)
+            found = self._with_tags[file] = source if has_tags else self.sources.top
+        return found
 
     def offset(self, number: int) -> int:
         _, line, column, _ = self.places[4 * number : 4 * number + 4]

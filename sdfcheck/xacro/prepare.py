@@ -1,4 +1,4 @@
-"""The parts of a xacro file to lint: its own problems, and the documents made of it."""
+"""The parts of a xacro file to lint: its own problems, and the documents that it expands to."""
 
 from __future__ import annotations
 
@@ -10,13 +10,12 @@ from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion
-from sdfcheck.xacro.fragment import lacks_links
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.oversights import OddParameter
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
     MissingXacroPrefix,
+    OddParameter,
     Problem,
     UndeclaredXacroPrefix,
     UndefinedArgument,
@@ -33,6 +32,35 @@ from sdfcheck.xacro.static import analysis
 from sdfcheck.xacro.static.definitions import is_robot
 from sdfcheck.xacro.static.project import is_included
 from sdfcheck.xacro.static.reasons import with_reason
+
+# Files that are only a part of a robot: another file includes them and has the rest.
+
+
+_ENDS = frozenset({"parent", "child"})
+
+
+def is_fragment(document: Document) -> bool:
+    """Whether a robot has no links, or not those of its joints, and another file includes it."""
+    root = document.root
+    if root is None or document.kind is not Kind.URDF or (root.has("link") and not lacks_links(document)):
+        return False
+    from sdfcheck.xacro.static.project import is_included
+
+    return is_included(document)
+
+
+def lacks_links(document: Document) -> bool:
+    """Whether the joints of a robot connect links that it does not have itself."""
+    root = document.root
+    if root is None or document.kind is not Kind.URDF:
+        return False
+    own = {link.text_of("name") for link in root.children("link")}
+    ends = (end for joint in root.children("joint") for end in joint.children() if end.name in _ENDS)
+    return any(end.text_of("link") not in own for end in ends)
+
+
+# The parts of a xacro file to lint: its own problems, and the documents made of it.
+
 
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
@@ -64,7 +92,7 @@ def prepare(
     if expander is None or any(isinstance(each, _MISLEADING) for each in found) or not is_robot(document):
         return Prepared(tuple(with_reason(problem, document) for problem in _merged(found)), ())
     sets = list(argument_sets) or [{}]
-    expansions = [expander.expand(document, arguments) for arguments in sets]
+    expansions = [expand_as_launched(document, expander, arguments) for arguments in sets]
     parts = {
         index: expander.expand_partly(document, arguments)
         for index, arguments in enumerate(sets)
@@ -80,6 +108,23 @@ def prepare(
     documents = tuple(_documents(expansions, document))
     explained = [with_reason(problem, document) for problem in _merged(found)]
     return Prepared(tuple(explained), documents, shown)
+
+
+def expand_as_launched(document: Document, expander: Expander, arguments: Mapping[str, str]) -> Expansion:
+    """An expansion; where arguments lack values, one with what a launch file of the project gives."""
+    whole = expander.expand(document, arguments)
+    if any(_is_missing_argument(problem) for problem in whole.problems):
+        from sdfcheck.xacro.static.launches import launched_arguments
+
+        for launched in launched_arguments(document):
+            expansion = expander.expand(document, {**launched, **arguments})
+            if not any(_is_missing_argument(problem) for problem in expansion.problems):
+                return expansion
+    return whole
+
+
+def _is_missing_argument(problem: Problem) -> bool:
+    return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
 
 
 def _is_certain(problem: Problem) -> bool:
@@ -150,6 +195,4 @@ def is_complete(document: Document) -> bool:
 
 def _needs_includer(problem: Problem) -> bool:
     """Whether a file that includes this one may give what an expansion lacks."""
-    if isinstance(problem, ExpansionFailure):
-        return problem.kind is Failure.ARGUMENT
-    return isinstance(problem, UndefinedMacro | UndefinedProperty)
+    return _is_missing_argument(problem) or isinstance(problem, UndefinedMacro | UndefinedProperty)

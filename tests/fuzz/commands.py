@@ -14,7 +14,7 @@ from unittest.mock import patch
 
 from sdfcheck.cli.main import main
 from sdfcheck.source.record import NamedTuple
-from tests.harm_of_fixes import harm
+from tests.harm_of_fixes import harm, refusal
 
 EXIT_CODES = {0, 1, 2}
 BUGS = ("internal error", "this is a bug in", "CNV030")
@@ -141,6 +141,8 @@ def _is_stable(options: list[str], file: Path, before: bytes, done: Done) -> Fai
         return None
     if words := harm(before, after, file):
         return Failure("a fix does harm", f"{words}\n{after!r}")
+    if file.suffix != ".xacro" and (words := refusal(before, after, file.parent, file.suffix)):
+        return Failure("libsdformat refuses the fix", f"{words}\n{after!r}")
     again = run(["lint", *options, "--isolated", str(file)])
     if isinstance(again, Failure):
         return again

@@ -49,6 +49,8 @@ class LanguageServer:
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
         )
         self._number = 0
+        self.end = ""
+        """Why the process was ended from outside."""
         self._complaints: list[str] = []
         self._asked: tuple[float, float] | None = None
         threading.Thread(target=self._watch, daemon=True).start()
@@ -68,6 +70,7 @@ class LanguageServer:
             if asked is not None:
                 computed, passed = self._times()
                 if computed - asked[0] > SECONDS or passed - asked[1] > AT_MOST:
+                    self.end = f"ended after {computed - asked[0]:.0f} s of computing, {passed - asked[1]:.0f} s in all"
                     self.process.kill()
             time.sleep(1)
 
@@ -80,7 +83,10 @@ class LanguageServer:
         return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK"), time.monotonic()
 
     def send(self, message: dict[str, Any]) -> None:
-        data = json.dumps({"jsonrpc": "2.0", **message}).encode()
+        self.send_raw(json.dumps({"jsonrpc": "2.0", **message}).encode())
+
+    def send_raw(self, data: bytes) -> None:
+        """Send a message that may be none."""
         assert self.process.stdin
         try:
             self.process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(data), data))
@@ -105,20 +111,30 @@ class LanguageServer:
     def request(self, method: str, params: object) -> Any:
         """The result of a request; what the server says meanwhile is looked at."""
         self._number += 1
-        self._asked = self._times()
-        self.send({"id": self._number, "method": method, "params": params})
+        number = f"own {self._number}"
+        self.expect()
+        self.send({"id": number, "method": method, "params": params})
         while True:
-            message = self.receive()
-            if "method" in message and "id" in message:
-                self.send({"id": message["id"], "result": None})
-            elif message.get("method") == "window/logMessage" and message["params"]["type"] == 1:
-                self._complaints.append(message["params"]["message"])
-            elif message.get("id") == self._number:
+            message = self.next_message()
+            if message.get("id") == number and "method" not in message:
                 error = message.get("error")
                 if error is not None and error["code"] == -32603:
                     self._complaints.append(f"{method}: {json.dumps(error)}")
-                self._asked = None
+                self.expect(nothing=True)
                 return message.get("result")
+
+    def expect(self, *, nothing: bool = False) -> None:
+        """From now on the process is ended if it computes for too long."""
+        self._asked = None if nothing else self._times()
+
+    def next_message(self) -> dict[str, Any]:
+        """The next message of the server; its requests are answered, and its errors are kept."""
+        message = self.receive()
+        if "method" in message and "id" in message:
+            self.send({"id": message["id"], "result": None})
+        elif message.get("method") == "window/logMessage" and message["params"]["type"] == 1:
+            self._complaints.append(message["params"]["message"])
+        return message
 
     def complaint(self) -> Failure | None:
         """The failures that the server has logged since the last time."""

@@ -9,11 +9,11 @@ from random import Random
 import pytest
 from hypothesis import HealthCheck, given, seed, settings
 
-from tests.fuzz import commands, kills
+from tests.fuzz import commands, kills, messages
 from tests.fuzz.commands import COMMANDS, Failure, attempt
 from tests.fuzz.documents import FIXTURES, Text
 from tests.fuzz.driver import Case, Fuzzer, cases
-from tests.fuzz.language_server import LanguageServer, converse
+from tests.fuzz.language_server import Ended, LanguageServer, converse
 from tests.fuzz.minimize import minimize
 from tests.fuzz.worker import SERVER, Worker
 
@@ -40,6 +40,20 @@ def test_the_server_bears_what_was_found(tmp_path: Path) -> None:
             assert converse(server, finding, finding.read_bytes()) is None
     finally:
         server.close()
+
+
+def test_the_server_answers_any_messages(tmp_path: Path) -> None:
+    assert messages.weather(tmp_path, 1, 100) == []
+
+
+def test_a_request_without_an_answer_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def silence(_: LanguageServer) -> object:
+        raise Ended
+
+    monkeypatch.setattr(LanguageServer, "next_message", silence)
+    monkeypatch.setattr(LanguageServer, "request", lambda *_: {})
+    with pytest.raises(messages.Unanswered, match=r"no answer to \[1"):
+        messages.weather(tmp_path, 1, messages.BURST)
 
 
 @seed(1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
 import resource
 import signal
 import sys
@@ -39,6 +40,8 @@ class Worker:
     def __init__(self, renew: int = 2000) -> None:
         self._renew = renew
         self._done = 0
+        self.seconds = 0.0
+        """Processor time of all commands so far, with that of the processes that they started and that have ended."""
         self._process: multiprocessing.process.BaseProcess | None = None
         self._connection: Connection | None = None
 
@@ -54,7 +57,9 @@ class Worker:
             if not self._connection.poll(AT_MOST):
                 self.stop()
                 return Failure("hang", f"no end after {AT_MOST} s")
-            found: Failure | None = self._connection.recv()
+            found: Failure | None
+            found, seconds = self._connection.recv()
+            self.seconds += seconds
         except (EOFError, OSError):
             code = self._process.exitcode
             self.stop()
@@ -89,6 +94,7 @@ def serve(connection: Connection) -> None:
             command, text = connection.recv()
         except EOFError:
             break
+        begin = _processor_time()
         with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
             # A repository: otherwise all files beside the folder could be the project.
             file = Path(folder, "robot", f"file{text.suffix}")
@@ -103,9 +109,13 @@ def serve(connection: Connection) -> None:
                     server = None
             else:
                 failure = _in_time(command, file)
-        connection.send(failure)
+        connection.send((failure, _processor_time() - begin))
     if server is not None:
         server.close()
+
+
+def _processor_time() -> float:
+    return sum(os.times()[:4])
 
 
 def _in_time(command: str, file: Path) -> Failure | None:

@@ -39,6 +39,8 @@ class Tab:
     errors: list[str] = field(default_factory=list)
     """Errors and warnings of the console, exceptions, and requests for anything but the page."""
     dialogs: list[str] = field(default_factory=list)
+    server: str = "file:"
+    """The address of a page that may ask its own server."""
 
     def open(self, file: Path, fragment: str = "") -> None:
         """Loads a file; returns when its script has run."""
@@ -87,7 +89,7 @@ def _note(opened: Tab, said: Any) -> None:
 
 
 def _requested(opened: Tab, url: str) -> None:
-    if not url.startswith(("file:", "about:", "data:", "blob:")):
+    if not url.startswith(("file:", "about:", "data:", "blob:", opened.server)):
         opened.errors.append(f"request: {url}")
 
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from sdfcheck.cli.main import main
 from tests.peers import chromium
+from tests.peers.editor import editor
 
 ROOT = Path(__file__).parents[2]
 PICTURES = ROOT / "docs" / "gallery"
@@ -64,11 +65,23 @@ def lost_collision(folder: Path) -> list[str]:
     return ["convert", "sdf-to-urdf", str(file), "-o", str(folder / "arm.urdf")]
 
 
+def beside_its_text(folder: Path) -> list[str]:
+    """A robot that follows its text, with a mistake in the mass of the forearm."""
+    text = ARM.read_text(encoding="utf-8")
+    at = text.index('<mass value="', text.index('<link name="forearm"')) + len('<mass value="')
+    file = folder / ARM.name
+    file.write_text(f"{text[:at]}-{text[at:]}", encoding="utf-8")
+    return [FOLLOWED, str(file)]
+
+
+FOLLOWED = "server"
+"""In place of a command: the page is that of the language server."""
 GALLERY = (
     Picture("wrong-inertia", wrong_inertia, ("#show-inertias:not(:checked)", "[data-part=forearm]")),
     Picture("swapped-axis", swapped_axis, ("[data-part=right_wheel]",)),
     Picture("mesh-in-millimeters", mesh_in_millimeters, ("[data-part=upper_arm]",)),
     Picture("lost-collision", lost_collision),
+    Picture("beside", beside_its_text, ("button.entry[data-part=forearm]",)),
 )
 
 
@@ -106,17 +119,31 @@ def draw(tab: chromium.Tab, picture: Picture) -> bytes:
     with TemporaryDirectory() as made:
         folder = Path(made)
         command = picture.command(folder)
+        if command[0] == FOLLOWED:
+            with editor(folder) as session:
+                file = Path(command[1])
+                session.open(file, file.read_text(encoding="utf-8"))
+                tab.server = session.command("sdfcheck.showRobot", file, open=False)
+                tab.page.goto(tab.server)
+                drawn = _drawn(tab, picture)
+                tab.page.goto("about:blank")
+                return drawn
         page = folder / "page.html"
         output = "--report" if command[0] == "convert" else "-o"
         if main([*command, output, str(page), "--isolated"]) != 0:
             raise RuntimeError(f"{picture.name}: the command fails")
         tab.open(page)
-        tab.page.wait_for_selector("html[data-ready]")
-        for selector in picture.clicks:
-            if tab.page.locator(selector).count():
-                tab.page.locator(selector).first.click()
-        tab.page.wait_for_timeout(500)
-        return bytes(tab.page.screenshot())
+        return _drawn(tab, picture)
+
+
+def _drawn(tab: chromium.Tab, picture: Picture) -> bytes:
+    """The page that is open, after the clicks."""
+    tab.page.wait_for_selector("html[data-ready]")
+    for selector in picture.clicks:
+        if tab.page.locator(selector).count():
+            tab.page.locator(selector).first.click()
+    tab.page.wait_for_timeout(500)
+    return bytes(tab.page.screenshot())
 
 
 def write() -> None:

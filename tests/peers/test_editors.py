@@ -40,6 +40,13 @@ WORLD = """\
   </world>
 </sdf>
 """
+XACRO = """\
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:property name="side" value="left"/>
+  <link name="${side}_arm"/>
+</robot>
+"""
+ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/[\w-]{40,}/")
 RENAMED = MODEL.replace("hnd", "hand").replace('"arm"', '"upper"').replace(">arm<", ">upper<")
 NEOVIM = """\
 local out = { offers = {} }
@@ -83,6 +90,29 @@ out.model = text()
 vim.cmd("silent! wall")
 vim.cmd("edit w.sdf")
 out.world = text()
+local spoken = print
+print = function(said) out.address = said end
+vim.notify = function(said) out.fault = said end
+vim.cmd("Robot")
+await(function() return out.address ~= nil end)
+print = spoken
+vim.cmd("doautocmd CursorHold w.sdf")
+vim.cmd("edit r.urdf.xacro")
+vim.cmd("RobotExpand")
+await(function() return vim.bo.buftype == "nofile" end)
+out.expanded, out.language = text(), vim.bo.filetype
+vim.cmd("bwipeout!")
+vim.cmd("edit m.sdf")
+vim.cmd("RobotConvert")
+await(function() return vim.bo.buftype == "nofile" end)
+out.converted = text()
+vim.cmd("bwipeout!")
+if vim.lsp.buf.format then
+  vim.lsp.buf.format({ timeout_ms = 60000 })
+else
+  vim.lsp.buf.formatting_sync(nil, 60000)
+end
+out.formatted = text()
 local file = io.open("out.json", "w")
 file:write(vim.json.encode(out))
 file:close()
@@ -91,6 +121,7 @@ vim.cmd("qa!")
 EMACS = """\
 (require 'json)
 (require 'flymake)
+(defvar robot nil)
 (setq last-nonmenu-event ?x eglot-sync-connect 60 eglot-connect-timeout 60)
 (defun await (what)
   (let ((end (+ (float-time) 60)) found)
@@ -118,7 +149,9 @@ EMACS = """\
   (eglot-rename "upper")
   (let ((model (buffer-string)))
     (find-file "w.sdf")
-    (write-region (json-encode `((diagnostics . ,(vconcat found)) (offers . ,(vconcat offers))
+    (cl-letf (((symbol-function 'browse-url) (lambda (address &rest _) (setq robot address))))
+      (call-interactively #'sdfcheck-robot))
+    (write-region (json-encode `((address . ,robot) (diagnostics . ,(vconcat found)) (offers . ,(vconcat offers))
                                  (model . ,model) (world . ,(buffer-string))))
                   nil "out.json")))
 (dolist (buffer (buffer-list)) (with-current-buffer buffer (set-buffer-modified-p nil)))
@@ -135,6 +168,7 @@ def result(folder: Path, *command: str) -> dict[str, Any]:
     """The notes of a script in an editor about two files in a folder."""
     (folder / "m.sdf").write_text(MODEL)
     (folder / "w.sdf").write_text(WORLD)
+    (folder / "r.urdf.xacro").write_text(XACRO)
     (folder / "sdfcheck.toml").touch()
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     environment = {**os.environ, "PATH": path, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder)}
@@ -152,7 +186,8 @@ def test_neovim(tmp_path: Path) -> None:
         pytest.skip("Neovim is not installed (nvim)")
     lines = subprocess.run([neovim, "--version"], capture_output=True, text=True, check=True).stdout
     version = tuple(map(int, re.findall(r"\d+", lines)[:2]))
-    (tmp_path / "init.lua").write_text(documented("Neovim", "lua", 0 if version >= (0, 11) else 1))
+    blocks = [documented("Neovim", "lua", 0 if version >= (0, 11) else 1), documented("Neovim", "lua", 2)]
+    (tmp_path / "init.lua").write_text("\n".join(blocks))
     (tmp_path / "script.lua").write_text(NEOVIM)
     found = result(tmp_path, neovim, "--headless", "-u", "init.lua", "-i", "NONE", "-n", "-S", "script.lua")
     ((line, column, message),) = found["diagnostics"]
@@ -162,6 +197,12 @@ def test_neovim(tmp_path: Path) -> None:
     assert found["remaining"] == 0
     assert found["model"] == RENAMED
     assert found["world"] == WORLD.replace("arm", "upper")
+    assert ADDRESS.fullmatch(found["address"])
+    assert "fault" not in found
+    assert '<link name="left_arm"/>' in found["expanded"]
+    assert found["language"] == "xml"
+    assert '<robot name="m">' in found["converted"]
+    assert found["formatted"] == f'<?xml version="1.0"?>\n{RENAMED}'
 
 
 def test_emacs(tmp_path: Path) -> None:
@@ -173,7 +214,7 @@ def test_emacs(tmp_path: Path) -> None:
     )
     if has_eglot.returncode:
         pytest.skip("Emacs has no eglot (29, or Debian's elpa-eglot)")
-    (tmp_path / "init.el").write_text(documented("Emacs", "elisp"))
+    (tmp_path / "init.el").write_text(documented("Emacs", "elisp") + documented("Emacs", "elisp", 1))
     (tmp_path / "script.el").write_text(EMACS)
     found = result(tmp_path, emacs, "-q", "--batch", "-l", "eglot", "-l", "init.el", "-l", "script.el")
     (message,) = found["diagnostics"]
@@ -181,3 +222,4 @@ def test_emacs(tmp_path: Path) -> None:
     assert len(found["offers"]) == 2
     assert found["model"] == RENAMED
     assert found["world"] == WORLD.replace("arm", "upper")
+    assert ADDRESS.fullmatch(found["address"])

@@ -10,13 +10,12 @@ import pytest
 from lxml import etree
 
 from sdfcheck.convert.loss import NotConvertible
-from sdfcheck.convert.migrate.migrate import migrated, sdf_to_sdf
+from sdfcheck.convert.migrate.migrate import comparable, correspondence, migrated, models, sdf_to_sdf
 from sdfcheck.convert.migrate.migration import Migration
-from sdfcheck.convert.migrate.proof import comparable, correspondence, models
 from sdfcheck.convert.verify import verify
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.independent import Judge, differences
-from sdfcheck.convert.items import models
+from sdfcheck.convert.ledger import models
 from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import convert

@@ -15,18 +15,16 @@ import pytest
 from sdfcheck.files.library import Library
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model, Node, World
 from sdfcheck.robot.motion import mass
 from sdfcheck.robot.motion.flatten import direction_of
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.node import Node
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.parts.sensor import Sensor
 from sdfcheck.robot.parts.shape import Shape, Visual
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.world import World
 from tests.peers.findings import SHARED
 
 SOURCE = Path(__file__).with_name("values.cc")

@@ -7,7 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Callable
 
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.splice import Replacement, replaced
 from tests.planted.page import Page, is_number, literal, words
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 
 from sdfcheck.formats.plugins import known
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 from sdfcheck.source.sniff import Kind
 from tests.planted.page import Change, Page, around, is_number, literal, words, write
 from tests.planted.typing_errors import TYPING_ERRORS, misspelled

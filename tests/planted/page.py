@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.scan import ElementPlace
 from sdfcheck.source.sniff import Kind, sniff

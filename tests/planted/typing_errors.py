@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from sdfcheck.source.element import Value
+from sdfcheck.source.document import Value
 from sdfcheck.source.sniff import Kind
 from tests.planted.page import Change, Page, is_number, literal, words, write
 

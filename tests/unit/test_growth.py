@@ -9,7 +9,7 @@ import pytest
 
 from benchmarks.growth import DIMENSIONS, SERIES, DidNotRun, Dimension, Series, exponent, seconds_of, work
 from sdfcheck.lint.call import lint
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.text import Source
 
 SIZE = 30

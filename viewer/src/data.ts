@@ -94,6 +94,8 @@ export interface Mesh {
   missing?: string;
   format?: "stl" | "obj" | "dae" | "gltf";
   data?: string;
+  /** Of a robot that follows its text: what to ask the server for. */
+  key?: string;
 }
 
 /** A link, joint or model that something is about; null in `part` is the model. */
@@ -117,6 +119,13 @@ export interface Difference extends Place {
   text: string;
 }
 
+/** An argument of xacro; `choices` are the values that make sense, where they are known. */
+export interface Argument {
+  name: string;
+  value: string;
+  choices: string[];
+}
+
 export interface Page {
   scenes: Scene[];
   meshes: Mesh[];
@@ -125,4 +134,7 @@ export interface Page {
   heading: string;
   differences: Difference[];
   mostShapes: number;
+  /** Where the robot follows its text: how the page and the server talk. */
+  live?: "http" | "editor";
+  arguments?: Argument[];
 }

@@ -1,13 +1,14 @@
 // The page: reads its data, draws the robots, connects the panel.
 
 import { Box3, Group, type Object3D, Vector3 } from "three";
+import { follow, type Say } from "./follow";
 import { Crowd } from "./crowd";
 import type { Model, Page, Place, Shape } from "./data";
 import { counterpart, differing, farthest, moved } from "./difference";
-import { meters } from "./labels";
+import { label, meters } from "./labels";
 import { lightOf } from "./markers";
 import { Meshes } from "./meshes";
-import { type Actions, type Mode, type Moved, movable, Panel } from "./panel";
+import { type Actions, type Mode, type Moved, movable, Panel, type Unfolded } from "./panel";
 import { LAYERS, type Layer, Robot } from "./robot";
 import { type Look, Palette } from "./shapes";
 import { Stage, VIEWS } from "./stage";
@@ -33,17 +34,33 @@ interface Pair {
 const SEVERAL = 300; // shapes, beyond which those of a kind are drawn together
 const MANY = 200; // joints or links, beyond which what marks them is not shown unasked
 
-class Viewer implements Actions {
+/** What a person has set, so that the next robot is shown in the same way. */
+export interface Kept {
+  layers: Set<Layer>;
+  mode: Mode;
+  /** Model → the positions of its joints. */
+  positions: Map<string, Map<string, number[]>>;
+  places: Place[];
+  unfolded: Unfolded;
+}
+
+const COLORS = { error: "#a50000", warning: "#8f5200", info: "#1864ab" };
+
+export class Viewer implements Actions {
   private readonly scenes: Drawn[];
   private readonly pairs: Pair[] = [];
-  private readonly layers = new Set<Layer>(["visuals", "lights"]);
+  private layers = new Set<Layer>(["visuals", "lights"]);
   private readonly panel: Panel;
   private mode: Mode = "side by side";
+  private places: Place[] = [];
 
+  /** `kept`: what a person has set before; `say`: tells the server, if the robot follows its text. */
   constructor(
     private readonly page: Page,
     private readonly stage: Stage,
     meshes: Meshes,
+    kept: Kept | null = null,
+    private readonly say: Say = () => {},
   ) {
     const models = page.scenes.flatMap((scene) => scene.models);
     const shapes = shapesOf(page);
@@ -64,16 +81,42 @@ class Viewer implements Actions {
     this.panel = new Panel(document.getElementById("panel") as HTMLElement, page, this);
     this.compare();
     this.showFindings();
+    if (kept) this.keep(kept);
     const notes = [...page.scenes.flatMap((scene) => scene.notes), ...meshes.notes()];
     this.panel.fill(this.sliders(), notes, this.layers, Object.keys(VIEWS));
     for (const layer of LAYERS) this.show(layer, this.layers.has(layer));
     this.arrange();
+    if (page.live) this.markFindings();
     stage.onLook = () => this.legend();
-    stage.resize();
-    stage.onPick((link) => {
+    if (kept) {
+      this.panel.unfold(kept.unfolded);
+      this.point(kept.places, false);
+      this.legend();
+    } else stage.resize();
+    stage.draw();
+    stage.onPick = (link) => {
       const robot = link.userData.robot as Robot;
       this.select({ model: robot.model.name, part: link.userData.link as string });
-    });
+    };
+  }
+
+  /** What a person has set. */
+  kept(): Kept {
+    const robots = this.scenes.flatMap((scene) => scene.robots);
+    const { layers, mode, places } = this;
+    const positions = new Map(robots.map((robot) => [robot.model.name, robot.positions]));
+    return { layers, mode, places, positions, unfolded: this.panel.unfolded() };
+  }
+
+  private keep(kept: Kept): void {
+    this.layers = kept.layers;
+    this.mode = kept.mode;
+    for (const robot of this.scenes.flatMap((scene) => scene.robots)) {
+      const joints = new Set(robot.model.joints.map((joint) => joint.name));
+      for (const [name, values] of kept.positions.get(robot.model.name) ?? [])
+        if (joints.has(name)) robot.positions.set(name, values);
+      robot.move();
+    }
   }
 
   // What the panel asks for.
@@ -97,8 +140,33 @@ class Viewer implements Actions {
     this.stage.look(VIEWS.Fit, true);
   }
 
-  select(place: Place, layer: string | null = null): void {
+  select(place: Place, layer: string | null = null, finding?: number): void {
     if (layer) this.panel.turnOn(layer);
+    this.point([place]);
+    this.say({ kind: "picked", ...place, ...(finding === undefined ? {} : { finding }) });
+    if (this.page.live) return;
+    const chosen = Object.entries(place).filter((entry): entry is [string, string] => entry[1] !== null);
+    if (location.protocol !== "about:") history.replaceState(null, "", `#${new URLSearchParams(chosen)}`);
+  }
+
+  choose(values: Record<string, string>): void {
+    this.say({ kind: "arguments", values });
+  }
+
+  /** Marks parts, in the picture and in the lists. */
+  point(places: Place[], reveal = true): void {
+    this.places = places;
+    this.stage.mark(
+      places.flatMap((place): [string, Box3][] => {
+        const bounds = this.boundsOf(place);
+        return bounds ? [[place.part ?? place.model ?? "", bounds]] : [];
+      }),
+    );
+    this.panel.highlight(places, reveal);
+  }
+
+  /** What a part takes up; null where there is no such part. */
+  private boundsOf(place: Place): Box3 | null {
     const bounds = new Box3();
     let found = false;
     for (const { group, robots } of this.scenes) {
@@ -116,10 +184,47 @@ class Viewer implements Actions {
       }
       if (found) break;
     }
-    this.stage.mark(found ? bounds : null, place.part ?? place.model ?? "");
-    this.panel.highlight(place);
-    const chosen = Object.entries(place).filter((entry): entry is [string, string] => entry[1] !== null);
-    if (location.protocol !== "about:") history.replaceState(null, "", `#${new URLSearchParams(chosen)}`);
+    return found ? bounds : null;
+  }
+
+  /** Writes the codes of findings on the links that they are about. */
+  private markFindings(): void {
+    const codes = new Map<Group, { robot: Robot; words: Set<string>; color: string }>();
+    for (const { model, part, code, severity } of this.page.findings)
+      for (const robot of this.scenes.flatMap((scene) => scene.robots)) {
+        const link = part !== null && robot.model.name === model ? robot.linkOf(part) : undefined;
+        if (!link || severity === "info") continue;
+        const known = codes.get(link) ?? { robot, words: new Set(), color: COLORS[severity] };
+        known.words.add(code);
+        codes.set(link, known);
+      }
+    for (const [link, { robot, words, color }] of codes) {
+      const box = robot.bounds(link);
+      const mark = label(`⚠ ${[...words].join(" ")}`, color);
+      if (!box.isEmpty()) box.getCenter(mark.position).applyMatrix4(link.matrixWorld.clone().invert());
+      mark.userData.finding = link.userData.link;
+      link.add(mark);
+    }
+  }
+
+  /** Where the camera is and what it looks at. For tests, as what follows. */
+  camera(): number[] {
+    return this.stage.seen();
+  }
+
+  /** Where the middle of a link is on the screen. */
+  onScreen(part: string): number[] {
+    const bounds = this.boundsOf({ model: null, part });
+    return bounds ? this.stage.onScreen(bounds.getCenter(new Vector3())) : [];
+  }
+
+  /** The words on the links, by link. */
+  findingMarks(): string[] {
+    const found: string[] = [];
+    this.stage.content.traverse((part) => {
+      if (part.userData.finding !== undefined) found.push(part.userData.finding as string);
+    });
+    return found;
   }
 
   // How it comes about.
@@ -295,6 +400,10 @@ function shapesOf(page: Page): number {
 async function start(page: Page): Promise<void> {
   const stage = new Stage(document.querySelector("canvas") as HTMLCanvasElement, shapesOf(page) <= page.mostShapes);
   (document.getElementById("no-webgl") as HTMLElement).hidden = stage.works;
+  if (page.live) {
+    follow(page.live, stage, Viewer);
+    return;
+  }
   const meshes = new Meshes(page.meshes);
   await meshes.load();
   const viewer = new Viewer(page, stage, meshes);

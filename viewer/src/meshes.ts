@@ -82,18 +82,29 @@ export class Meshes {
   private readonly loaded: (Object3D | null)[] = [];
   private readonly broken: string[] = [];
 
-  constructor(private readonly files: File[]) {}
+  /** `known`: meshes that were read before, by their keys; null for those that cannot be. */
+  constructor(
+    private readonly files: File[],
+    private readonly known = new Map<string, Object3D | null>(),
+  ) {}
 
   /** Reads all files; what cannot be read becomes a box with its name, and a note. */
   async load(): Promise<void> {
     for (const file of this.files) {
-      let mesh: Object3D | null = null;
+      const { key = "" } = file;
+      let mesh = this.known.get(key) ?? null;
+      if (this.known.has(key) || (key && !file.data)) {
+        if (this.known.has(key) && !mesh) this.broken.push(`${file.name}: cannot be read`);
+        this.loaded.push(mesh);
+        continue;
+      }
       try {
         if (!file.missing) mesh = check(await read(file));
       } catch (error) {
         this.broken.push(`${file.name}: cannot be read (${error instanceof Error ? error.message : error})`);
       }
       this.loaded.push(mesh);
+      if (key) this.known.set(key, mesh);
       await new Promise((resolve) => setTimeout(resolve)); // the browser stays awake
     }
   }

@@ -1,6 +1,6 @@
 // What is beside the picture: switches, sliders, the tree of links, findings, differences.
 
-import type { Difference, Finding, Joint, Model, Page, Place } from "./data";
+import type { Argument, Difference, Finding, Joint, Model, Page, Place } from "./data";
 import { moves } from "./kinematics";
 import { LAYERS, type Layer } from "./robot";
 
@@ -41,7 +41,16 @@ export interface Actions {
   layer(layer: Layer, visible: boolean): void;
   view(name: string): void;
   arrangeAs(mode: Mode): void;
-  select(place: Place, layer?: string | null): void;
+  /** `finding`: the number of the finding that was chosen. */
+  select(place: Place, layer?: string | null, finding?: number): void;
+  choose(values: Record<string, string>): void;
+}
+
+/** What a person has opened and where the list was, so that a new one looks the same. */
+export interface Unfolded {
+  sections: Map<string, boolean>;
+  top: number;
+  focus: string;
 }
 
 const FEW = 60; // links of a model that are listed at once
@@ -58,7 +67,8 @@ export class Panel {
 
   fill(moved: Moved[], notes: string[], shown: Set<Layer>, views: string[]): void {
     const { page } = this;
-    this.panel.append(this.switches(shown), this.views(views));
+    this.panel.replaceChildren(this.switches(shown), this.views(views));
+    if (page.arguments?.length) this.panel.append(this.choices(page.arguments));
     if (page.scenes.length > 1) this.panel.append(this.modes());
     if (notes.length) {
       const list = section("Notes");
@@ -75,19 +85,34 @@ export class Panel {
     });
   }
 
+  unfolded(): Unfolded {
+    const sections = new Map<string, boolean>();
+    for (const details of this.panel.querySelectorAll("details")) sections.set(titleOf(details), details.open);
+    return { sections, top: this.panel.scrollTop, focus: document.activeElement?.id ?? "" };
+  }
+
+  unfold({ sections, top, focus }: Unfolded): void {
+    for (const details of this.panel.querySelectorAll("details"))
+      details.open = sections.get(titleOf(details)) ?? details.open;
+    this.panel.scrollTop = top;
+    if (focus) document.getElementById(focus)?.focus({ preventScroll: true });
+  }
+
   /** Switches a layer on, if it is one. */
   turnOn(layer: string): void {
     const box = this.boxes.get(layer as Layer);
     if (box && !box.checked) box.click();
   }
 
-  /** Shows which lines are about the selected part. */
-  highlight(place: Place): void {
+  /** Shows which lines are about the selected parts. */
+  highlight(places: Place[], reveal = true): void {
+    const chosen = new Set(places.map((place) => JSON.stringify([place.model ?? "", place.part ?? ""])));
     for (const button of this.panel.querySelectorAll<HTMLElement>(".entry"))
       button.setAttribute(
         "aria-pressed",
-        String(button.dataset.part === (place.part ?? "") && button.dataset.model === (place.model ?? "")),
+        String(chosen.has(JSON.stringify([button.dataset.model, button.dataset.part]))),
       );
+    if (!reveal) return;
     const first = this.panel.querySelector<HTMLElement>(".entry[aria-pressed=true]");
     for (let at = first?.parentElement; at && at !== this.panel; at = at.parentElement)
       if (at instanceof HTMLDetailsElement) at.open = true;
@@ -107,6 +132,23 @@ export class Panel {
       set.append(row);
     }
     return set;
+  }
+
+  /** The arguments of xacro, with their values. */
+  private choices(all: Argument[]): HTMLElement {
+    const list = section("Arguments");
+    for (const { name, value, choices } of all) {
+      const row = made("label", `${name} `, { class: "argument" });
+      const input = choices.length ? made("select") : made("input", "", { type: "text", spellcheck: "false" });
+      input.id = `argument-${name}`;
+      for (const choice of new Set([...choices, ...(choices.length ? [value] : [])]))
+        input.append(made("option", choice, { value: choice }));
+      input.value = value;
+      input.addEventListener("change", () => this.actions.choose({ [name]: input.value }));
+      row.append(input);
+      list.append(row);
+    }
+    return list;
   }
 
   private views(names: string[]): HTMLElement {
@@ -172,6 +214,7 @@ export class Panel {
       const [low, high] = [axis.lower ?? -wide, axis.upper ?? wide].sort((a, b) => a - b);
       const input = made("input", "", { type: "range", min: String(low), max: String(high), step: "any" });
       input.dataset.joint = joint.name;
+      input.id = `joint-${one.model.name}-${joint.name}-${index}`;
       const shown = made("output");
       const show = (): void => {
         const position = one.positions.get(joint.name)?.[index] ?? 0;
@@ -233,11 +276,12 @@ export class Panel {
 
   private findings(all: Finding[]): HTMLElement {
     const list = section(`${this.page.heading} (${all.length})`);
-    for (const finding of all) {
+    for (const [number, finding] of all.entries()) {
       const row = this.entry(
         `${finding.severity} ${finding.code}: ${finding.message} (${finding.place})`,
         finding,
         finding.layer,
+        this.page.live ? number : undefined,
       );
       row.classList.add(finding.severity);
       list.append(row);
@@ -253,14 +297,21 @@ export class Panel {
   }
 
   /** A line that selects the part it is about, if it is about one. */
-  private entry(text: string, place: Place, layer: string | null = null): HTMLElement {
-    if (place.part === null && place.model === null) return made("p", text);
+  private entry(text: string, place: Place, layer: string | null = null, finding?: number): HTMLElement {
+    if (place.part === null && place.model === null && finding === undefined) return made("p", text);
     const button = made("button", text, { type: "button", class: "entry", "aria-pressed": "false" });
     button.dataset.part = place.part ?? "";
     button.dataset.model = place.model ?? "";
-    button.addEventListener("click", () => this.actions.select({ model: place.model, part: place.part }, layer));
+    button.addEventListener("click", () =>
+      this.actions.select({ model: place.model, part: place.part }, layer, finding),
+    );
     return button;
   }
+}
+
+/** The title of a section, without numbers that change. */
+function titleOf(details: HTMLDetailsElement): string {
+  return (details.querySelector("summary")?.textContent ?? "").replace(/ \(\d+\)$/, "");
 }
 
 /** The joints of a compared pair that have sliders: those of the first, and what only the second has. */

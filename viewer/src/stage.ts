@@ -71,6 +71,8 @@ export class Stage {
   private isWaiting = false;
   /** Whether the camera is where a person has put it. */
   private isHeld = false;
+  /** Called with the group of the link that a click hits. */
+  onPick: (link: Object3D) => void = () => {};
 
   /** `isSmooth`: edges are, at twice the work. */
   constructor(
@@ -88,6 +90,17 @@ export class Stage {
       this.isHeld = true;
     });
     addEventListener("resize", () => this.resize());
+    this.listen();
+  }
+
+  /** Takes all robots away; the camera stays. */
+  clear(): void {
+    this.mark([]);
+    this.content.traverse((part) => {
+      if (part instanceof Mesh || part instanceof Line) part.geometry.dispose();
+      if (part instanceof Sprite) part.material.map?.dispose();
+    });
+    this.content.clear();
   }
 
   private made(): WebGLRenderer | null {
@@ -162,24 +175,38 @@ export class Stage {
     this.world.add(this.grid);
   }
 
-  /** Marks what a part takes up, with its name and size; nothing without bounds. */
-  mark(bounds: Box3 | null, name = ""): void {
+  /** Marks what parts take up, each with its name and size. */
+  mark(parts: [string, Box3][]): void {
     if (this.marker) this.world.remove(this.marker);
     this.marker = null;
-    this.marked = bounds;
-    if (bounds) {
-      const box = bounds.isEmpty() ? new Box3(new Vector3(), new Vector3()) : bounds;
-      const size = box.getSize(new Vector3()).toArray().map(meters).join(" × ");
-      const words = label(bounds.isEmpty() ? name : `${name}: ${size} m`, "#6b3a00");
-      words.position.copy(box.getCenter(new Vector3())).setZ(box.max.z);
-      this.marker = new Group().add(new Box3Helper(box, new Color(MARKED)), words);
+    this.marked = parts.length ? parts[0][1] : null;
+    if (parts.length) {
+      this.marker = new Group();
+      for (const [name, bounds] of parts) {
+        const box = bounds.isEmpty() ? new Box3(new Vector3(), new Vector3()) : bounds;
+        const size = box.getSize(new Vector3()).toArray().map(meters).join(" × ");
+        const words = label(bounds.isEmpty() ? name : `${name}: ${size} m`, "#6b3a00");
+        words.position.copy(box.getCenter(new Vector3())).setZ(box.max.z);
+        this.marker.add(new Box3Helper(box, new Color(MARKED)), words);
+      }
       this.world.add(this.marker);
     }
     this.draw();
   }
 
-  /** Calls back with the group of the link that a click hits. */
-  onPick(picked: (link: Object3D) => void): void {
+  /** Where the camera is and what it looks at. */
+  seen(): number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  /** Where a point of the world is on the screen (pixels). */
+  onScreen(point: Vector3): number[] {
+    const { x, y } = point.clone().project(this.camera);
+    const box = this.canvas.getBoundingClientRect();
+    return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
+  }
+
+  private listen(): void {
     let pressed = new Vector2();
     this.canvas.addEventListener("pointerdown", (event) => {
       pressed = new Vector2(event.clientX, event.clientY);
@@ -187,7 +214,7 @@ export class Stage {
     this.canvas.addEventListener("pointerup", (event) => {
       if (pressed.distanceTo(new Vector2(event.clientX, event.clientY)) > 4) return;
       const link = this.linkAt(event.clientX, event.clientY);
-      if (link) picked(link);
+      if (link) this.onPick(link);
     });
   }
 

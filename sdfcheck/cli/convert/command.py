@@ -1,34 +1,213 @@
-"""``sdfcheck convert``: what its commands have in common.
-
-A command's own module names its options and the function that converts a document;
-reading, linting, reporting and writing are done here.
-"""
+"""``sdfcheck convert``: what its commands have in common: results and the report."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import sys
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.convert.before_and_after import write_page
 from sdfcheck.cli.convert.options import Request
-from sdfcheck.cli.convert.outcome import converted
+from sdfcheck.cli.convert.outcome import Outcome, converted
 from sdfcheck.cli.convert.places import Source, refuse_to_overwrite, sources, targets
+from sdfcheck.cli.parts.command import LazyCommand, LazyGroup
 from sdfcheck.cli.parts.descriptions import check_arguments
-from sdfcheck.cli.parts.group import LazyCommand, LazyGroup
-from sdfcheck.cli.parts.output import outputs
-from sdfcheck.cli.parts.terminal import emit
+from sdfcheck.cli.parts.output import Output, deliver, outputs, show, write
+from sdfcheck.cli.parts.terminal import emit, emit_lines, say, say_lines, wants_color, width_of
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.run import Run
+from sdfcheck.lint.wording import counted, listed
+from sdfcheck.report import OutputFormat, render
+from sdfcheck.report.summary import View
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input, Reader
-    from sdfcheck.cli.convert.outcome import Convert, Outcome
-    from sdfcheck.cli.convert.reporting import Reporting
+    from sdfcheck.cli.convert.outcome import Convert
     from sdfcheck.convert.result import Conversion
     from sdfcheck.source.document import Document
+
+
+# ``--report``: the page that shows a robot before and after its conversion, with losses at their parts.
+
+
+def write_page(page: Path, given: Input, outcome: Outcome) -> None:
+    """Write the page to a file: both robots, or the source alone where there is no result.
+
+    Raises:
+        WrongUsage: the file is the input, or cannot be written.
+    """
+    if given.document is None:
+        say(f"note: {page} is not written: {given.file} cannot be expanded")
+        return
+    deliver(_page(given.document, outcome), page)
+
+
+def _page(source: Document, outcome: Outcome) -> str:
+    from sdfcheck.view.meshes import Meshes
+    from sdfcheck.view.notes import differences, findings
+    from sdfcheck.view.page import page
+    from sdfcheck.view.scene import scene
+
+    documents = [source]
+    if outcome.conversion is not None:
+        documents.append(outcome.conversion.document)
+    meshes = Meshes()
+    scenes = [scene(document, meshes) for document in documents]
+    for shown, name in zip(scenes, ("before", "after"), strict=False):
+        shown["file"] = f"{shown['file']} ({name})"
+    return page(
+        f"{source.path.name}: {outcome.verdict}",
+        scenes,
+        meshes.entries,
+        findings=findings(outcome.diagnostics, source),
+        heading="Losses and errors",
+        differences=differences(*documents) if len(documents) > 1 else (),
+    )
+
+
+# The report of conversions: losses, then a line for each file.
+
+
+class _Row(NamedTuple):
+    """A file in the table at the end: how it went, and what there is to say of it."""
+
+    how: str
+    text: str
+
+
+class Reporting:
+    """Collects what came of the files of a run, and reports it."""
+
+    def __init__(self, request: Request, wanted: Sequence[Output]) -> None:
+        self._request = request
+        self._wanted = wanted
+        self._done: list[Outcome] = []
+        self._rows: list[_Row] = []
+        self._unusable = 0
+
+    def add(self, outcome: Outcome, target: Path | None) -> None:
+        """A file was converted, or refused."""
+        self._done.append(outcome._replace(conversion=None))
+        if outcome.failed:
+            self._rows.append(_Row("not written", f"{outcome.file}: {outcome.reason}"))
+            return
+        losses = sum(one.severity is not Severity.INFO for one in outcome.losses)
+        how = "verified" if outcome.verification is not None else "not verified"
+        how += f", {losses} {'loss' if losses == 1 else 'losses'}" if losses else ""
+        where = f" → {target}" if target is not None else ""
+        why = f" ({outcome.verdict.removeprefix('not verified: ')})" if outcome.broken is not None else ""
+        self._rows.append(_Row(how, f"{outcome.file}{where}{why}"))
+
+    def ignore(self, file: Path, description: str) -> None:
+        """A file is of another kind, which is not a mistake."""
+        self._rows.append(_Row("ignored", f"{file}: looks like {description}"))
+
+    def fail(self, file: Path, text: str) -> None:
+        """A file cannot be used."""
+        say(f"error: {text}")
+        self._rows.append(_Row("unusable", str(file)))
+        self._unusable += 1
+
+    def finish(self) -> int:
+        """Report everything; returns the exit code."""
+        self._losses()
+        if not self._request.quiet:
+            self._sum_up()
+        if self._unusable:
+            return 2
+        strict = self._request.strict
+        return int(any(one.failed or (strict and one.has_losses) for one in self._done))
+
+    @property
+    def _aside(self) -> bool:
+        """Whether reports go to stderr, since a result goes to stdout."""
+        request = self._request
+        return request.output_dir is None and request.output_file is None
+
+    def _losses(self) -> None:
+        request, aside = self._request, self._aside
+        diagnostics = sorted(
+            (one for outcome in self._done for one in outcome.diagnostics), key=lambda one: one.sort_key
+        )
+        run = Run(tuple(diagnostics), tuple(outcome.file for outcome in self._done))
+        stream = sys.stderr if aside else sys.stdout
+        color = wants_color(request.color, stream)
+        view = View(Severity(request.min_severity), width=width_of(stream))
+        for output in self._wanted:
+            if diagnostics or not output.format.is_text:
+                write(output, run, color=request.color, aside=aside, view=view)
+        if self._wanted or not view.shown(run):
+            return
+        refused = len(self._done) == 1 and self._done[0].failed
+        if request.losses == "all" or refused:
+            view = view._replace(folds=request.losses != "all")
+            show(
+                OutputFormat.FULL,
+                render(OutputFormat.FULL, run, color=color, view=view),
+                color=color,
+                aside=aside,
+            )
+            return
+        lines = list(self._grouped(view.shown(run), color=color))
+        if view.width is not None:
+            from sdfcheck.report.fit import folded
+
+            lines = [part for line in lines for part in folded(line, view.width)]
+        (say_lines if aside else emit_lines)(lines, color=color)
+
+    def _grouped(self, diagnostics: Sequence[Diagnostic], *, color: bool) -> Iterator[str]:
+        from sdfcheck.report.colors import painter
+        from sdfcheck.report.losses import by_file_and_code
+        from sdfcheck.report.paths import Paths
+
+        return by_file_and_code(diagnostics, Paths(), painter(color))
+
+    def _sum_up(self) -> None:
+        if len(self._rows) == 1 and self._done:
+            (outcome,) = self._done
+            say(outcome.verdict)
+        else:
+            width = max((len(row.how) for row in self._rows), default=0)
+            for row in self._rows:
+                say(f"{row.how:{width}}  {row.text}")
+            say(self._closing())
+        for outcome in self._done:
+            if outcome.encoding and not outcome.failed:
+                say(f"note: {outcome.file}: {outcome.encoding} becomes UTF-8")
+        hidden = self._hidden()
+        if hidden:
+            say(f"{counted(hidden, 'info')}: shown with --min-severity info")
+
+    def _closing(self) -> str:
+        counts = []
+        for how in ("verified", "not verified", "not written", "unusable", "ignored"):
+            rows = [row for row in self._rows if row.how.partition(",")[0] == how]
+            losing = sum("," in row.how for row in rows)
+            if rows:
+                counts.append(f"{len(rows)} {how}" + (f" ({losing} with losses)" if losing else ""))
+        judges = self._request.verify_with
+        also = f"; also compared by {listed(judges)}" if judges else ""
+        return f"{counted(len(self._rows), 'file')}: {listed(counts)}{also}"
+
+    def _hidden(self) -> int:
+        """How many findings are not shown; reports in a format that was asked for say so themselves."""
+        if self._wanted:
+            return 0
+        least = Severity(self._request.min_severity)
+        return sum(not one.severity >= least for outcome in self._done for one in outcome.diagnostics)
+
+
+# ``sdfcheck convert``: what its commands have in common.
+#
+# A command's own module names its options and the function that converts a document;
+# reading, linting, reporting and writing are done here.
+
 
 COMMANDS = {
     "urdf-to-sdf": LazyCommand("sdfcheck.cli.convert.urdf_to_sdf:urdf_to_sdf", "URDF or xacro to SDFormat."),
@@ -77,7 +256,6 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
         WrongUsage: the options contradict each other, or a file cannot be read or written.
     """
     from sdfcheck.cli.convert.inputs import Reader
-    from sdfcheck.cli.convert.reporting import Reporting
 
     files = sources(request)
     wanted = outputs(request.output_format, None)
@@ -87,6 +265,7 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
     refuse_to_overwrite(paths, places, others, stays=suffix == ".sdf" and Kind.SDF in kinds)
     _check_arguments(request, files)
     done = Reporting(request, wanted)
+    folders = Counter(target.parent for target in places if target is not None)
     with Reader(request.around, lint=request.lint, expand=not request.no_expand) as reader:
         for file, target in zip(files, places, strict=True):
             try:
@@ -95,7 +274,8 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
                 if request.report is not None:
                     write_page(request.report, given, outcome)
                 if outcome.conversion is not None and not outcome.failed:
-                    _write(outcome.conversion, file, target)
+                    is_alone = target is not None and folders[target.parent] == 1
+                    _write(outcome.conversion, file, target, request, is_alone=is_alone)
             except WrongUsage as error:
                 _give_up(file, files, error, done)
                 continue
@@ -140,20 +320,64 @@ def _check_arguments(request: Request, files: Sequence[Source]) -> None:
     check_arguments(request.around.arguments, [file.path for file in files], settings, texts)
 
 
-def _write(done: Conversion, source: Source, target: Path | None) -> None:
-    from sdfcheck.convert.result_paths import seen_from
+def _write(
+    done: Conversion, source: Source, target: Path | None, request: Request, *, is_alone: bool
+) -> None:
+    """Write a result; ``is_alone``: no other result goes to its folder."""
     from sdfcheck.convert.writer import write_atomically
     from sdfcheck.files.regular import identity
 
+    folder = Path() if target is None else target.parent
+    text = _text(done, source, folder, request)
     if target is None:
-        emit(done.text)
+        emit(text)
         return
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise WrongUsage(f"cannot make the folder {target.parent}: {error.strerror}") from None
-    for path, text in done.files:
-        write_atomically(target.parent / path, text)
+    _make(folder)
+    for path, extra in done.files:
+        write_atomically(folder / path, extra)
     # Between versions of SDFormat a file may be replaced by its result.
     is_source = source.data is None and identity(target) == identity(source.path)
-    write_atomically(target, seen_from(done, source.path.parent, target.parent), instead=is_source)
+    write_atomically(target, text, instead=is_source)
+    if request.copy_meshes and is_alone:
+        _write_config(done, target)
+
+
+def _text(done: Conversion, source: Source, folder: Path, request: Request) -> str:
+    """The text of a result for the folder that it goes to; what it names is copied there if that is asked for."""
+    from sdfcheck.convert.addresses import UriStyle, addressed, copy
+    from sdfcheck.convert.result import seen_from
+
+    if request.uri_style == "keep" and not request.copy_meshes:
+        goes_out = request.output_dir is None and request.output_file is None
+        return done.text if goes_out else seen_from(done, source.path.parent, folder)
+    style = UriStyle(request.uri_style)
+    placed = addressed(done, source.path.parent, folder, style, copies=request.copy_meshes)
+    if placed.copies:
+        _make(folder)
+        count = copy(done, placed.copies)
+        if not request.quiet:
+            there = len(placed.copies) - count
+            rest = f", {there} there already" if there else ""
+            say(f"{counted(count, 'file')} copied to {folder}{rest}")
+    if placed.left and not request.quiet:
+        say(f"note: addresses that stay as they are: {len(placed.left)}, such as {placed.left[0]}")
+    return placed.text
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise WrongUsage(f"cannot make the folder {folder}: {error.strerror}") from None
+
+
+def _write_config(done: Conversion, target: Path) -> None:
+    """Write a ``model.config`` beside a model of SDFormat, unless there is one."""
+    from sdfcheck.convert.addresses import config_of
+    from sdfcheck.convert.writer import write_atomically
+    from sdfcheck.files.discover import MODEL_CONFIG
+    from sdfcheck.robot.root import root_of
+
+    config, root = target.parent / MODEL_CONFIG, root_of(done.document)
+    if not root.is_urdf and root.models and not config.exists():
+        write_atomically(config, config_of(root.models[0].name, target.name, root.version or ""))

@@ -23,6 +23,8 @@ class Request(NamedTuple):
     output_file: Path | None
     output_dir: Path | None
     flat: bool
+    uri_style: str
+    copy_meshes: bool
     stdin_filename: Path | None
     verify: bool
     verify_with: tuple[str, ...]
@@ -43,6 +45,7 @@ class Request(NamedTuple):
         return tuple(Path(text) for text in self.inputs if ARGUMENT not in text)
 
 
+URI_STYLES = ("keep", "package", "model", "file", "relative")
 JUDGES = ("gazebo", "drake", "mujoco", "pybullet", "pinocchio", "yourdfpy")
 
 
@@ -62,6 +65,17 @@ common_options = together(
     click.option("--output-dir", type=_PATH, metavar="FOLDER", help="Write a file for each input there."),
     click.option(
         "--flat", is_flag=True, help="Make no folders in --output-dir: refuse inputs with the same name."
+    ),
+    click.option(
+        "--uri-style",
+        type=click.Choice(URI_STYLES),
+        default="keep",
+        help="How to write the addresses of meshes and other files.  [default: keep]",
+    ),
+    click.option(
+        "--copy-meshes",
+        is_flag=True,
+        help="Copy meshes, with their textures, to the folder of the result, which names them there.",
     ),
     path("--stdin-filename", "What to call the text that `-` reads from stdin."),
     click.option(

@@ -13,8 +13,8 @@ from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.cli.convert.inputs import Input, Judgement
+    from sdfcheck.convert.comparison import Verification
     from sdfcheck.convert.result import Conversion
-    from sdfcheck.convert.verification import Verification
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
     from sdfcheck.source.text import Span

@@ -60,11 +60,8 @@ def targets(request: Request, files: Sequence[Source], suffix: str) -> list[Path
     Raises:
         WrongUsage: the options contradict each other, or two results would go to one place.
     """
-    if request.output_file is not None and request.output_dir is not None:
-        raise WrongUsage("--output-file and --output-dir exclude each other")
-    if request.flat and request.output_dir is None:
-        raise WrongUsage("--flat goes with --output-dir")
-    if request.output_dir is None:
+    folder = _folder(request)
+    if folder is None:
         if len(files) > 1:
             raise WrongUsage("several inputs need --output-dir")
         return [request.output_file]
@@ -72,7 +69,7 @@ def targets(request: Request, files: Sequence[Source], suffix: str) -> list[Path
     names = [Path(f"{_stem(path.name)}{suffix}") for path in paths]
     if len(set(names)) < len(names):
         if request.flat:
-            raise WrongUsage(_clash(paths, names, request.output_dir))
+            raise WrongUsage(_clash(paths, names, folder))
         names = _mirrored(paths, names)
     if len(set(names)) < len(names):
         taken = {name for name in names if names.count(name) > 1}
@@ -81,8 +78,22 @@ def targets(request: Request, files: Sequence[Source], suffix: str) -> list[Path
             for path, name in zip(paths, names, strict=True)
         ]
         if len(set(names)) < len(names):
-            raise WrongUsage(_clash(paths, names, request.output_dir))
-    return [request.output_dir / name for name in names]
+            raise WrongUsage(_clash(paths, names, folder))
+    return [folder / name for name in names]
+
+
+def _folder(request: Request) -> Path | None:
+    """The folder for the results, each under a name of its own; None where one place is named, or none."""
+    if request.output_file is not None and request.output_dir is not None:
+        raise WrongUsage("--output-file and --output-dir exclude each other")
+    if request.copy_meshes and request.output_file is None and request.output_dir is None:
+        raise WrongUsage("--copy-meshes needs a place: -o FILE or --output-dir FOLDER")
+    folder = request.output_dir
+    if request.output_file is not None and request.output_file.is_dir():
+        folder = request.output_file
+    if request.flat and folder is None:
+        raise WrongUsage("--flat goes with --output-dir")
+    return folder
 
 
 def _stem(name: str) -> str:

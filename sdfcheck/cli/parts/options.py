@@ -1,17 +1,125 @@
-"""Options that several commands share."""
+"""Options that several commands share, and the words that a shell offers after them."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import wraps
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from sdfcheck.cli.parts import completing
+from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
 from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+
+# The words that a shell offers after an option or a word: rules, formats, targets, places of a format.
+
+
+_USUAL = ("sdf", "world", "model", "link", "joint")
+"""The elements whose children are offered first."""
+
+
+def rules(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    """Families, codes and names; of a list, its last word is completed."""
+    from sdfcheck.lint.rulebook.packs import load_index
+
+    before, comma, word = begun.rpartition(",")
+    facts = load_index().facts
+    offered = [(family, "a family") for family in sorted({one.family for one in facts})]
+    offered += [(one.code, one.name) for one in facts]
+    offered += [(one.name, one.summary) for one in facts]
+    return _items((f"{before}{comma}{text}", about) for text, about in offered if text.startswith(word))
+
+
+def targets(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    from sdfcheck.consumers.reaction import Consumer
+
+    before, comma, word = begun.rpartition(",")
+    names = (consumer.value for consumer in Consumer)
+    return _items((f"{before}{comma}{name}", "") for name in names if name.startswith(word))
+
+
+def formats(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    from sdfcheck.report import OutputFormat
+
+    return _items((form.value, "") for form in OutputFormat if form.value.startswith(begun))
+
+
+def versions(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    from sdfcheck.formats.sdf.version import NEWEST, OLDEST
+
+    names = (f"1.{minor}" for minor in range(NEWEST.minor, OLDEST.minor - 1, -1))
+    return _items((name, "") for name in names if name.startswith(begun))
+
+
+def places(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    """The continuations in the newest SDFormat, or another format: ``joint/ax`` → ``joint/axis``."""
+    from sdfcheck.formats.describe.description import UnknownPlace
+    from sdfcheck.formats.describe.place import describe
+    from sdfcheck.formats.sdf.version import NEWEST
+
+    above, slash, word = begun.rpartition("/")
+    if ":" in word:
+        return _items((name, "") for name in _of_vendors() if name.startswith(begun))
+    try:
+        found = [one for place in ([above] if above else _USUAL) for one in describe(place, NEWEST)]
+    except UnknownPlace:
+        return []
+    names = {entry.name for one in found for entry in (*one.children, *(one.attributes if above else ()))}
+    return _items((f"{above}{slash}{name}", "") for name in sorted(names) if name.startswith(word))
+
+
+def _of_vendors() -> list[str]:
+    """The names with the prefix of a vendor."""
+    from sdfcheck.formats.vendor import BUILT_IN
+    from sdfcheck.formats.vendor.definitions import DIALECTS
+    from sdfcheck.formats.vendor.table import vendor
+
+    return sorted({name for path in BUILT_IN for dialect in DIALECTS for name in vendor(path, dialect).tags})
+
+
+def _items(offered: Iterable[tuple[str, str]]) -> list[CompletionItem]:
+    from click.shell_completion import CompletionItem
+
+    return [CompletionItem(text, help=about or None) for text, about in offered]
+
+
+# ``--sdf-version``: a version of SDFormat, the same for all commands.
+
+
+def sdf_version(
+    help: str, oldest: Version = OLDEST, *, name: str = "sdf_version", required: bool = False
+) -> Callable[[F], F]:
+    """The option, passed as a ``Version`` from ``oldest`` on; by default the newest."""
+
+    def parsed(context: click.Context, parameter: click.Parameter, given: str) -> Version:
+        known = Version.parse(given)
+        if known is None or known < oldest:
+            raise WrongUsage(f"unknown version `{given}` of SDFormat (choose from {oldest} to {NEWEST})")
+        return known
+
+    default: dict[str, Any] = {"required": True} if required else {"default": str(NEWEST)}
+    shown = "required" if required else f"default: {NEWEST}"
+    return click.option(
+        "--sdf-version",
+        name,
+        cls=Renamed,
+        old=["--to"],
+        metavar="VERSION",
+        callback=parsed,
+        shell_complete=versions,
+        help=f"{help}: {oldest} to {NEWEST}.  [{shown}]",
+        **default,
+    )
+
+
+# Options that several commands share.
+
 
 PATH = click.Path(path_type=Path)
 F = TypeVar("F", bound=Callable[..., Any])
@@ -116,7 +224,7 @@ def reported(help: str) -> Callable[[Any], Any]:
         old=["--format"],
         multiple=True,
         metavar="FORMAT[=FILE]",
-        shell_complete=completing.formats,
+        shell_complete=formats,
         help=help,
     )
 
@@ -162,7 +270,7 @@ def _consumers(
 def listing(flag: str, help: str) -> Callable[[Any], Any]:
     """An option for a list of rules."""
     return click.option(
-        flag, multiple=True, callback=_commas, metavar="RULES", help=help, shell_complete=completing.rules
+        flag, multiple=True, callback=_commas, metavar="RULES", help=help, shell_complete=rules
     )
 
 
@@ -174,7 +282,7 @@ def targeted(help: str) -> Callable[[Any], Any]:
         callback=_consumers,
         metavar="CONSUMERS",
         help=f"{help}: gazebo, drake, urdfdom, mujoco, ros, pybullet, pinocchio, isaac.",
-        shell_complete=completing.targets,
+        shell_complete=targets,
     )
 
 

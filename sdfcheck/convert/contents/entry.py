@@ -13,7 +13,7 @@ from sdfcheck.formats.sdf.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.robot.motion.rotations import Array, to_rpy
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
 Same = Callable[[str, str], bool]

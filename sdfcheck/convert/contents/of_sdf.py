@@ -7,12 +7,10 @@ from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.frame import MergedFrame
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import MergedFrame, Model, World
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.parts.link import Link
-from sdfcheck.robot.world import World
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _OF_MODELS = frozenset({"link", "joint", "frame", "model", "include", "pose", "static", "drake:joint"})

@@ -12,13 +12,12 @@ from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, 
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.urdf.table import settings
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
-from sdfcheck.robot.parts.material import Material
-from sdfcheck.robot.parts.shape import Shape, Visual
-from sdfcheck.source.element import Element
+from sdfcheck.robot.parts.shape import Material, Shape, Visual
+from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _KEPT = ("transmission", "ros2_control")

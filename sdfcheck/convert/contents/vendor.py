@@ -7,11 +7,10 @@ from functools import cache
 
 from sdfcheck.convert.contents.entry import Entry
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
-from sdfcheck.formats.vendor.carriers import value_at
-from sdfcheck.formats.vendor.definitions import Slot, Tag, Vendor
+from sdfcheck.formats.vendor.definitions import Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _KEPT = "urdf:"

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, title
-from sdfcheck.convert.migrate.node import Node
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST, Version
 

@@ -3,38 +3,321 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
 
-from sdfcheck.convert.loss import refusal
-from sdfcheck.convert.migrate.balance import close
+import numpy as np
+
+from sdfcheck.convert import ledger
+from sdfcheck.convert.contents.entry import Contents
+from sdfcheck.convert.contents.of_sdf import of_model, of_world
+from sdfcheck.convert.ledger import EVERYTHING, TEXT
+from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
-from sdfcheck.convert.migrate.down.axes import express_axes
-from sdfcheck.convert.migrate.down.capsules import split_capsules
-from sdfcheck.convert.migrate.down.flattening import flatten
-from sdfcheck.convert.migrate.down.inertias import write_inertias
-from sdfcheck.convert.migrate.down.leftovers import drop_leftovers
-from sdfcheck.convert.migrate.down.older_spellings import (
+from sdfcheck.convert.migrate.down import (
+    attach_joints_to_links,
     drop_frames,
+    drop_leftovers,
+    express_axes,
+    flat_links,
+    flatten,
+    move_world_joints,
     name_plugins,
     put_canonical_links_first,
     put_gravity_into_physics,
     rename_frame_ids,
     rename_sensors,
     rename_states,
+    resolve_poses,
+    split_capsules,
+    write_inertias,
     write_limits,
     write_thread_pitch,
 )
-from sdfcheck.convert.migrate.down.poses import attach_joints_to_links, resolve_poses
-from sdfcheck.convert.migrate.down.world_joints import move_world_joints
-from sdfcheck.convert.migrate.includes import report_newer_files, write_out_includes, write_out_merges
-from sdfcheck.convert.migrate.migration import Migration
-from sdfcheck.convert.migrate.node import Node
-from sdfcheck.convert.migrate.proof import comparisons
-from sdfcheck.convert.migrate.up.upward import go_up
-from sdfcheck.convert.result import Conversion, conversion, read_result, with_text
+from sdfcheck.convert.migrate.draft import Draft, Node
+from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.up import go_up
+from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result, with_text
+from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
+from sdfcheck.convert.rewrite.tidy import text_of
+from sdfcheck.convert.verify import Correspondence
+from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.sdf.version import NEWEST, Version
-from sdfcheck.source.document import Document
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.graph import Model, Scope, World
+from sdfcheck.robot.includes.included import included
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mechanism import Link, Mechanism
+from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Source
+
+# The parts of a source that are in a draft at the end: text that no step takes out is the author's.
+
+
+def close(migration: Migration) -> None:
+    """Enter what the draft still has of its source, and report what is gone in silence."""
+    ledger, source = migration.ledger, migration.draft.source
+    for node in migration.root.walk():
+        element = node.source
+        if element is None or element.document is not source:
+            continue
+        if node.opening is node.written:
+            ledger.take(element, EVERYTHING)
+            continue
+        # Of the format's own attributes steps take out what is said elsewhere.
+        own = (name for name in element.attributes if ":" not in name)
+        ledger.take(element, EVERYTHING, TEXT, *own, *node.attributes())
+    if migration.brought:
+        _enter_brought(migration)
+    assert source.root is not None
+    ledger.close(source.root)
+
+
+def custom_names(nodes: Iterable[Node]) -> frozenset[str]:
+    """The names of custom elements and attributes in nodes."""
+    names = (name for top in nodes for node in top.walk() for name in (node.name, *node.attributes()))
+    return frozenset(name for name in names if ":" in name and not name.startswith("xmlns"))
+
+
+def _enter_brought(migration: Migration) -> None:
+    """Custom data of includes, and of what they bring: is it there at the end?"""
+    there = custom_names([migration.root])
+    for include, names in migration.brought:
+        for name in include.attributes:
+            if name in there & names:
+                migration.ledger.take(include, name)
+        for child in include.children():
+            if child.name in there & names:
+                migration.ledger.take_whole(child)
+        own = {*include.attributes, *(child.name for child in include.children())}
+        for name in sorted(names - there - own):
+            text = f"`{name}` in what is included is left out: it has no place in SDFormat {migration.target}"
+            migration.ledger.note(LossKind.DROPPED_ELEMENT, include, text)
+
+
+# Includes: written out where the target cannot include the file, reported where it is too new.
+
+
+def write_out_merges(migration: Migration) -> None:
+    """Put the parts of merged includes in their place; a frame replaces the merged model."""
+    for include in migration.root.of("include"):
+        merges = (include.get("merge") or "").strip().lower() in {"true", "1"}
+        since = 9 if include.parent is None or include.parent.name == "model" else 10
+        if (
+            merges
+            and migration.goes_below(since)
+            and (why := _write_out(migration, include, keeps_models=True))
+        ):
+            assert include.place is not None
+            raise refusal(include.place, f"an include cannot be merged in {migration.target}: {why}")
+
+
+def write_out_includes(migration: Migration) -> None:
+    """Below 1.5 an include is in a world and says nothing but a uri; others are written out."""
+    for include in migration.root.of("include"):
+        if _says_more(include) and (why := _write_out(migration, include, keeps_models=False)):
+            _leave(migration, include, why)
+
+
+def _write_out(migration: Migration, include: Node, *, keeps_models: bool) -> str:
+    """Replace an include by what it brings; returns why it has to stay."""
+    migration.draft.read()
+    element = migration.draft.element(include)
+    expansion = IncludeExpansion(migration.to_sdf, keeps_models=keeps_models)
+    branches = expansion.replacement(element)
+    if not branches:
+        return expansion.notes[-1].partition(": the include stays: ")[2]
+    migration.losses.extend(expansion.losses)
+    nodes = [node for branch in branches for node in _nodes(text_of(branch))]
+    for node in nodes:
+        node.origin = include.origin
+    name = included(element.document, element).name
+    text = f"what {title(include)} of {name} brings is written out: {migration.target} does not include it so"
+    migration.note(include, text, LossKind.EXPANDED_INCLUDE)
+    migration.enter(include)
+    migration.enter_alone(include)
+    if include.place is not None:
+        migration.brought.append((include.place, custom_names(nodes)))
+    for parameters in element.children(PARAMETERS) if include.source is not None else ():
+        migration.ledger.take_whole(parameters)
+    include.replace(nodes)
+    return ""
+
+
+def _nodes(text: str) -> list[Node]:
+    """The nodes of a text, as parts of another file than that of the text."""
+    root = Draft(Document(Source(Path(), f"<sdf>\n{text}\n</sdf>"), Kind.SDF, [])).root
+    for node in root.walk():
+        node.origin = None
+    return root.children()
+
+
+def _says_more(include: Node) -> bool:
+    in_world = include.parent is not None and include.parent.name == "world"
+    return not in_world or any(child.name != "uri" and not child.is_custom for child in include.children())
+
+
+def _leave(migration: Migration, include: Node, why: str) -> None:
+    assert include.place is not None
+    if include.parent is None or include.parent.name == "model":
+        raise refusal(include.place, f"an include in a model cannot be written in {migration.target}: {why}")
+    text = f"the include stays, though {migration.target} has no place for more than its uri: {why}"
+    migration.lose(include, text, LossKind.UNKNOWN_REFERENCE)
+    migration.kept.update(include.children())
+
+
+def report_newer_files(migration: Migration) -> None:
+    """On the way down an included file may be too new for the target; it is not touched."""
+    document = migration.draft.read()
+    for include in migration.root.of("include"):
+        found = included(document, migration.draft.element(include))
+        other = found.document
+        if other is None or other.kind is not Kind.SDF or other.root is None or include.place is None:
+            continue
+        version = survey(other).version
+        if not version > migration.target:
+            continue
+        uri = found.uri.text.strip() if found.uri is not None else ""
+        text = f"`{uri}` stays in {version}: migrate that file to {migration.target} as well"
+        place = found.uri.element if found.uri is not None else include.place
+        loss = loss_at(place, LossKind.INCLUDED_FILE_KEPT, text)
+        version_value = other.root.attribute("version")
+        if version_value is not None:
+            loss = Loss(loss.kind, loss.span, text, loss.severity, ((version_value.span, "its version"),))
+        migration.losses.append(loss)
+
+
+# Source and result as robots, to be compared model by model.
+
+
+def comparisons(migration: Migration) -> list[Comparison]:
+    """The models to compare; a model whose source cannot be read is reported."""
+    source, result = migration.draft.source, migration.draft.read()
+    others = dict(models(result))
+    elsewhere = _translated(migration)
+    compared = list(_worlds(migration, source, result, elsewhere))
+    for name, scope in models(source):
+        try:
+            robot = comparable(migration, mechanism_of(scope))
+        except (DescriptionError, PoseError) as error:
+            place = scope.place
+            if place.document is source:
+                text = f"model `{scope.name}` cannot be compared with its result: {error}"
+                migration.losses.append(loss_at(place, LossKind.NOT_VERIFIED, text))
+            continue
+        other = others.get(name)
+        contents = None if other is None else (of_model(scope), of_model(other))
+        compared.append(
+            Comparison(robot, _robot(other), correspondence(migration, robot), contents, elsewhere)
+        )
+    return compared
+
+
+def _robot(scope: Model | None) -> Mechanism:
+    """The robot of a result; one that cannot be read is empty, so that everything is missing."""
+    try:
+        return mechanism_of(scope) if scope is not None else Mechanism("", {}, {})
+    except (DescriptionError, PoseError):
+        return Mechanism("", {}, {})
+
+
+def models(document: Document) -> Iterator[tuple[str, Model]]:
+    """The models at the top and in worlds, by their names with that of the world."""
+    for model in ledger.models(document):
+        world = model.holder
+        yield f"{world.name}::{model.name}" if isinstance(world, World) else model.name, model
+
+
+def _translated(migration: Migration) -> frozenset[Element]:
+    """The elements that steps have renamed, moved or said in other words, and what is in them."""
+    found = set(migration.ledger.entered)
+    for node in migration.root.walk():
+        element, parent = node.source, node.parent
+        if element is None or parent is None:
+            continue
+        if parent.source is not None and parent.source.document is not element.document:
+            continue  # the top of what is included
+        if node.name != element.name or parent.source is not element.parent:
+            found.update(element.walk())
+    return frozenset(found)
+
+
+def _worlds(
+    migration: Migration, source: Document, result: Document, elsewhere: frozenset[Element]
+) -> Iterator[Comparison]:
+    """The worlds, with their models for links: where do they are?"""
+    results = {scope.name: scope for scope in root_of(result).scopes if scope.kind == "world"}
+    for scope in root_of(source).scopes:
+        other = results.get(scope.name)
+        if scope.kind == "world" and other is not None:
+            standing = _standing(scope, migration)
+            if len(standing.links) > 1:
+                contents = (_of_world(scope), _of_world(other))
+                yield Comparison(standing, _standing(other, None), Correspondence(), contents, elsewhere)
+
+
+def _of_world(world: Scope) -> Contents:
+    """The parts of a world beside its models."""
+    found = Contents(world.name)
+    if isinstance(world, World):
+        found.add("model", "", of_world(world))
+    return found
+
+
+def _standing(world: Scope, migration: Migration | None) -> Mechanism:
+    poses = world.root.poses
+    robot = Mechanism(world.name, {"world": Link("world", np.eye(4), world.element)}, {})
+    for name, model in world.nodes.items():
+        if not isinstance(model, Model):
+            continue
+        try:
+            robot.links[name] = Link(name, poses.in_scope(model) @ _placement(model), model.place)
+        except PoseError as error:
+            if migration is not None and model.place.document is migration.draft.source:
+                text = f"the pose of model `{name}` cannot be compared: {error}"
+                migration.losses.append(loss_at(model.place, LossKind.NOT_VERIFIED, text))
+    return robot
+
+
+def _placement(model: Model) -> Array:
+    """From a model's frame to its first link, which is what has a place."""
+    link = model.canonical_link
+    return np.eye(4) if link is None else model.root.poses.reached(model, link)
+
+
+def comparable(migration: Migration, robot: Mechanism) -> Mechanism:
+    """A robot of the source without what is a loss."""
+    if not migration.lost_mimics:
+        return robot
+    joints = {
+        name: replace(joint, axes=tuple(replace(axis, mimic=None) for axis in joint.axes))
+        for name, joint in robot.joints.items()
+    }
+    return replace(robot, joints=joints)
+
+
+def correspondence(migration: Migration, source: Mechanism) -> Correspondence:
+    """The new names of the links and joints of a model, and those that are lost."""
+    joints = dict(migration.renamed_joints)
+    links = dict(migration.moved_links)
+    if migration.target < Version(1, 5):
+        links |= flat_links(list(source.links))
+        joints |= {name: name.replace("::", "__") for name in source.joints if "::" in name}
+    return Correspondence(
+        links,
+        joints,
+        dropped_geometries=frozenset(migration.dropped_shapes),
+        changed_bodies=frozenset(source.links) if migration.changed_bodies else frozenset(),
+    )
+
+
+# SDFormat from one version to another, up or down.
+
 
 LOWEST = Version(1, 4)
 """The oldest version that can be asked for."""

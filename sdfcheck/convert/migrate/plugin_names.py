@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, title
-from sdfcheck.convert.migrate.node import Node
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 

@@ -11,8 +11,7 @@ from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.result import with_text
 from sdfcheck.convert.rewrite.include_expansion import expanded
-from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle, tidy_sdf, tidy_urdf
-from sdfcheck.convert.rewrite.tidy_tree import Branch, branch_of, render
+from sdfcheck.convert.rewrite.tidy import Branch, NumberStyle, branch_of, render, tidy_sdf, tidy_urdf
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.version import Version
@@ -22,8 +21,7 @@ from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 

@@ -1,20 +1,16 @@
-"""Includes replaced by what they bring.
-
-The children of an include (name, pose, static, placement frame, plugins) take precedence over those
-of the included file. A merged model leaves a frame in place of its own, by the name that
-libsdformat gives it.
-"""
+"""Includes replaced by what they bring."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from pathlib import Path
 
 from sdfcheck.convert.loss import Loss, LossKind, NotConvertible, loss_at
 from sdfcheck.convert.result import Conversion
-from sdfcheck.convert.rewrite.relocation import relocated
-from sdfcheck.convert.rewrite.tidy_tree import Branch, Remark, branch_of, render
+from sdfcheck.convert.rewrite.tidy import Branch, Remark, branch_of, render
 from sdfcheck.convert.writer import numbers
+from sdfcheck.files.uris import locate, scheme_of
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.includes.included import Included, included, included_element, with_parameters
@@ -22,12 +18,47 @@ from sdfcheck.robot.motion.rotations import to_rpy
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, Spans
 from sdfcheck.source.problems import SyntaxDefect
+from sdfcheck.source.relative import relative_path
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.spans import Spans
 from sdfcheck.source.text import Source, Span
+
+# Files that were found beside an included file, as found from the file that includes it.
+
+
+_FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))
+
+
+def relocated(name: str, text: str, found: Included, document: Document) -> str | None:
+    """The new content of an element of that name; None if it can stay."""
+    assert found.document is not None
+    if name not in _FILES and not name.endswith("_map"):
+        return None
+    folder = found.document.path.parent
+    if not text or scheme_of(text) or Path(text).is_absolute() or not (folder / text).exists():
+        return None
+    return _seen_from(document, found, folder / text)
+
+
+def _seen_from(document: Document, found: Included, file: Path) -> str:
+    assert found.uri is not None
+    uri = found.uri.text.strip()
+    place = locate(document, uri).path
+    if scheme_of(uri) in {"model", "package"} and place is not None:
+        if place.is_dir():
+            return f"{uri.rstrip('/')}/{Path(relative_path(file, place)).as_posix()}"
+        if file.is_relative_to(place.parent):
+            return f"{uri.rpartition('/')[0]}/{file.relative_to(place.parent).as_posix()}"
+    return Path(relative_path(file, document.path.parent)).as_posix()
+
+
+# Includes replaced by what they bring.
+#
+# The children of an include (name, pose, static, placement frame, plugins) take precedence over those
+# of the included file. A merged model leaves a frame in place of its own, by the name that
+# libsdformat gives it.
+
 
 _MERGED = frozenset(("frame", "gripper", "include", "joint", "link", "model", "plugin"))
 _FREE = frozenset(("plugin",))

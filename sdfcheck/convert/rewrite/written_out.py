@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from sdfcheck.convert.migrate.migrate import to_sdf
 from sdfcheck.convert.rewrite.include_expansion import Rendered, expanded
-from sdfcheck.convert.rewrite.tidy_tree import Branch
+from sdfcheck.convert.rewrite.tidy import Branch
 from sdfcheck.robot.includes.included import included, includes_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 
 
 class WrittenOut(Rendered):

@@ -8,14 +8,12 @@ from pathlib import Path
 
 from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.options import Options
-from sdfcheck.convert.sdf_to_urdf.plan.arrange import Arrangement
-from sdfcheck.convert.sdf_to_urdf.plan.layout import Layout
-from sdfcheck.convert.sdf_to_urdf.plan.naming import Naming
+from sdfcheck.convert.sdf_to_urdf.plan import Arrangement, Layout, Naming
 from sdfcheck.convert.writer import Node
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import Poses
-from sdfcheck.robot.node import Node as RobotNode
 
 
 @dataclass(slots=True)

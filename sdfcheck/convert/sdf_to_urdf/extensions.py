@@ -1,4 +1,4 @@
-"""``gazebo`` elements: what rides along for libsdformat, unread by others."""
+"""``gazebo`` elements: content for libsdformat alone, and joints that URDF cannot have."""
 
 from __future__ import annotations
 
@@ -9,18 +9,21 @@ import numpy as np
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.old_sensors import renew
-from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
+from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, follow_names
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text
-from sdfcheck.convert.sdf_to_urdf.references import follow_names
+from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text, shortened
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.frame import MergedFrame
+from sdfcheck.robot.graph import MergedFrame
+from sdfcheck.robot.graph import Node as RobotNode
+from sdfcheck.robot.motion.mechanism import Joint
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.node import Node as RobotNode
-from sdfcheck.robot.parts.placement import reference_of
-from sdfcheck.source.element import Element
+from sdfcheck.robot.values import reference_of
+from sdfcheck.source.document import Element
+
+# ``gazebo`` elements: what rides along for libsdformat, unread by others.
+
 
 _OF_LINKS = frozenset(
     {
@@ -152,3 +155,50 @@ def _keep_springs(context: Context, axis: Element, reference: str) -> None:
 def of_frame(context: Context, link: str, pose: Array) -> Array:
     """The pose of a frame of a link, given in the source's link frame, in that of the URDF."""
     return context.layout.within(link, context.robot.links[link].pose @ pose)
+
+
+# Joints that URDF cannot have, kept as SDFormat: libsdformat puts them back.
+
+
+_REPLACED = frozenset({"parent", "child", "pose"})
+_DIRECTION = frozenset({"xyz", "use_parent_model_frame"})
+
+
+def keep_joint(context: Context, joint: Joint, *, in_parent: bool = False) -> None:
+    """Keep a joint, its ends and directions as they are in the URDF.
+
+    ``in_parent``: say where it is in its parent. libsdformat places the child of a floating
+    joint by that joint, which it drops: this one takes its name, and must not lean on the child.
+    """
+    copy = copied(joint.element)
+    copy.attributes["name"] = context.joints[joint.name]
+    copy.drop(_REPLACED)
+    follow_names(context, copy, joint.element, joint.name.rpartition("::")[0])
+    parent, child = context.link_name(joint.parent), context.link_name(joint.child)
+    pose = pose_text(context.layout.within(joint.parent if in_parent else joint.child, joint.pose))
+    if in_parent:
+        place = [Node("pose", pose, relative_to="__model__" if parent == "world" else parent)]
+    else:
+        place = [Node("pose", pose)] if pose != "0 0 0 0 0 0" else []
+    copy.children[:0] = [
+        _with_custom(n, joint.element) for n in (*place, Node("parent", parent), Node("child", child))
+    ]
+    for number, axis in enumerate(joint.axes):
+        node = copy.find("axis" if number == 0 else "axis2")
+        if node is not None:
+            node.drop(_DIRECTION)
+            written = joint.element.find(node.name)
+            xyz = Node("xyz", shortened(axis.direction))
+            node.children.insert(0, xyz if written is None else _with_custom(xyz, written))
+    context.blob().append(copy)
+    context.kept.add(joint.name)
+    context.ledger.take_whole(joint.element)
+
+
+def _with_custom(node: Node, holder: Element) -> Node:
+    """A new node with the custom attributes of what it takes the place of in ``holder``."""
+    old = holder.find(node.name)
+    for name, text in () if old is None else old.attributes.items():
+        if ":" in name:
+            node.attributes.setdefault(name, text)
+    return node

@@ -2,27 +2,159 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sdf_to_urdf.comments import carry_comments, carry_inside
+from sdfcheck.convert.sdf_to_urdf.carried import (
+    carry_comments,
+    carry_custom,
+    carry_inside,
+    carry_parts,
+    has_custom,
+)
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.custom import carry_custom, carry_parts
 from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
-from sdfcheck.convert.sdf_to_urdf.materials import add_color
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin
-from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, stand_in
-from sdfcheck.convert.sdf_to_urdf.shared import keep_extras
-from sdfcheck.convert.writer import Node, number, settled
+from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, merged_frame
+from sdfcheck.convert.writer import Node, copied, number, numbers, settled
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Link
 from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, transform
-from sdfcheck.robot.parts.inertial import Inertial
+from sdfcheck.robot.parts.link import Inertial
 from sdfcheck.robot.parts.link import Link as LinkPart
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
+
+# Colors: the one part of a material that URDF has.
+
+
+_TEXTURE = "drake:diffuse_map"
+
+
+def add_color(context: Context, node: Node, visual: Element, scope: str) -> None:
+    """Let a visual have the material of its diffuse color, or else of its ambient one."""
+    material = visual.find("material")
+    if material is None:
+        return
+    is_kept = context.ledger.is_entered(material)
+    context.ledger.take(material)
+    diffuse, ambient = material.find("diffuse"), material.find("ambient")
+    chosen = diffuse if diffuse is not None else ambient
+    color = _rgba(chosen)
+    texture = material.find(_TEXTURE)
+    if chosen is None or color is None:
+        if texture is not None:
+            carry_custom(context, node.add("material", name=_own_name(context)), material, scope)
+        return
+    context.ledger.take(chosen, TEXT)
+    if ambient is not None and ambient is not chosen and not context.ledger.is_entered(ambient):
+        if _rgba(ambient) == color:
+            context.ledger.take(ambient, TEXT)
+        else:
+            message = f"the ambient color {ambient.content} of {visual.title} is left out: URDF has one color"
+            context.ledger.lose(LossKind.CHANGED_COLOR, ambient, message, Severity.INFO)
+    if texture is None:
+        written = node.add("material", name=context.colors[color])
+    else:
+        written = node.add("material", name=_own_name(context))
+        written.add("color", rgba=color)
+    if is_kept and texture is None:
+        return
+    carry_custom(context, written, material, scope)
+    if has_custom(chosen):
+        # A color of its own, where the definition is shared.
+        carry_custom(context, written.add("color", rgba=color), chosen, scope)
+
+
+def _own_name(context: Context) -> str:
+    """A name that no other material has: there may be several of a color with different textures."""
+    number = len(context.colors) + 1
+    context.colors[f"texture {number}"] = name = f"color_{number}"
+    return name
+
+
+def define_colors(context: Context) -> None:
+    """Write the materials of all visuals; the same color is one material."""
+    for link in context.robot.links.values():
+        for geometry in link.geometries:
+            material = geometry.element.find("material") if geometry.role == "visual" else None
+            if material is None:
+                continue
+            diffuse = material.find("diffuse")
+            color = _rgba(diffuse if diffuse is not None else material.find("ambient"))
+            if color is not None and color not in context.colors:
+                context.colors[color] = f"color_{len(context.colors) + 1}"
+                context.root.add("material", name=context.colors[color]).add("color", rgba=color)
+
+
+def _rgba(element: Element | None) -> str | None:
+    values = floats(element.content) if element is not None else None
+    if values is None or len(values) not in {3, 4}:
+        return None
+    return numbers((*values, 1.0)[:4])
+
+
+# Settings that all visuals or all collisions of a link share, and URDF does not have: surfaces,
+# textures, flags.
+#
+# libsdformat lays a ``visual`` or ``collision`` in a link's ``gazebo`` element over all that have no
+# name.
+
+
+_SAID = frozenset({"auto_inertia_params", "density", "geometry", "pose"})
+"""The settings that are written otherwise: density is in the inertia, if it is used at all."""
+_COLOR = frozenset({"diffuse", "ambient"})
+
+
+def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -> bool:
+    """Keep what the parts have beyond URDF as an extension, if it is the same for all and nothing needs names.
+
+    True if it is kept: then the parts must be written without names.
+    """
+    each = [list(_extras(part)) for part in parts]
+    if not each or not each[0] or _names_matter(link.element, role):
+        return False
+    meant = [[_canonical(extra) for extra in extras] for extras in each]
+    if any(other != meant[0] for other in meant[1:]):
+        return False
+    blob = context.blob(context.links[link.name]).add(role)
+    blob.children.extend(copied(extra) for extra in each[0])
+    for extra in (extra for extras in each for extra in extras):
+        context.ledger.copy(extra)
+    names = ", ".join(f"`{extra.name}`" for extra in each[0])
+    message = (
+        f"{names} of the {role}s of {link.element.title} is kept for libsdformat alone, and costs their names"
+    )
+    context.ledger.note(LossKind.KEPT_AS_EXTENSION, each[0][0], message, Severity.INFO)
+    return True
+
+
+def _extras(part: Element) -> Iterator[Element]:
+    for child in part.children():
+        if child.name == "material":
+            if any(inner.name not in _COLOR for inner in child.children()):
+                yield child
+        elif child.name not in _SAID and not child.is_custom:
+            yield child
+
+
+def _names_matter(link: Element, role: str) -> bool:
+    """Does a contact sensor of the link name a collision?"""
+    return role == "collision" and any(sensor.has("contact") for sensor in link.children("sensor"))
+
+
+def _canonical(element: Element) -> tuple[object, ...]:
+    inner = tuple(_canonical(child) for child in element.children())
+    return (element.name, tuple(sorted(element.attributes.items())), " ".join(element.content.split()), inner)
+
+
+# Links with their inertials, visuals and collisions.
+
 
 _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
@@ -123,7 +255,7 @@ def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
     for part in parts:
         context.ledger.take_parts(part, "pose")
         context.ledger.take(part.find("geometry"))
-        shape, written_as = stand_in(shapes[part])
+        shape, written_as = merged_frame(shapes[part])
         if shape:
             message = f"the {shape} of {part.title} of {link.element.title} is written as {written_as}"
             severity = Severity.WARNING if shape == "plane" else Severity.INFO

@@ -7,7 +7,7 @@ import numpy as np
 from sdfcheck.convert.writer import Node, numbers
 from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, to_rpy
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 
 _ROUNDING = 1e-14
 _SHORT = 12

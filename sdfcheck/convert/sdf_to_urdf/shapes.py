@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sdf_to_urdf.custom import carry_custom
+from sdfcheck.convert.sdf_to_urdf.carried import carry_custom
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.writer import Node, number, numbers
@@ -64,7 +64,7 @@ def _slab(geometry: Geometry) -> Geometry:
     return replace(geometry, kind="box", size=(x, y, height), pose=pose)
 
 
-def stand_in(written: list[Geometry]) -> tuple[str, str]:
+def merged_frame(written: list[Geometry]) -> tuple[str, str]:
     """A shape that URDF does not have, and what is written for it; empty if it has it."""
     shape = written[0].element.find("geometry")
     own = shape_in(shape) if shape is not None else None

@@ -8,7 +8,7 @@ from pathlib import Path
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.relative import relative_path
 
 

@@ -6,15 +6,15 @@ import numpy as np
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.plan.layout import is_same
+from sdfcheck.convert.sdf_to_urdf.plan import is_same
 from sdfcheck.convert.sdf_to_urdf.poses import shortened
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
-from sdfcheck.convert.vendor.spelling import Spelling, moved, spellings
+from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.vendor.definitions import Elsewhere, Tag
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _ACTUATOR = "actuator"

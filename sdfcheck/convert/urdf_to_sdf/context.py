@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from sdfcheck.convert.ledger import Ledger
+from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
-from sdfcheck.convert.urdf_to_sdf.words import WORDS
 from sdfcheck.convert.writer import Node, copied, declare, numbers, spaced, undeclared_prefixes
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.values import floats
@@ -18,7 +17,44 @@ from sdfcheck.formats.urdf.table import UrdfElement
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.source.element import Comment, Element
+from sdfcheck.source.document import Comment, Element
+
+# The elements of URDF that have a counterpart in SDFormat, and the attributes in which they say something.
+
+
+_PAIRS = {
+    "axis": "xyz",
+    "box": "size",
+    "capsule": "radius length",
+    "child": "link",
+    "collision": "name",
+    "color": "rgba",
+    "cylinder": "radius length",
+    "drake:capsule": "radius length",
+    "drake:ellipsoid": "a b c",
+    "drake:joint": "name type",
+    "dynamics": "damping friction",
+    "frame": "link name xyz rpy",
+    "gazebo": "reference",
+    "geometry": "",
+    "inertia": "ixx ixy ixz iyy iyz izz",
+    "inertial": "",
+    "joint": "name type",
+    "limit": "lower upper effort velocity",
+    "link": "name",
+    "mass": "value",
+    "material": "name",
+    "mesh": "filename scale",
+    "mimic": "joint multiplier offset",
+    "origin": "xyz rpy quat_xyzw",
+    "parent": "link",
+    "robot": "name version",
+    "sphere": "radius",
+    "texture": "filename",
+    "visual": "name",
+}
+WORDS: Words = {name: frozenset(attributes.split()) for name, attributes in _PAIRS.items()}
+
 
 KEPT = "urdf"
 """The prefix of what only URDF has."""

@@ -1,6 +1,9 @@
-"""The conversion from end to end."""
+"""The conversion from end to end, and its result read by SDFormat's own parser."""
 
 from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -10,28 +13,111 @@ from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
-from sdfcheck.convert.urdf_to_sdf.extensions import Extensions
-from sdfcheck.convert.urdf_to_sdf.followed_names import FollowedNames
+from sdfcheck.convert.urdf_to_sdf.gazebo_blocks import Extensions, FollowedNames
 from sdfcheck.convert.urdf_to_sdf.joints import Joints
-from sdfcheck.convert.urdf_to_sdf.links import Links
-from sdfcheck.convert.urdf_to_sdf.materials import Materials
-from sdfcheck.convert.urdf_to_sdf.naming import WORLD, legal
+from sdfcheck.convert.urdf_to_sdf.links import Links, Materials, keep_frictions_of_drake
 from sdfcheck.convert.urdf_to_sdf.options import Options
-from sdfcheck.convert.urdf_to_sdf.outcome import correspondence, expected, read_back
-from sdfcheck.convert.urdf_to_sdf.plan import plan
-from sdfcheck.convert.urdf_to_sdf.vendor_frictions import keep_frictions_of_drake
+from sdfcheck.convert.urdf_to_sdf.plan import WORLD, Plan, free_joints, legal, plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
+from sdfcheck.convert.verify import Correspondence, Counterpart
 from sdfcheck.convert.writer import Node, Words, render, undeclared_prefixes, with_line_ends
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
 from sdfcheck.robot.motion.poses import PoseError, origin_of
-from sdfcheck.robot.parts.actuation import Transmission
+from sdfcheck.robot.parts.control import Transmission
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Comment, Element
+from sdfcheck.source.document import Comment, Document, Element
 from sdfcheck.source.sniff import Kind
+
+# The result, read by SDFormat's own parser, and what it is to be compared with.
+
+
+_BRINGING = frozenset({"include", "model"})
+
+
+def read_back(written: Document, context: Context, sdf: Node) -> Mechanism:
+    """The robot of what was written, without what the source has for Gazebo only."""
+    own = written
+    if (rest := _without_brought(sdf)) is not None:
+        own = read_result(render(rest), written, Kind.SDF)
+    robot = mechanism_of(root_of(own).models[0], vendors=True)
+    for name in context.own_links:
+        robot.links.pop(name, None)
+    return robot
+
+
+def _without_brought(sdf: Node) -> Node | None:
+    """The result without models that ``<gazebo>`` blocks bring, and joints to them; None if there are none."""
+    model = next(sdf.elements())
+    if not any(child.name in _BRINGING for child in model.elements()):
+        return None
+    kept, outer = Node(model.name, None, **model.attributes), Node(sdf.name, None, **sdf.attributes)
+    kept.children = [
+        child
+        for child in model.children
+        if not (isinstance(child, Node) and (child.name in _BRINGING or _reaches_into(child)))
+    ]
+    outer.append(kept)
+    return outer
+
+
+def _reaches_into(joint: Node) -> bool:
+    ends = (joint.find(name) for name in ("parent", "child")) if joint.name == "joint" else ()
+    return any(end is not None and "::" in (end.text or "") for end in ends)
+
+
+def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
+    """The source with what was reported, and what it has for Gazebo.
+
+    That is masses supplied, limits that mean none, joints that do not follow.
+    """
+    links = dict(robot.links)
+    for name in plan.supplied - plan.automatic:
+        for part in plan.parts(name):
+            link = links[part]
+            body = plan.bodies[name] if part == name else None
+            links[part] = Link(link.name, link.pose, link.element, body, link.geometries)
+    joints = {}
+    free = free_joints(plan, context.options)
+    for name, joint in robot.joints.items():
+        if name in free:
+            continue  # what floats stays where it is, whatever moves
+        changes: dict[str, Any] = dict(context.overruled.get(plan.names.joints[name], {}))
+        axes = tuple(_unbounded(replace(axis, **changes)) for axis in joint.axes)
+        if name in context.lost_mimics:
+            axes = tuple(replace(axis, mimic=None) for axis in axes)
+        joints[name] = replace(joint, axes=axes)
+    return Mechanism(robot.name, links, joints, robot.frames)
+
+
+def _unbounded(axis: Axis) -> Axis:
+    """Negative effort and velocity mean no limit."""
+    effort = axis.effort if axis.effort >= 0 else float("inf")
+    velocity = axis.velocity if axis.velocity >= 0 else float("inf")
+    return replace(axis, effort=effort, velocity=velocity)
+
+
+def correspondence(plan: Plan, context: Context) -> Correspondence:
+    """The outcomes of the source's links and joints."""
+    names = plan.names
+    links = {
+        name: Counterpart(names.links[survivor], offset) for name, (survivor, offset) in plan.home.items()
+    }
+    dropped = {name for name, (survivor, _) in plan.home.items() if survivor not in context.links}
+    return Correspondence(
+        links,
+        names.joints,
+        dropped_links=frozenset(dropped),
+        dropped_joints=frozenset(free_joints(plan, context.options)),
+        dropped_geometries=frozenset(context.dropped_shapes),
+        changed_bodies=frozenset(plan.automatic),
+    )
+
+
+# The conversion from end to end.
+
 
 _NAMESPACES = {KEPT: "http://ros.org/wiki/urdf/XML", "drake": "http://drake.mit.edu"}
 

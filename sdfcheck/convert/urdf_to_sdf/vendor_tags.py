@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator, Mapping
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
-from sdfcheck.convert.vendor.spelling import Spelling, moved, spellings
+from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
 from sdfcheck.convert.writer import Node
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.parts.actuation import Transmission
-from sdfcheck.source.element import Element
+from sdfcheck.robot.parts.control import Transmission
+from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _SIMPLE = "SimpleTransmission"

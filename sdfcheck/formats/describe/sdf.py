@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.formats.describe.description import Description, Entry, missing
-from sdfcheck.formats.describe.summary import summary
+from sdfcheck.formats.describe.description import Description, Entry, missing, summary
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.choices import Choices
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema

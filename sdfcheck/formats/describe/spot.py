@@ -20,6 +20,17 @@ _EXTENDED = (
 )
 """Where what a ``<gazebo>`` block holds belongs in SDFormat."""
 
+_IN_MACROS = (
+    ("model",),
+    ("model", "link"),
+    ("model", "joint"),
+    ("world",),
+    ("model", "link", "visual"),
+    ("model", "link", "visual", "geometry"),
+    ("model", "link", "inertial"),
+)
+"""Where the content of a macro may belong in SDFormat."""
+
 
 class Spot(NamedTuple):
     """A place of a format: an element of SDFormat with its parent, or one of URDF with the names that lead there."""
@@ -61,13 +72,28 @@ def spot(names: Sequence[str], version: Version = NEWEST) -> Spot | None:
     if not plain:
         return None
     if plain[0] == "sdf":
-        return _in_sdf(Spot(schema(version).root), plain[1:])
+        return _in_sdf_or_macro(plain[1:], version)
     if plain[0] != "robot":
         return None
     for number, name in enumerate(plain):
         if name.startswith("xacro:"):
             return _in_macro(plain[number + 1 :], version)
     return _in_urdf(plain, version)
+
+
+def _in_sdf_or_macro(names: Sequence[str], version: Version) -> Spot | None:
+    """A place of SDFormat, or one in a macro of xacro, whose content belongs where it is, or in a model or link."""
+    start = Spot(schema(version).root)
+    last = max((number for number, name in enumerate(names) if name.startswith("xacro:")), default=-1)
+    if last < 0:
+        return _in_sdf(start, names)
+    around = tuple(name for name in names[:last] if not name.startswith("xacro:"))
+    for place in (around, *_IN_MACROS):
+        holder = _in_sdf(start, place)
+        found = None if holder is None else _in_sdf(holder, names[last + 1 :])
+        if found is not None and (found is not holder or place == around):
+            return found
+    return None
 
 
 def _in_sdf(start: Spot, names: Sequence[str]) -> Spot | None:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing
-from sdfcheck.formats.describe.summary import summary
+from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing, summary
 from sdfcheck.formats.urdf.table import (
     VERSIONS,
     UrdfAttribute,

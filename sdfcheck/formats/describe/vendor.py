@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing
-from sdfcheck.formats.describe.summary import summary
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing, summary
+from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import DIALECTS, Effect, Place, Slot, Tag, Vendor
 from sdfcheck.formats.vendor.table import vendor

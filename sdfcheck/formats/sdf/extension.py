@@ -15,8 +15,7 @@ from sdfcheck.formats.sdf.table import Row, block
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.urdf.survey import survey
 from sdfcheck.formats.urdf.table import extension
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 
 _SHAPES = ("visual", "collision")
 """The values of these are added to all shapes of the link."""

@@ -1,14 +1,10 @@
-"""Why something does not fit the table: the explaining side of the walk.
-
-Loaded only when there is something to explain. Each method takes one thing that the
-walk did not accept at once and either finds that it is sound after all or notes a
-problem.
-"""
+"""Why something does not fit the table: the explaining side of the walk."""
 
 from __future__ import annotations
 
 from collections import Counter
 
+from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.repetition import MOST, counted, folded
 from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
@@ -16,10 +12,60 @@ from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.sdf.version import NEWEST, Version
-from sdfcheck.formats.suggest import suggest
 from sdfcheck.formats.topology import Displaced, standard_inside
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
+
+# Where an element that is in the wrong place was meant to be.
+
+
+_BELOW = 1
+"""The rank of what is in the parent."""
+
+
+def likely_parents(places: tuple[str, ...], parent: Element, definition: Definition) -> tuple[str, ...]:
+    """Those of ``places`` (names from the start of a definition) that are the likeliest from ``parent``.
+
+    First comes what encloses the parent (an element set one level too deep), the nearest
+    first, then what can be reached from there (one level too high); all of them if there is neither.
+    The children of the parent are likely in any case.
+    """
+    chain = _chain(parent)
+    ranked: dict[int, list[tuple[int, str]]] = {}
+    for place in places:
+        rank, distance = _rank(place.split("/"), chain, definition)
+        ranked.setdefault(rank, []).append((distance, place))
+    best = sorted(ranked[min(ranked)])
+    children = sorted(ranked.get(_BELOW, ())) if min(ranked) < _BELOW else []
+    return tuple(place for _, place in (*children, *best))
+
+
+def _chain(element: Element) -> list[str]:
+    """The names of an element and of what encloses it, from the inside out."""
+    names = [element.name]
+    while (parent := element.parent) is not None:
+        names.append(parent.name)
+        element = parent
+    return names
+
+
+def _rank(steps: list[str], chain: list[str], definition: Definition) -> tuple[int, int]:
+    inwards = steps[::-1]
+    for distance in range(len(chain)):
+        if chain[distance : distance + len(inwards)] == inwards:
+            return 0, distance
+    if steps[0] in definition.children:
+        return _BELOW, 0
+    if steps[0] in chain[:-1]:
+        return 2, chain.index(steps[0])
+    return 3, 0
+
+
+# Why something does not fit the table: the explaining side of the walk.
+#
+# Loaded only when there is something to explain. Each method takes one thing that the
+# walk did not accept at once and either finds that it is sound after all or notes a
+# problem.
+
 
 # Without these the file is refused; for all else that is required a default is taken.
 _REFUSED = frozenset(
@@ -109,8 +155,6 @@ class Findings:
             return None
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name):
-            from sdfcheck.formats.sdf.likely_parents import likely_parents
-
             places = likely_parents(places, parent, place)
             ignored = name not in _FOUND_ANYWHERE
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 

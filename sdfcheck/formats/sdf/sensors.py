@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.sdf.survey import Survey
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 
 _CAMERAS = tuple(
     """

@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.version import NEWEST, Version
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Aside, Element
+from sdfcheck.source.document import Aside, Document, Element
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:

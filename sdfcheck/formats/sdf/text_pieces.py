@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from sdfcheck.source.element import Aside, Element, Value
+from sdfcheck.source.document import Aside, Element, Value
 from sdfcheck.source.text import Span
 
 _PIECE = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|([^<]+)|<", re.DOTALL)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import Outcome, Reading
 from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.choices import Verdict
@@ -12,8 +13,7 @@ from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import cut_text, part
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.sdf.version import NEWEST
-from sdfcheck.formats.suggest import suggest
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 
 if TYPE_CHECKING:
     from sdfcheck.formats.urdf.table import UrdfAttribute

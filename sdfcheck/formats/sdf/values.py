@@ -21,7 +21,7 @@ from sdfcheck.formats.sdf.parts import (
     rest_cause,
     word_at,
 )
-from sdfcheck.formats.sdf.row_in_version import RowInVersion
+from sdfcheck.formats.sdf.schema import RowInVersion
 from sdfcheck.formats.sdf.table import Range
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}

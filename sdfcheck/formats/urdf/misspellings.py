@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import cache
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.urdf.table import UrdfElement, known_parents, urdf
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 
 
 def misspells(element: Element, name: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 

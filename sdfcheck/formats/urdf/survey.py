@@ -12,10 +12,10 @@ from collections import defaultdict
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, is_expression, urdf
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Aside, Element
+from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, urdf
+from sdfcheck.source.document import Aside, Document, Element
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import is_expression
 
 if TYPE_CHECKING:
     from sdfcheck.formats.topology import Displaced

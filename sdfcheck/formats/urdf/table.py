@@ -194,11 +194,6 @@ def known_parents(name: str) -> tuple[str, ...]:
     return tuple(sorted(found))
 
 
-def is_expression(text: str) -> bool:
-    """Whether xacro should have replaced something in a text."""
-    return "${" in text or "$(" in text
-
-
 def _blocks() -> dict[str, _Row]:
     blocks: dict[str, _Row] = {}
     path: list[_Row] = []

@@ -1,18 +1,46 @@
-"""Tables of vendors' own elements and attributes: what a prefix brings, where, and with which values.
-
-The layout of such a table is described in docs/vendor-tables.md. One for Drake is built in
-(``data/drake.txt``); packs of rules bring others. A table is read when a document uses
-its prefix, which is the beginning of the file's name.
-"""
+"""Tables of vendors' own elements and attributes: what a prefix brings, and how tags carry their values."""
 
 from __future__ import annotations
 
 from enum import Enum
 
 from sdfcheck.formats.sdf.table import Range
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
+
+# How tags carry their values: as text, in an attribute, in a plain child.
+
+
+_USUAL = ("value", "name", "link", "xyz", "axis")
+
+
+def value_at(element: Element, carrier: str) -> Value | None:
+    """The value in the shape ``text``, ``@attribute`` or ``/child``; None if it is not there."""
+    if carrier == "text":
+        return element.own_value
+    if carrier[0] == "@":
+        return element.attribute(carrier[1:])
+    child = element.find(carrier[1:])
+    return None if child is None else child.own_value
+
+
+def value_elsewhere(element: Element, wanted: str) -> tuple[str, Value] | None:
+    """A value that is in another shape than the one that is read."""
+    if wanted != "text" and element.content:
+        return "text", element.own_value
+    for name in _USUAL:
+        if wanted != f"@{name}" and (value := element.attribute(name)) is not None:
+            return f"@{name}", value
+    return None
+
+
+# Tables of vendors' own elements and attributes: what a prefix brings, where, and with which values.
+#
+# The layout of such a table is described in docs/vendor-tables.md. One for Drake is built in
+# (``data/drake.txt``); packs of rules bring others. A table is read when a document uses
+# its prefix, which is the beginning of the file's name.
+
 
 DIALECTS = {"sdf": Kind.SDF, "urdf": Kind.URDF}
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.files.library import SearchPaths
-from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, read_named
+from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, Configured, read_named
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.select import Choice
 from sdfcheck.source.record import NamedTuple
@@ -56,9 +56,9 @@ class Settings(NamedTuple):
     files: tuple[ConfigFile, ...] = ()
 
     @property
-    def size_limit(self) -> int:
+    def size_limit(self) -> Configured:
         """The size up to which files are read, in bytes."""
-        return int(self.max_file_size * MEGABYTE)
+        return Configured(self.max_file_size * MEGABYTE)
 
     @property
     def search(self) -> SearchPaths:

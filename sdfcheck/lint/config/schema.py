@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sdfcheck.lint.config.fields import FIELDS, Field, Shape
+from sdfcheck.lint.config.reading import FIELDS, Field, Shape
 
 _STRING = {"type": "string"}
 _STRINGS = {"type": "array", "items": _STRING}

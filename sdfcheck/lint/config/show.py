@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.lint.config.configuration import Settings
-from sdfcheck.lint.config.fields import FIELDS
-from sdfcheck.lint.config.reading import ArgumentSet, Pattern, shown
+from sdfcheck.lint.config.reading import FIELDS, ArgumentSet, Pattern, shown
 
 
 def render(settings: Settings) -> str:

@@ -15,7 +15,7 @@ class Applicability(Enum):
     UNSAFE = "unsafe"
 
 
-class Edit(NamedTuple):
+class TextEdit(NamedTuple):
     """Replace the characters of ``span`` by ``text``; an empty span inserts."""
 
     span: Span
@@ -26,7 +26,7 @@ class Fix(NamedTuple):
     """A fix: its title in the imperative, its edits (all in one source), and whether it is safe."""
 
     title: str
-    edits: tuple[Edit, ...]
+    edits: tuple[TextEdit, ...]
     applicability: Applicability = Applicability.SAFE
 
     @property

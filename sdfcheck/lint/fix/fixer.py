@@ -11,12 +11,12 @@ from pathlib import Path
 from sdfcheck.consumers.reaction import MEASURED, Consumer
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
-from sdfcheck.lint.suppress.comments import comments, touched
+from sdfcheck.lint.suppress.directives import comments, touched
 from sdfcheck.lint.wording import named
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
@@ -244,13 +244,13 @@ def _made(found: Sequence[Diagnostic], applied: Sequence[Fix]) -> Iterator[MadeF
         yield MadeFix(diagnostic.code, diagnostic.name, fix.title)
 
 
-def together(fixes: Sequence[Fix]) -> tuple[list[Edit], list[Fix]]:
+def together(fixes: Sequence[Fix]) -> tuple[list[TextEdit], list[Fix]]:
     """The edits, in order, of those fixes that are apart from the ones before; and these fixes.
 
     An edit that two fixes share is done once.
     """
     taken: list[tuple[int, int]] = []
-    edits: dict[tuple[int, int], Edit] = {}
+    edits: dict[tuple[int, int], TextEdit] = {}
     applied: list[Fix] = []
     for fix in fixes:
         new = [edit for edit in fix.edits if not _is(edits.get(_range(edit)), edit)]
@@ -278,11 +278,11 @@ def _take(taken: list[tuple[int, int]], place: tuple[int, int]) -> bool:
     return True
 
 
-def _range(edit: Edit) -> tuple[int, int]:
+def _range(edit: TextEdit) -> tuple[int, int]:
     return edit.span.start, edit.span.end
 
 
-def _is(known: Edit | None, edit: Edit) -> bool:
+def _is(known: TextEdit | None, edit: TextEdit) -> bool:
     return known is not None and known.text == edit.text
 
 
@@ -290,7 +290,7 @@ def _allowed(fix: Fix, unsafe: bool) -> bool:
     return unsafe or fix.is_safe
 
 
-def edited(file: Selected, edits: Sequence[Edit]) -> bytes:
+def edited(file: Selected, edits: Sequence[TextEdit]) -> bytes:
     """The bytes after the edits; raises Refused where they are worse than before."""
     pieces = [(*_range(edit), edit.text) for edit in edits]
     try:

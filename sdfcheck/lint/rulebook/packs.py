@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -43,7 +43,7 @@ class RuleIndex:
         if self._conditions is None:
             self._conditions = {}
             for module in self._modules_of_conditions:
-                self._conditions.update(importlib.import_module(module).CONDITIONS)
+                self._conditions.update(_conditions_in(module))
         found = self._conditions.get(facts.code)
         return self.rule(facts).applies if found is None else found
 
@@ -53,6 +53,17 @@ class RuleIndex:
         if found is None:
             found = self._rules[facts.code] = _rule(facts)
         return found
+
+
+def _conditions_in(name: str) -> Mapping[str, Condition]:
+    """The conditions that a module holds; none if it was not written, so that the rules themselves are loaded."""
+    try:
+        found: Mapping[str, Condition] = importlib.import_module(name).CONDITIONS
+    except ModuleNotFoundError as error:
+        if error.name != name:
+            raise
+        return {}
+    return found
 
 
 def _rule(facts: RuleFacts) -> Rule:

@@ -8,10 +8,9 @@ from typing import Any, ClassVar
 from sdfcheck.consumers.reaction import by_effect
 from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Effect, Outcome
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.rule import Rule, Target, make_fix
-from sdfcheck.robot.vendor.tag import VendorTag
-from sdfcheck.robot.vendor.value import VendorValue
+from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
 
 
 class VendorRule(Rule):
@@ -69,5 +68,5 @@ class VendorRule(Rule):
         """A fix that gives a tag another name."""
         element = tag.element
         spans = (tag.span, None if element is None else element.document.spans.end_name(element))
-        edits = tuple(Edit(span, name) for span in spans if span is not None)
+        edits = tuple(TextEdit(span, name) for span in spans if span is not None)
         return make_fix(f"rename it to {name}", edits, unsafe=True)

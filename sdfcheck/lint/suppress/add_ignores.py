@@ -10,14 +10,21 @@ from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import INTERNAL_ERROR
-from sdfcheck.lint.fix import Edit
+from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lint.fix.fixer import FixedFile, Refused, edited
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.session import Options, find, selected
-from sdfcheck.lint.suppress.comments import comments, is_include, reach
-from sdfcheck.lint.suppress.directives import IGNORE, IGNORE_FILE, Directive, directives
+from sdfcheck.lint.suppress.directives import (
+    IGNORE,
+    IGNORE_FILE,
+    Directive,
+    comments,
+    directives,
+    is_include,
+    reach,
+)
 from sdfcheck.lint.suppress.rules import FACTS
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.sniff import Kind
@@ -54,7 +61,7 @@ def add_ignores(
         yield _marked(file, wanted[file.path], rules, reason)
 
 
-def ignoring(document: Document, diagnostic: Diagnostic, rules: Sequence[RuleFacts]) -> list[Edit]:
+def ignoring(document: Document, diagnostic: Diagnostic, rules: Sequence[RuleFacts]) -> list[TextEdit]:
     """The edits of a document that silence one diagnostic, where it is if that can be, else in the
     whole file.
 
@@ -108,22 +115,22 @@ class _Marks:
                 return True
         return False
 
-    def edits(self, reason: str) -> list[Edit]:
+    def edits(self, reason: str) -> list[TextEdit]:
         """Longer lists in comments that are there, new comments before the elements."""
-        edits: list[Edit] = []
+        edits: list[TextEdit] = []
         texts: dict[int, str] = {}
         for (verb, start), names in sorted(self._new.items(), key=lambda item: item[0][1]):
             words = ", ".join(sorted(names))
             known = self._known.get((verb, start))
             if known is not None and known.place.text.endswith("]"):
                 end = known.place.end - 1
-                edits.append(Edit(self._source.span(end, end), f", {words}"))
+                edits.append(TextEdit(self._source.span(end, end), f", {words}"))
                 continue
             # Launch files of ROS 2 read a URDF as YAML, where a colon and a space mean something.
             blank = "" if self._document.kind in {Kind.URDF, Kind.XACRO} else " "
             comment = f"<!-- {' '.join(filter(None, (f'sdfcheck:{blank}{verb}[{words}]', reason)))} -->"
             texts[start] = texts.get(start, "") + comment + self._break(start)
-        edits += (Edit(self._source.span(start, start), text) for start, text in texts.items())
+        edits += (TextEdit(self._source.span(start, start), text) for start, text in texts.items())
         return sorted(edits, key=lambda edit: edit.span.start)
 
     def _key(self, directive: Directive) -> _Key | None:

@@ -1,26 +1,86 @@
-"""Directives: comments that speak to sdfcheck, read.
-
-``<!-- sdfcheck: ignore[XYZ001, name-of-rule] reason -->`` silences the rules for the
-next element: for its start tag and, if it holds no elements, for its text and end tag.
-A whole subtree takes ``disable[…]`` before and ``enable[…]`` (or ``enable``: all) after
-it. ``ignore-file[…]``, anywhere in the file, holds for all of it; without brackets it
-silences every rule.
-"""
+"""Directives: comments that speak to sdfcheck, and the elements after them."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 
 from sdfcheck.formats.near_names import nearest
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.rule import write_instead
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import UnknownSelector, covered
-from sdfcheck.lint.suppress.comments import Comment
 from sdfcheck.lint.suppress.rules import MalformedSuppression, report
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import Span
+from sdfcheck.source.scanner.scan import Scan
+from sdfcheck.source.text import Source, Span
+
+# Comments that may be directives of sdfcheck, and the elements after them.
+
+
+MARK = "sdfcheck:"
+
+
+class Comment(NamedTuple):
+    """A comment, and what it covers of the element after it: see :func:`reach`."""
+
+    span: Span
+    target: Span | None
+
+
+def comments(source: Source, scan: Scan) -> list[Comment]:
+    """The comments of a text that hold a word for sdfcheck."""
+    text = source.text
+    found = []
+    for start, end in scan.comments:
+        if MARK not in text[start:end]:
+            continue
+        number = bisect_left(scan.starts, end)
+        target = source.span(*reach(source, scan, number)) if number < len(scan.starts) else None
+        found.append(Comment(source.span(start, end), target))
+    return found
+
+
+def touched(comments: Sequence[Comment], span: Span) -> Iterator[Comment]:
+    """Those of the comments of one text, in its order, of which a change of a place changes something."""
+    for comment in islice(comments, bisect_right(comments, span.start, key=lambda each: each.span.end), None):
+        if comment.span.start >= span.end:
+            break
+        yield comment
+
+
+def reach(source: Source, scan: Scan, number: int) -> tuple[int, int]:
+    """The reach of a comment before an element: its start tag, and all of a leaf or an include."""
+    place = scan.place(number)
+    is_leaf = number + 1 == len(scan.starts) or scan.starts[number + 1] >= place.close_end
+    is_whole = is_leaf or is_include(source, place.start)
+    return place.start, place.close_end if is_whole else place.end
+
+
+def is_include(source: Source, start: int) -> bool:
+    """Is the element that starts there one that brings in another file?"""
+    return source.text.startswith("<include", start)
+
+
+def includes(source: Source, scan: Scan) -> list[Span]:
+    """The elements that bring in other files."""
+    return [
+        source.span(start, scan.close_ends[number])
+        for number, start in enumerate(scan.starts)
+        if is_include(source, start)
+    ]
+
+
+# Directives: comments that speak to sdfcheck, read.
+#
+# ``<!-- sdfcheck: ignore[XYZ001, name-of-rule] reason -->`` silences the rules for the
+# next element: for its start tag and, if it holds no elements, for its text and end tag.
+# A whole subtree takes ``disable[…]`` before and ``enable[…]`` (or ``enable``: all) after
+# it. ``ignore-file[…]``, anywhere in the file, holds for all of it; without brackets it
+# silences every rule.
+
 
 IGNORE, DISABLE, ENABLE, IGNORE_FILE = "ignore", "disable", "enable", "ignore-file"
 VERBS = (IGNORE, DISABLE, ENABLE, IGNORE_FILE)

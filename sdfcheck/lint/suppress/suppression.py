@@ -14,7 +14,7 @@ from itertools import accumulate, chain
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.suppress.directives import (
     ANY_RULE,
     DISABLE,
@@ -181,14 +181,14 @@ def _unused(
     if not words:
         return []
     if len(words) == len(directive.selectors) and directive.complete:
-        fix = Fix("remove the comment", (Edit(_line_or_comment(directive.comment.span), ""),))
+        fix = Fix("remove the comment", (TextEdit(_line_or_comment(directive.comment.span), ""),))
         return [report(UnusedSuppression, directive.place, _reason(directive, words), fix=fix)]
     return [
         report(
             UnusedSuppression,
             word.span,
             _reason(directive, [word]),
-            fix=Fix(f"remove `{word.span.text}`", (Edit(_with_comma(directive, word.span), ""),)),
+            fix=Fix(f"remove `{word.span.text}`", (TextEdit(_with_comma(directive, word.span), ""),)),
         )
         for word in words
     ]

@@ -3,15 +3,34 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from sdfcheck.formats import usual
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lsp.completion.context import Context, Where, context
 from sdfcheck.lsp.completion.item import Item, Sort
+from sdfcheck.lsp.completion.likely import Usage, plain, words_in
 from sdfcheck.lsp.completion.names import name_items, wanted
 from sdfcheck.lsp.completion.paths import path_items
-from sdfcheck.lsp.completion.tags import attribute_items, element_items, xacro_attributes, xacro_elements
-from sdfcheck.lsp.completion.values import command_items, control_items, value_items
+from sdfcheck.lsp.completion.tags import (
+    attribute_items,
+    element_items,
+    parameter_items,
+    seen_attributes,
+    seen_items,
+    semantic_attributes,
+    semantic_elements,
+    xacro_attributes,
+    xacro_elements,
+)
+from sdfcheck.lsp.completion.values import (
+    command_items,
+    control_attributes,
+    control_items,
+    semantic_values,
+    value_items,
+)
+from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -20,11 +39,23 @@ from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
 _VERSION = re.compile(r"<sdf\b[^<>]*?\bversion\s*=\s*[\"']([^\"']*)[\"']")
 _EXPRESSION = re.compile(r"\$\{[^}]*?([^\W\d]\w*)?\Z")
 _SUBSTITUTION = re.compile(r"\$\((?:(arg|find)\s+)?([^\s)]*)\Z")
+_ASKED = re.compile(r"\$\(arg\s+([^\s()$]+)\)")
 _FILES = frozenset({"uri", "filename", "albedo_map", "normal_map", "metalness_map", "roughness_map"})
+_KINDS = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.BROKEN_XML, Kind.EMPTY})
+_KEYWORDS = {
+    "xacro:if": 0.15,
+    "xacro:property": 0.13,
+    "xacro:unless": 0.11,
+    "xacro:insert_block": 0.1,
+    "xacro:include": 0.1,
+}
+"""The elements that can be written next to calls anywhere, and how likely that is."""
+_BEFORE_END = 5
+"""So many elements are suggested before the end of the one around."""
 
 
 class Completion(NamedTuple):
-    """The items that are offered in place of the text from ``start`` to ``end``."""
+    """The items that are offered in place of the text from ``start`` to ``end``, the likeliest first."""
 
     items: tuple[Item, ...]
     start: int
@@ -33,9 +64,8 @@ class Completion(NamedTuple):
 
 def complete(workspace: Workspace, buffer: Buffer, offset: int) -> Completion:
     """The items at a place of an open text; none in a text that is not a description."""
-    kind = buffer.kind
     where = context(buffer.source.text, offset, buffer.checkpoints)
-    if kind not in {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.BROKEN_XML, Kind.EMPTY} and where.around:
+    if buffer.kind not in _KINDS and where.around:
         return Completion((), offset, offset)
     return _Completer(workspace, buffer, where, offset).run()
 
@@ -44,72 +74,156 @@ class _Completer:
     def __init__(self, workspace: Workspace, buffer: Buffer, where: Context, offset: int) -> None:
         self.workspace = workspace
         self.buffer = buffer
-        self.where = where
+        self.where = where._replace(around=plain(where.around))
+        self.written = where.around
         self.offset = offset
-        self.is_urdf = where.around[:1] == ("robot",) or where.tag == "robot"
-        self.is_xacro = self.is_urdf and buffer.kind is Kind.XACRO
+        is_robot = where.around[:1] == ("robot",) or where.tag == "robot"
+        self.is_srdf = buffer.kind is Kind.SRDF and is_robot
+        self.is_urdf = is_robot and not self.is_srdf
+        self.is_xacro = buffer.kind is Kind.XACRO or "xmlns:xacro" in buffer.source.text[:4096]
+        self.dialect = "srdf" if self.is_srdf else "urdf" if self.is_urdf else "sdf"
         version = _VERSION.search(buffer.source.text, 0, 4096)
         self.version = (Version.parse(version[1]) if version else None) or NEWEST
+        self._usage: Usage | None = None
+
+    @property
+    def usage(self) -> Usage:
+        """The habits of the text around the place."""
+        if self._usage is None:
+            self._usage = Usage(self.buffer.source.text, self.where, self.offset)
+        return self._usage
 
     def run(self) -> Completion:
         where = self.where
         if where.where is Where.NOWHERE:
             return Completion((), self.offset, self.offset)
         if where.where is Where.END:
-            return self._of(map(_end, where.around[-1:]))
+            return self._of(map(_end, self.written[-1:]))
         if where.where is Where.TAG:
             return self._of(self._elements())
         if where.where is Where.ATTRIBUTE:
             return self._of(self._attributes())
-        if self.is_xacro and where.where is Where.VALUE and (found := self._in_expression()) is not None:
+        if self.is_xacro and (found := self._in_expression()) is not None:
             return found
         if where.where is Where.VALUE:
             return self._of(self._values())
         return self._in_text()
 
-    def _of(self, items: Iterator[Item] | map[Item], start: int | None = None) -> Completion:
+    def _of(self, items: Iterable[Item], start: int | None = None) -> Completion:
         unique: dict[str, Item] = {}
         for item in items:
             unique.setdefault(item.label, item)
-        return Completion(tuple(unique.values()), self.where.start if start is None else start, self.offset)
+        typed = self.where.typed if start is None else self.buffer.source.text[start : self.offset]
+        order = sorted(unique.values(), key=lambda item: not item.label.startswith(typed))
+        return Completion(tuple(order), self.where.start if start is None else start, self.offset)
 
     @property
-    def visible(self) -> Definitions:
-        """The definitions that a xacro file can see; the document is read for it."""
+    def visible(self) -> list[Definitions]:
+        """The definitions that a xacro file can see, itself and in the robots that include it."""
         document = self.workspace.document(self.buffer.path)
         assert document is not None
-        return visible_definitions(document)
+        return [visible_definitions(each) for each in (document, *roots_of(document))]
 
-    def _elements(self) -> Iterator[Item]:
+    def _elements(self) -> list[Item]:
         around = self.where.around
-        yield from control_items(around)
-        yield from element_items(around, self.version, is_urdf=self.is_urdf)
+        found: list[Item] = [*control_items(around)]
+        if self.is_srdf:
+            found += semantic_elements(around)
+        else:
+            found += element_items(around, self.version, is_urdf=self.is_urdf)
+        found += parameter_items(self.buffer.source.text, around, self.offset)
+        is_known = bool(found)
         if self.is_xacro and around:
-            yield from xacro_elements(self.visible)
-        if around:
-            yield _end(f"/{around[-1]}")
+            found += xacro_elements(self.visible)
+        found += seen_items(self.usage.seen_elements(), "in this file")
+        if not is_known:
+            found += seen_items(usual.children(self.dialect, around[-1] if around else ""), "")
+        return self._with_end(self._sorted_elements(found))
 
-    def _attributes(self) -> Iterator[Item]:
-        yield from attribute_items(self.where, self.version, is_urdf=self.is_urdf)
-        if self.is_xacro and self.where.tag.startswith("xacro:"):
-            yield from xacro_attributes(self.where, self.visible)
-        if self.where.tag == "robot" and "xmlns:xacro" not in dict(self.where.given):
+    def _sorted_elements(self, items: Iterable[Item]) -> list[Item]:
+        unique: dict[str, Item] = {}
+        for item in items:
+            unique.setdefault(item.label, item)
+        repeatable = {item.label for item in unique.values() if item.is_repeatable}
+        scores = self.usage.elements(unique, self.dialect, repeatable, self.where.typed)
+        if self.is_xacro:
+            macros = [item.label for item in unique.values() if item.sort is Sort.MACRO]
+            scores = {**scores, **dict(self._calls(macros, scores))}
+        present = {*self.usage.before, *self.usage.after}
+        needed = {item.label for item in unique.values() if item.rank == 1 and item.label not in present}
+        return _ordered(unique.values(), {name: score + (name in needed) for name, score in scores.items()})
+
+    def _calls(self, macros: Sequence[str], scores: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+        """How likely calls are: rather of macros that nobody calls yet, and that are called like their neighbors."""
+        called = {
+            f"xacro:{call.name}" for each in self.visible for read in each.readings for call in read.calls
+        }
+        new = [name for name in macros if name not in called]
+        near = words_in(" ".join([*self.usage.before[-1:], *self.usage.after[:1]]))
+        for name in macros:
+            own = words_in(name)
+            alike = len(own & near) / max(1, len(own | near))
+            yield name, scores[name] + (name in new) * 0.4 / max(1, len(new)) + 0.1 * alike
+        for name, share in _KEYWORDS.items():
+            if name in scores:
+                yield name, scores[name] + share
+
+    def _with_end(self, items: list[Item]) -> list[Item]:
+        if self.written:
+            items.insert(min(_BEFORE_END, len(items)), _end(f"/{self.written[-1]}"))
+        return items
+
+    def _attributes(self) -> list[Item]:
+        tag = self.where.tag
+        found: list[Item] = []
+        if self.is_srdf:
+            found += semantic_attributes(self.where)
+        else:
+            found += control_attributes(self.where)
+            found += attribute_items(self.where, self.version, is_urdf=self.is_urdf)
+        if self.is_xacro and tag.startswith("xacro:"):
+            found += xacro_attributes(self.where, self.visible)
+        if tag == "robot" and "xmlns:xacro" not in dict(self.where.given):
             text = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
-            yield Item("xmlns:xacro", Sort.ATTRIBUTE, text, rank=6)
+            found.append(Item("xmlns:xacro", Sort.ATTRIBUTE, text, rank=6))
+        found += seen_attributes(self.usage.seen_attributes(tag), self.where)
+        needed = {item.label for item in found if item.rank == 1}
+        scores = self.usage.attribute_scores(tag, {item.label for item in found}, self.dialect)
+        return _ordered(found, {name: score + 2 * (name in needed) for name, score in scores.items()})
 
-    def _values(self) -> Iterator[Item]:
+    def _values(self) -> list[Item]:
         where = self.where
-        yield from value_items(where, self.version, is_urdf=self.is_urdf)
-        is_name = bool(wanted(where, is_urdf=self.is_urdf))
+        place = f"{where.tag}@{where.attribute}" if where.attribute else where.tag
+        given = (
+            semantic_values(where) if self.is_srdf else value_items(where, self.version, is_urdf=self.is_urdf)
+        )
+        choices = list(given)
+        choices += self._usual_words(place, {item.label for item in choices})
+        scores = self.usage.word_scores(place, {item.label for item in choices}, self.dialect)
+        near = words_in(" ".join(value for _, value in where.given))
+        scores = {
+            name: score + bool(words_in(name) and words_in(name) <= near) for name, score in scores.items()
+        }
+        found = _ordered(choices, scores)
+        is_name = bool(wanted(where, self.dialect))
         is_file = (where.attribute or where.tag) in _FILES and where.tag != "plugin"
         # Reading a long text takes a while.
         document = self.workspace.document(self.buffer.path) if is_name or is_file else None
         if document is not None and is_name:
-            yield from name_items(document, where, self.offset)
+            found += name_items(self.workspace, document, where, self.offset, self.usage, self.dialect)
         if document is not None and is_file:
-            yield from path_items(document, where.typed, where.tag, where.around)
+            found += path_items(document, where.typed, where.tag, where.around)
         if self.is_xacro and where.where is Where.VALUE and "$" not in where.typed:
-            yield from command_items()
+            found += command_items()
+        return found
+
+    def _usual_words(self, place: str, known: set[str]) -> Iterator[Item]:
+        """Words for a place whose words are not in the format, or that the text has there."""
+        if known and known <= {"true", "false"}:
+            if self.usage.has_digits:
+                yield from (Item(word, Sort.CHOICE, word) for word in ("1", "0"))
+        elif not known:
+            yield from (Item(word, Sort.CHOICE, word) for word in usual.words(self.dialect, place))
 
     def _in_text(self) -> Completion:
         """Values for an element that holds text, elements for one that holds elements."""
@@ -125,21 +239,46 @@ class _Completer:
     def _in_expression(self) -> Completion | None:
         """The names that an expression of xacro can use."""
         typed = self.where.typed
-        visible = self.visible
+        if "$" not in typed:
+            return None
         if (found := _EXPRESSION.search(typed)) is not None:
-            names = sorted(visible.properties | visible.parameters)
+            visible = self.visible
+            names = {name for each in visible for name in each.properties | each.parameters if name}
             word = found[1] or ""
-            items = (Item(name, Sort.PROPERTY, name, rank=2) for name in names if name)
+            items = self._words_of_expressions(names, r"\$\{[^}]*\}", r"[^\W\d]\w*")
             return self._of(items, self.offset - len(word))
         if (found := _SUBSTITUTION.search(typed)) is not None and found[1]:
             if found[1] == "arg":
-                names = sorted({name for read in visible.readings for name in read.arguments})
+                names = {name for each in self.visible for read in each.readings for name in read.arguments}
+                names |= set(_ASKED.findall(self.buffer.source.text))
             else:
                 library = self.workspace.library(self.buffer.path)
-                names = library.packages(self.buffer.path).names
-            items = (Item(name, Sort.NAME, name, rank=2) for name in names)
+                names = set(library.packages(self.buffer.path).names)
+            items = self._words_of_expressions(names, r"\$\([^)]*\)", r"[^\s()$]+")
             return self._of(items, self.offset - len(found[2]))
         return None
+
+    def _words_of_expressions(self, names: set[str], expression: str, word: str) -> list[Item]:
+        """Names for an expression: those that expressions nearby use, and that are called like the place."""
+        text, start = self.buffer.source.text, max(0, self.offset - 4000)
+        scores = dict.fromkeys(names, 0.0)
+        near = words_in(f"{self.where.attribute} {self.where.tag} {dict(self.where.given).get('name', '')}")
+        for match in re.finditer(expression, text[start : self.offset + 4000]):
+            distance = abs(start + match.start() - self.offset)
+            for found in re.findall(word, match[0]):
+                if found in scores:
+                    scores[found] += 20 / (20 + distance)
+                    near |= words_in(found) if distance < 300 else set()
+        for name in names:
+            own = words_in(name)
+            scores[name] += 2 * len(own & near) / max(1, len(own)) + (name == self.where.attribute)
+            scores[name] += text.count(name) < 2
+        return _ordered((Item(name, Sort.PROPERTY, name) for name in sorted(names)), scores)
+
+
+def _ordered(items: Iterable[Item], scores: Mapping[str, float]) -> list[Item]:
+    """Items, the likeliest first, then by rank."""
+    return sorted(items, key=lambda item: (-round(scores.get(item.label, 0.0), 3), item.rank))
 
 
 def _end(name: str) -> Item:

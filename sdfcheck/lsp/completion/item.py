@@ -35,6 +35,8 @@ class Item(NamedTuple):
     rank: int = 5
     is_deprecated: bool = False
     note: str = ""
+    is_repeatable: bool = False
+    """May an element be there more than once?"""
 
 
 def escaped(text: str) -> str:

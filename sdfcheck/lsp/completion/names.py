@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Sequence
 
+from sdfcheck.formats import srdf
 from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
+from sdfcheck.lsp.completion.likely import Usage, words_in
 from sdfcheck.lsp.cursor import elements
-from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.robot.model import Model
+from sdfcheck.lsp.names.expanded import expansions, plain, roots_of
+from sdfcheck.lsp.names.index import is_made, occurrences, robots_about
+from sdfcheck.lsp.workspace import Workspace
+from sdfcheck.robot.graph import Model, Scope
+from sdfcheck.robot.naming.occurrences import Occurrence
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
@@ -45,16 +50,17 @@ _OF_JOINTS = frozenset({"transmission", "ros2_control"})
 _OWN_FRAMES = {"relative_to": "__model__", "attached_to": "__model__", "expressed_in": "__model__"}
 
 
-def wanted(context: Context, *, is_urdf: bool) -> tuple[str, ...]:
+def wanted(context: Context, dialect: str) -> tuple[str, ...]:
     """The kinds of things that can be named; none where no name is expected."""
     tag, attribute = context.tag, context.attribute
+    if dialect == "srdf":
+        return srdf.named_by((*context.around, tag), attribute) if context.where is Where.VALUE else ()
+    is_urdf = dialect == "urdf"
     if context.where is Where.VALUE:
-        if (
-            is_urdf
-            and tag == "joint"
-            and attribute == "name"
-            and _OF_JOINTS.intersection(context.around[-1:])
-        ):
+        if tag == "insert_block" or (tag == "xacro:insert_block" and attribute == "name"):
+            return ("parameter",)
+        is_joint = is_urdf and tag == "joint" and attribute == "name"
+        if is_joint and _OF_JOINTS.intersection(context.around[-1:]):
             return ("joint",)
         table = _URDF_VALUES if is_urdf else _SDF_VALUES
         return table.get((tag, attribute)) or _of_vendor(tag, f"@{attribute}", is_urdf=is_urdf)
@@ -94,23 +100,140 @@ def _of_vendor(tag: str, carrier: str, *, is_urdf: bool) -> tuple[str, ...]:
     return ()
 
 
-def name_items(document: Document, context: Context, offset: int) -> Iterator[Item]:
-    """The names of the kinds that are wanted, nearest scope first."""
-    is_urdf = document.kind is not Kind.SDF
-    kinds = wanted(context, is_urdf=is_urdf)
+def name_items(
+    workspace: Workspace, document: Document, context: Context, offset: int, usage: Usage, dialect: str
+) -> list[Item]:
+    """The names of the kinds that are wanted, the likeliest first."""
+    kinds = wanted(context, dialect)
     if not kinds or document.root is None:
-        return
-    if document.kind is Kind.XACRO:
-        seen: dict[str, str] = {}
+        return []
+    items = list(_candidates(workspace, document, context, offset, kinds))
+    order = Order(document.source.text, context, offset, usage, items)
+    return sorted(items, key=lambda item: (-order.score(item), item.rank))
+
+
+def _candidates(
+    workspace: Workspace, document: Document, context: Context, offset: int, kinds: tuple[str, ...]
+) -> Iterator[Item]:
+    if is_made(document) or document.kind is Kind.SRDF:
+        names: dict[tuple[str, str], None] = {}
+        for robot in robots_about(workspace, document):
+            made = expansions(workspace, roots_of(robot), turned=False) if is_made(robot) else [plain(robot)]
+            names.update(
+                dict.fromkeys((name, kind) for one in made[:1] for kind, name in one.by_name if kind in kinds)
+            )
         for each in occurrences(document).all:
-            if each.symbol.kind in kinds:
-                seen.setdefault(each.symbol.name, each.symbol.kind)
-        yield from (Item(name, Sort.NAME, name, detail=kind, rank=2) for name, kind in sorted(seen.items()))
+            if each.symbol.kind in kinds and not _is_at(each, offset):
+                name = each.span.text.strip() if document.kind is Kind.SRDF else each.symbol.name
+                names.setdefault((name, each.symbol.kind))
+        yield from (Item(name, Sort.NAME, name, detail=kind, rank=2) for name, kind in names)
         return
     scope = _scope(document, context, offset)
     if scope is not None:
         yield from _in_scope(scope, kinds, context)
     yield from _tags(document, kinds)
+
+
+def _is_at(occurrence: Occurrence, offset: int) -> bool:
+    return occurrence.span.start <= offset <= occurrence.span.end
+
+
+class Order:
+    """Which of several names is likely at a place: what its neighbors name, what is defined nearby, what is alike."""
+
+    def __init__(self, text: str, context: Context, offset: int, usage: Usage, items: Sequence[Item]) -> None:
+        self.offset = offset
+        self.text = text
+        place = f"{context.tag}@{context.attribute}" if context.attribute else context.tag
+        self.before, self.after = usage.neighbors(place, offset)
+        self.numbers = {item.label: number for number, item in enumerate(items)}
+        self.alphabet = {name: number for number, name in enumerate(sorted(self.numbers))}
+        holder = _holder(text, context, offset)
+        self.words = words_in(" ".join(holder))
+        self.others = set(holder[1:])
+        self.place = place
+        self.is_semantic = "<group" in text and place in _SEMANTIC
+        self.is_once = place in _ONCE or context.attribute == "link2"
+        block = _block(text, context, offset)
+        self.used = set(self.before + self.after) if place in _ONCE else set()
+        if place in _ONCE_IN_BLOCK:
+            self.used = set(re.findall(r"<" + context.tag + r"\b[^<>]*?[\"']([^\"'<>]+)[\"']", block))
+        self.pairs = self._pairs(context)
+        self.places = {name: _nearest(text, name, offset) for name in self.numbers}
+        distances = sorted(set(self.places.values()))
+        self.ranks = {distance: number for number, distance in enumerate(distances)}
+
+    def _pairs(self, context: Context) -> dict[str, int]:
+        """Of the links that are not paired with the first one yet: how many come before each, from the last on."""
+        if context.attribute != "link2":
+            return {}
+        first = dict(context.given).get("link1", "")
+        known = set(re.findall(rf'link1="{re.escape(first)}"\s+link2="([^"]*)"', self.text)) | {first}
+        self.used |= known
+        last = self.before[0] if self.before and self.before[0] in known else first
+        free = [name for name in sorted(self.numbers) if name not in known]
+        later = [name for name in free if name > last]
+        return {name: number for number, name in enumerate(later)}
+
+    def score(self, item: Item) -> float:
+        """How likely a name is."""
+        name = item.label
+        score = 0.0 if item.rank <= 3 or name in (*self.before[:2], *self.after[:2]) else -2.0
+        score -= 3 * (name in self.used or name in self.others)
+        score -= item.detail == "joint" and self.place in {"parent", "child"}
+        score += 0.5 / (1 + self.pairs[name] / 3) if name in self.pairs else 0.0
+        if not self.is_semantic:
+            score += 1.5 / (1 + self.ranks[self.places[name]])
+        if not self.is_once:
+            weight = 2.0 if self.is_semantic else 1.0
+            score += weight * (name in self.before[:1]) + weight * (name in self.after[:1]) / 2
+            score += (name in self.before[1:4]) / 4
+        if self.before[:1] and self.before[0] in self.numbers:
+            score += 0.8 / (1 + abs(self.numbers[name] - self.numbers[self.before[0]] - 1))
+            score += 0.4 / (1 + abs(self.alphabet[name] - self.alphabet[self.before[0]] - 1))
+        own = words_in(name)
+        return score + 1.5 * len(own & self.words) / max(1, len(own | self.words))
+
+
+_ONCE = frozenset({"child@link", "child"})
+"""Where each name is written once in a whole robot."""
+_SEMANTIC = frozenset(f"{element}@{attribute}" for element, attribute in (*srdf.NAMES, *srdf.GROUPS))
+_ONCE_IN_BLOCK = frozenset({"joint@name", "link@name"})
+"""Where each is written once in a group, a state or a block of ``ros2_control``."""
+
+
+def _holder(text: str, context: Context, offset: int) -> list[str]:
+    """The names that the element around writes before the cursor, its own first."""
+    name = context.around[-1] if context.around else ""
+    if name in {context.tag, ""} and context.where is Where.TEXT:
+        name = context.around[-2] if len(context.around) > 1 else ""
+    start = max(text.rfind(f"<{name} ", 0, offset), text.rfind(f"<{name}>", 0, offset)) if name else -1
+    if start < 0 or offset - start > 3000:
+        start = text.rfind("<", 0, offset)
+    own = text[start:offset] + text[offset : offset + 200].partition("</" + (name or "?"))[0]
+    found = re.search(r"\sname\s*=\s*[\"']([^\"']*)[\"']", own)
+    others = re.findall(r"(?:link\d?|reference)\s*=\s*[\"']([^\"']+)[\"']|<(?:parent|child)>([^<]+)<", own)
+    return [found[1] if found else "", *(a or b.strip() for a, b in others)]
+
+
+def _block(text: str, context: Context, offset: int) -> str:
+    """The text of the element around."""
+    name = context.around[-1] if context.around else ""
+    start = text.rfind(f"<{name}", 0, offset)
+    end = text.find(f"</{name}", offset)
+    own = text.rfind("<", 0, offset)
+    return text[start:own] + text[text.find(">", offset) : end if end >= 0 else len(text)]
+
+
+def _nearest(text: str, name: str, offset: int) -> int:
+    """How far it is to the nearest place where a name is given, before the cursor rather than after it."""
+    given = f'name="{name}"'
+    before = text.rfind(given, max(0, offset - _FAR), offset)
+    after = text.find(given, offset, offset + _FAR)
+    return min(offset - before if before >= 0 else _FAR, 2 * (after - offset) if after >= 0 else _FAR)
+
+
+_FAR = 60_000
 
 
 def _in_scope(scope: Scope, kinds: tuple[str, ...], context: Context) -> Iterator[Item]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
+from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe.spot import Spot, spot
 from sdfcheck.formats.sdf.history import unit
 from sdfcheck.formats.sdf.version import Version
@@ -14,9 +16,10 @@ from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import Snippet, plain
-from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED
-from sdfcheck.xacro.static.definitions import Definitions
+from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED, is_literal
+from sdfcheck.xacro.static.definitions import Definitions, Macro
 
+_FILENAME = re.compile(r"filename\s*=\s*[\"']([^\"']+)[\"']")
 _IN_GAZEBO = ("robot", "gazebo")
 
 
@@ -38,12 +41,14 @@ def _children(place: Spot, version: Version) -> Iterator[Item]:
             is_old = child.deprecated or child.multiplicity == "-1"
             detail = " ".join(filter(None, (child.type or "", unit(child) or "")))
             rank = 1 if name in place.definition.required_children else 8 if is_old else 3
-            yield _item(name, Spot(child, place.definition), rank, detail, is_old)
+            found = _item(name, Spot(child, place.definition), rank, detail, is_old)
+            yield found._replace(is_repeatable=not child.single)
     elif place.urdf is not None:
         for name, element in place.urdf.children.items():
             rank = 1 if element.required else 6 if element.consumers else 3
             detail = f"read by {', '.join(element.consumers)}" if element.consumers else ""
-            yield _item(name, Spot(urdf=element, path=(*place.path, name)), rank, detail)
+            found = _item(name, Spot(urdf=element, path=(*place.path, name)), rank, detail)
+            yield found._replace(is_repeatable=not element.single)
         if place.path == _IN_GAZEBO:
             yield from _in_gazebo(version)
 
@@ -143,26 +148,92 @@ def _carried(around: tuple[str, ...], given: set[str], *, is_urdf: bool) -> Iter
                 yield Item(tag.name, Sort.ATTRIBUTE, plain(snippet), snippet, table.name, 7)
 
 
-def xacro_elements(visible: Definitions) -> Iterator[Item]:
+def parameter_items(text: str, around: tuple[str, ...], offset: int) -> Iterator[Item]:
+    """The parameters of the plugin that is around a place, in all generations of Gazebo."""
+    if not around or around[-1] != "plugin":
+        return
+    opening = text.rfind("<plugin", 0, offset)
+    name = _FILENAME.search(text, opening, text.find(">", opening, offset) + 1 or offset)
+    for facts in plugins.known(name[1]) if name is not None else ():
+        for parameter in sorted(facts.parameters):
+            snippet = f"{parameter}>$1</{parameter}>"
+            rank = 1 if parameter in facts.required else 3
+            item = Item(parameter, Sort.ELEMENT, plain(snippet), snippet, facts.generation, rank)
+            yield item._replace(is_repeatable=parameter in facts.repeatable)
+
+
+def seen_items(names: Iterable[str], detail: str) -> Iterator[Item]:
+    """Elements that are written elsewhere in the same element, whatever they mean."""
+    for name in names:
+        snippet = f"{name}>$1</{name}>"
+        yield Item(name, Sort.ELEMENT, plain(snippet), snippet, detail, 7)
+
+
+def seen_attributes(names: Iterable[str], context: Context) -> Iterator[Item]:
+    """Attributes that the text has elsewhere in the same element, whatever they mean."""
+    given = {name for name, _ in context.given}
+    for name in names:
+        if name not in given and not name.startswith("xmlns"):
+            yield Item(name, Sort.ATTRIBUTE, f'{name}=""', f'{name}="$1"', "in this file", 7)
+
+
+def semantic_elements(around: tuple[str, ...]) -> Iterator[Item]:
+    """The elements of SRDF."""
+    for name in srdf.CHILDREN.get(around[-1], ()):
+        snippet = Snippet()
+        required = srdf.REQUIRED.get(name, ()) + (("value",) if around[-1] == "group_state" else ())
+        head = name + "".join(
+            f" {snippet.attribute(each, srdf.CHOICES.get((name, each), ()))}" for each in required
+        )
+        text = f"{head}>\n\t$0\n</{name}>" if name in srdf.CHILDREN and name != around[-1] else f"{head}/>"
+        item = Item(name, Sort.ELEMENT, plain(text).replace("$0", ""), text, "SRDF", 3)
+        yield item._replace(is_repeatable=True)
+
+
+def semantic_attributes(context: Context) -> Iterator[Item]:
+    """The attributes of SRDF."""
+    tag, given = context.tag, {name for name, _ in context.given}
+    required = srdf.REQUIRED.get(tag, ())
+    if tag == "group" and context.around[-1:] == ("group",):
+        required = ("name",)
+    for name in (*required, *srdf.OPTIONAL.get(tag, ())):
+        if name not in given:
+            snippet = Snippet().attribute(name, srdf.CHOICES.get((tag, name), ()))
+            rank = 1 if name in required else 3
+            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, "SRDF", rank)
+
+
+def xacro_elements(visible: Iterable[Definitions]) -> Iterator[Item]:
     """The elements of xacro, and the macros that a file can see."""
     for name in sorted(KEYWORDS):
         snippet = Snippet()
         head = f"xacro:{name}" + "".join(f" {snippet.attribute(each)}" for each in REQUIRED.get(name, ()))
         has_body = name in {"macro", "if", "unless", "call", "element"}
         text = f"{head}>\n\t$0\n</xacro:{name}>" if has_body else f"{head}/>"
-        yield Item(f"xacro:{name}", Sort.ELEMENT, plain(text), text, "xacro", 6)
-    for name, macros in sorted(visible.macros.items()):
-        parameters = macros[0].parameters
+        item = Item(f"xacro:{name}", Sort.ELEMENT, plain(text), text, "xacro", 6)
+        yield item._replace(is_repeatable=True)
+    for name, macro in sorted(_macros(visible).items()):
+        parameters = macro.parameters
         snippet = Snippet()
         given = [p.name for p in parameters if not p.is_block and not p.is_optional]
         head = f"xacro:{name}" + "".join(f" {snippet.attribute(each)}" for each in given)
         has_blocks = any(p.is_block for p in parameters)
         text = f"{head}>\n\t$0\n</xacro:{name}>" if has_blocks else f"{head}/>"
         detail = " ".join(p.name for p in parameters)
-        yield Item(f"xacro:{name}", Sort.MACRO, plain(text).replace("$0", ""), text, detail, 4)
+        item = Item(f"xacro:{name}", Sort.MACRO, plain(text).replace("$0", ""), text, detail, 4)
+        yield item._replace(is_repeatable=True)
 
 
-def xacro_attributes(context: Context, visible: Definitions) -> Iterator[Item]:
+def _macros(visible: Iterable[Definitions]) -> dict[str, Macro]:
+    found: dict[str, Macro] = {}
+    for each in visible:
+        for name, macros in each.macros.items():
+            if is_literal(name):
+                found.setdefault(name, macros[0])
+    return found
+
+
+def xacro_attributes(context: Context, visible: Iterable[Definitions]) -> Iterator[Item]:
     """The attributes of an element of xacro, or the parameters of a macro that is called."""
     given = {name for name, _ in context.given}
     name = context.tag.removeprefix("xacro:")
@@ -170,8 +241,9 @@ def xacro_attributes(context: Context, visible: Definitions) -> Iterator[Item]:
         names: Iterable[tuple[str, int]] = [(each, 1) for each in REQUIRED.get(name, ())]
         names = [*names, *((each, 4) for each in OPTIONAL.get(name, ()))]
     else:
-        macros = visible.macros.get(name, [])
-        parameters = macros[0].parameters if macros else ()
+        macros = _macros(visible)
+        macro = macros.get(name) or macros.get(name.rpartition(".")[2])
+        parameters = macro.parameters if macro is not None else ()
         names = [(p.name, 3 if p.is_optional else 1) for p in parameters if not p.is_block]
     for each, rank in names:
         if each not in given:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sdfcheck.formats import srdf
 from sdfcheck.formats.describe.spot import spot
 from sdfcheck.formats.sdf.schema import NOT_GIVEN
 from sdfcheck.formats.sdf.version import Version
@@ -64,20 +65,31 @@ def _of_control(context: Context) -> Iterator[Item]:
         yield from (Item(name, Sort.CHOICE, name, detail=what, rank=2) for name, what in _HARDWARE.items())
 
 
+_CONTROL = {
+    "ros2_control": ("hardware", "joint", "sensor", "gpio"),
+    "hardware": ("plugin", "param"),
+    "joint": ("command_interface", "state_interface", "param"),
+    "sensor": ("state_interface", "param"),
+    "gpio": ("command_interface", "state_interface", "param"),
+    "command_interface": ("param",),
+    "state_interface": ("param",),
+}
+_CONTROL_ATTRIBUTES = {
+    "ros2_control": ("name", "type"),
+    "joint": ("name",),
+    "sensor": ("name",),
+    "gpio": ("name",),
+    "command_interface": ("name",),
+    "state_interface": ("name",),
+    "param": ("name",),
+}
+
+
 def control_items(around: tuple[str, ...]) -> Iterator[Item]:
     """The elements of a ``ros2_control`` block, which are nobody's format but its own."""
-    inner = {
-        "ros2_control": ("hardware", "joint", "sensor", "gpio"),
-        "hardware": ("plugin", "param"),
-        "joint": ("command_interface", "state_interface", "param"),
-        "sensor": ("state_interface", "param"),
-        "gpio": ("command_interface", "state_interface", "param"),
-        "command_interface": ("param",),
-        "state_interface": ("param",),
-    }
     if "ros2_control" not in around:
         return
-    for name in inner.get(around[-1], ()):
+    for name in _CONTROL.get(around[-1], ()):
         if name in {"hardware", "plugin"}:
             text = f"{name}>$1</{name}>"
         elif name == "param":
@@ -86,7 +98,18 @@ def control_items(around: tuple[str, ...]) -> Iterator[Item]:
             text = f'{name} name="${{1|{",".join(_INTERFACES[:3])}|}}"/>'
         else:
             text = f'{name} name="$1">\n\t$2\n</{name}>'
-        yield Item(name, Sort.ELEMENT, plain(text), text, "ros2_control", 2)
+        item = Item(name, Sort.ELEMENT, plain(text), text, "ros2_control", 2)
+        yield item._replace(is_repeatable=name not in {"hardware", "plugin"})
+
+
+def control_attributes(context: Context) -> Iterator[Item]:
+    """The attributes in a ``ros2_control`` block."""
+    if "ros2_control" not in (*context.around, context.tag):
+        return
+    given = {name for name, _ in context.given}
+    for name in _CONTROL_ATTRIBUTES.get(context.tag, ()):
+        if name not in given:
+            yield Item(name, Sort.ATTRIBUTE, f'{name}=""', f'{name}="$1"', "ros2_control", 1)
 
 
 def _of_format(context: Context, version: Version) -> Iterator[Item]:
@@ -123,6 +146,12 @@ def _of_vendor(context: Context, *, is_urdf: bool) -> Iterator[Item]:
             slots.append(tag.attributes.get(context.attribute))
         for choice in dict.fromkeys(choice for slot in slots if slot is not None for choice in slot.choices):
             yield Item(choice, Sort.CHOICE, choice, rank=2)
+
+
+def semantic_values(context: Context) -> Iterator[Item]:
+    """The values of SRDF that are a closed list."""
+    for choice in srdf.CHOICES.get((context.tag, context.attribute), ()):
+        yield Item(choice, Sort.CHOICE, choice, detail="SRDF", rank=2)
 
 
 def command_items() -> Iterator[Item]:

@@ -4,57 +4,163 @@ from __future__ import annotations
 
 import os
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from itertools import accumulate, islice
 from pathlib import Path
 
-from sdfcheck.files.discover import discover
 from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import MEGABYTE, read_regular
-from sdfcheck.lsp.names.srdf_names import srdf_names
+from sdfcheck.lsp.names.expanded import Expanded, Key, expansions, place_of, plain, roots_of
+from sdfcheck.lsp.names.srdf_names import descriptions_for, srdf_names
 from sdfcheck.lsp.names.xacro_names import xacro_names
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, robot_names
+from sdfcheck.robot.semantics.robots import descriptions_of
+from sdfcheck.robot.semantics.semantics import Semantics
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.text import Span
 
 MOST_FILES = 5_000
 """So many files of a project are searched for a name, no more."""
 LARGEST = 16 * MEGABYTE
+MOST_TRIED = 2
+"""So many robots are expanded to find the one that SRDF is about."""
 
+IN_XACRO = frozenset({"macro", "property", "parameter", "argument"})
+"""The kinds of names that are xacro's own."""
 _NAMING = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF})
 
 
 class Occurrences:
-    """The names in a document, in order of place; each place once."""
+    """The names in a document, in order of place; each place once. One may lie within another."""
 
     def __init__(self, document: Document) -> None:
-        found: list[Occurrence] = []
-        if document.root is not None and document.kind is Kind.XACRO:
-            found = list(xacro_names(document))
-        elif document.root is not None and document.kind in {Kind.SDF, Kind.URDF}:
-            found = list(robot_names(document))
-        elif document.kind is Kind.SRDF:
-            found = list(srdf_names(document))
         by_place: dict[tuple[int, int, str], Occurrence] = {}
-        for each in found:
+        for each in _found(document):
             if each.span.source is document.source:
                 by_place.setdefault((each.span.start, each.span.end, each.before), each)
-        self.all = tuple(by_place[place] for place in sorted(by_place))
+        order = sorted(by_place, key=lambda place: (place[0], -place[1], place[2]))
+        self.all = tuple(by_place[place] for place in order)
         self._starts = [each.span.start for each in self.all]
+        self._reach = list(accumulate((each.span.end for each in self.all), max))
+
+    def around(self, offset: int) -> list[Occurrence]:
+        """The names at a place, the innermost first; of those in the same place the last."""
+        found = []
+        number = bisect_right(self._starts, offset) - 1
+        while number >= 0 and self._reach[number] >= offset:
+            if self.all[number].span.end >= offset:
+                found.append(self.all[number])
+            number -= 1
+        return found
 
     def at(self, offset: int) -> Occurrence | None:
-        """The name at a place; of a place that holds several the last."""
-        number = bisect_right(self._starts, offset) - 1
-        while number >= 0 and self.all[number].span.end < offset and self._starts[number] == offset:
-            number -= 1
-        if number < 0 or self.all[number].span.end < offset:
-            return None
-        return self.all[number]
+        """The innermost name at a place."""
+        return next(iter(self.around(offset)), None)
+
+
+def _found(document: Document) -> Iterator[Occurrence]:
+    if document.root is None:
+        return
+    if document.kind is Kind.XACRO or is_made(document):
+        yield from xacro_names(document, roots_of(document))
+    elif document.kind in {Kind.SDF, Kind.URDF}:
+        yield from robot_names(document)
+    elif document.kind is Kind.SRDF:
+        yield from srdf_names(document)
+
+
+def is_made(document: Document) -> bool:
+    """Is a document to be expanded: a robot, or its semantics, written in xacro?"""
+    return document.kind is Kind.XACRO or (document.kind is Kind.SRDF and "xacro:" in document.source.text)
 
 
 def occurrences(document: Document) -> Occurrences:
     """The names in a document, found once."""
     return document.view(Occurrences)
+
+
+# A name, wherever it is
+
+
+def _unique(spans: Iterable[Span]) -> list[Span]:
+    return list({place_of(span): span for span in spans}.values())
+
+
+def definitions(workspace: Workspace, document: Document, named: Occurrence) -> list[Span]:
+    """The places where what is named gets its name; empty where they are not known."""
+    if named.symbol.kind not in IN_XACRO and is_made(document):
+        found = _by_expansion(workspace, document, named)
+        own = [each.span for each in found if each.is_definition]
+        if own:
+            return _unique(own)
+    symbol = named.symbol
+    if symbol.span == named.span and not named.is_definition:
+        return _in_robots(workspace, document, symbol)
+    return [symbol.span]
+
+
+def _in_robots(workspace: Workspace, document: Document, symbol: Symbol) -> list[Span]:
+    """The definitions, in the robot that SRDF is about, of what it names."""
+    found: list[Span] = []
+    for robot in robots_about(workspace, document):
+        for one in expansions(workspace, [robot], turned=False) if is_made(robot) else [plain(robot)]:
+            rows = one.by_name.get((symbol.kind, symbol.name), ())
+            found += (row.span for row in rows if row.is_definition)
+    return _unique(found)
+
+
+def robots_about(workspace: Workspace, document: Document) -> list[Document]:
+    """The robots that an SRDF document is about, by what their files say, else by what they expand to."""
+    found = descriptions_for(document)
+    if found or document.kind is not Kind.SRDF or document.root is None:
+        return found
+    known = document.view(_no_robots)
+    if not known:
+        known.append(_by_their_names(workspace, document))
+    return known[0]
+
+
+def _no_robots(_: Document) -> list[list[Document]]:
+    return []
+
+
+def _by_their_names(workspace: Workspace, document: Document) -> list[Document]:
+    """The first robot of its name that expands to half of what an SRDF document names."""
+    wanted = {(part.kind, part.value.text.strip()) for part in document.view(Semantics).named}
+    for robot in islice(filter(is_made, descriptions_of(document.view(Semantics))), MOST_TRIED):
+        for one in expansions(workspace, [robot], turned=False)[:1]:
+            if 2 * len(wanted & one.by_name.keys()) >= len(wanted):
+                return [robot]
+    return []
+
+
+def references(workspace: Workspace, document: Document, named: Occurrence) -> list[Occurrence]:
+    """Every place where the same is named, as it is written and as it is expanded."""
+    found = everywhere(workspace, document, named.symbol)
+    if named.symbol.kind not in IN_XACRO and is_made(document):
+        found = [*_by_expansion(workspace, document, named), *found]
+    return list({place_of(each.span): each for each in found}.values())
+
+
+def _by_expansion(workspace: Workspace, document: Document, named: Occurrence) -> list[Occurrence]:
+    """The places that have a name in common with one, in the expansions of any robot that it is in."""
+    found: list[Occurrence] = []
+    for root in roots_of(document):
+        made = expansions(workspace, [root]) if is_made(root) else [plain(root)]
+        wanted = {name: None for one in made for name in names_at(one, named.span)}
+        for one in made:
+            for name in wanted:
+                found += one.by_name.get(name, ())
+    return found
+
+
+def names_at(one: Expanded, span: Span) -> list[Key]:
+    """The names that a place expands to."""
+    return list(
+        dict.fromkeys((each.symbol.kind, each.symbol.name) for each in one.by_place.get(place_of(span), ()))
+    )
 
 
 def everywhere(workspace: Workspace, document: Document, symbol: Symbol) -> list[Occurrence]:
@@ -86,15 +192,14 @@ def project_files(workspace: Workspace, path: Path, wanted: bytes = b"") -> Iter
             yield buffer.path
     own = [folder for folder in workspace.folders if path.is_relative_to(folder)]
     folder = own[0] if own else project_root(path)
-    if not folder.is_dir() or (not own and not os.path.exists(path)):
+    if not os.path.isdir(folder) or (not own and not os.path.exists(path)):
         return
-    found = discover([folder], exclude=lambda each: workspace.settings_for(each).excludes(each))
-    for file in found.files[:MOST_FILES]:
-        if workspace.key(file.path) in workspace.buffers:
+    for file in workspace.listed(folder)[:MOST_FILES]:
+        if workspace.key(file) in workspace.buffers:
             continue
         try:
-            data = read_regular(file.path, LARGEST)
+            data = read_regular(file, LARGEST, workspace.library(file).around(file))
         except OSError:
             continue
-        if wanted in data and sniff(data[:HEAD], file.path) in _NAMING:
-            yield file.path
+        if wanted in data and sniff(data[:HEAD], file) in _NAMING:
+            yield file

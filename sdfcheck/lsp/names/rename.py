@@ -5,49 +5,93 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.lint.fix import Edit
-from sdfcheck.lsp.names.index import everywhere, occurrences
+from sdfcheck.lint.fix import TextEdit
+from sdfcheck.lsp.names.expanded import pieces
+from sdfcheck.lsp.names.index import IN_XACRO, everywhere, is_made, occurrences
+from sdfcheck.lsp.names.spread import Refused, Spread
 from sdfcheck.lsp.workspace import Workspace
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, name_refusal, symbol_of, taken_by
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.sniff import Kind
-from sdfcheck.xacro.language import BUILT_IN, KEYWORDS, matches
-from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.reading import Macro, reading
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.language import BUILT_IN, KEYWORDS
+from sdfcheck.xacro.static.definitions import Definitions, Macro, visible_definitions
 
 _IN_EXPRESSIONS = frozenset({"property", "parameter"})
-_IN_XACRO = _IN_EXPRESSIONS | {"macro", "argument"}
 _IDENTIFIER = re.compile(r"[^\W\d]\w*")
 _XML_NAME = re.compile(r"[^\W\d][\w.-]*")
-_ENDS = ("link", "joint", "reference")
 
 
-class Refused(Exception):
-    """A name that cannot be given; the message says why."""
+class Target(NamedTuple):
+    """A name that can be given anew, and the piece of its place that a person writes: the rest are expressions."""
+
+    named: Occurrence
+    piece: Span
 
 
-def rename(workspace: Workspace, document: Document, occurrence: Occurrence, name: str) -> list[Edit]:
-    """The edits that give a symbol another name, in all files of the project.
+def target(document: Document, offset: int) -> Target | None:
+    """The name that would be given anew at a place; of a name with expressions the literal piece there, or the nearest.
 
     Raises:
-        Refused: the name is taken, or cannot be one.
+        Refused: all of the name is made by expressions.
     """
-    symbol = occurrence.symbol
-    if name == symbol.name:
+    named = occurrences(document).at(offset)
+    if named is None:
+        return None
+    span = named.span
+    if named.symbol.kind in IN_XACRO or not is_made(document) or "$" not in span.text:
+        return Target(named, span)
+    literal = [each for each in pieces(span.text) if each.is_literal]
+    if not literal:
+        words = [each for each in occurrences(document).all if _is_within(each.span, span)]
+        if not words:
+            raise Refused(f"`{span.text}` is made of expressions: rename what they take")
+        word = min(words, key=lambda each: abs(each.span.start - offset))
+        return Target(word, word.span)
+    at = offset - span.start
+    nearest = min(literal, key=lambda each: max(each.start - at, at - each.end, 0))
+    return Target(named, span.source.span(span.start + nearest.start, span.start + nearest.end))
+
+
+def _is_within(inner: Span, outer: Span) -> bool:
+    return outer.start <= inner.start and inner.end <= outer.end and inner != outer
+
+
+def rename(
+    workspace: Workspace, document: Document, named: Occurrence, name: str, piece: Span | None = None
+) -> list[TextEdit]:
+    """The edits that give a symbol another name, in all files of the project; ``piece`` is the part that is replaced.
+
+    Raises:
+        Refused: the name is taken, or cannot be one; or the robots would not stay the same but for the name.
+    """
+    symbol, span = named.symbol, named.span
+    piece = piece or span
+    if name == (symbol.name if piece == span else piece.text):
         return []
+    spread = Spread(workspace, document)
+    if symbol.kind in IN_XACRO or not spread.is_needed:
+        edits = _everywhere(workspace, document, symbol, name)
+        spread.prove(edits)
+        return edits
+    text = span.text[: piece.start - span.start] + name + span.text[piece.end - span.start :]
+    return spread.renamed(named, text)
+
+
+def _everywhere(workspace: Workspace, document: Document, symbol: Symbol, name: str) -> list[TextEdit]:
+    """The edits where a name is written the same way everywhere."""
     _check_form(symbol, name)
     found = everywhere(workspace, document, symbol)
     if not any(each.is_definition for each in found):
-        raise Refused(f"the file that defines {symbol.kind} `{symbol.name}` cannot be read")
+        raise Refused(f"no file is known that defines {symbol.kind} `{symbol.name}`")
     documents = {each.span.source.path: workspace.document(each.span.source.path) for each in found}
     for other in filter(None, documents.values()):
         _check_free(other, symbol, name)
-        _check_expanded(other, symbol)
-    return [Edit(each.span, _written(each, name)) for each in found]
+    return [TextEdit(each.span, _written(each, name)) for each in found]
 
 
 def _written(occurrence: Occurrence, name: str) -> str:
@@ -62,7 +106,7 @@ def _check_form(symbol: Symbol, name: str) -> None:
         raise Refused(f"`{name}` cannot be the name of an element")
     if symbol.kind in _IN_EXPRESSIONS and name in BUILT_IN:
         raise Refused(f"`{name}` means something else in expressions")
-    if symbol.kind not in _IN_XACRO and (reason := name_refusal(symbol.kind, name)) is not None:
+    if symbol.kind not in IN_XACRO and (reason := name_refusal(symbol.kind, name)) is not None:
         raise Refused(reason)
     if symbol.kind == "argument" and (not name or re.search(r"[\s$(){}]", name)):
         raise Refused(f"`{name}` cannot be the name of an argument")
@@ -70,9 +114,9 @@ def _check_form(symbol: Symbol, name: str) -> None:
 
 def _check_free(document: Document, symbol: Symbol, name: str) -> None:
     """Is the name taken where the symbol is known?"""
-    if document.kind is Kind.SRDF:
-        return  # it defines none of them
-    taken = _taken_in_xacro if document.kind is Kind.XACRO else _taken_in_robot
+    if document.kind is Kind.SRDF and not is_made(document):
+        return  # it defines groups only
+    taken = _taken_in_xacro if is_made(document) else _taken_in_robot
     for kind in taken(document, symbol, name):
         raise Refused(f"there is a {kind} `{name}` already in {document.path.name}")
 
@@ -135,25 +179,3 @@ def _scopes(scopes: Iterable[Scope]) -> Iterator[Scope]:
         scope = waiting.pop()
         yield scope
         waiting += scope.models
-
-
-def _check_expanded(document: Document, symbol: Symbol) -> None:
-    """A name that expressions make may be written out elsewhere, where it would not change."""
-    pieces, at = [], 0
-    for match in matches(symbol.name):
-        pieces += [re.escape(symbol.name[at : match.start()]), ".*"]
-        at = match.end()
-    if not pieces or document.kind is not Kind.XACRO:
-        return
-    written_out = re.compile("".join([*pieces, re.escape(symbol.name[at:])]))
-    for element, _ in reading(document).elements:
-        for name in _ENDS:
-            value = element.attribute(name)
-            if value is None or value.text == symbol.name or not written_out.fullmatch(value.text):
-                continue
-            known = occurrences(document).at(value.span.start)
-            if known is None:
-                line = value.span.begin.line
-                raise Refused(
-                    f"`{value.text}` in {document.path.name}, line {line}, may be what `{symbol.name}` makes"
-                )

@@ -1,32 +1,80 @@
-"""The names in a xacro file: of macros, parameters, properties and arguments, and those of the robot as written."""
+"""The names in a text with xacro: of macros, parameters, properties and arguments, and of the robot as written."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
+from sdfcheck.formats.srdf import GROUPS, NAMES
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import PREFIX, matches
-from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.reading import Macro, reading
+from sdfcheck.xacro.language import PREFIX, is_literal, matches, replaced
+from sdfcheck.xacro.static.definitions import Definitions, Macro, reading, visible_definitions
 
 _WORD = re.compile(r"'[^']*'|\"[^\"]*\"|(?<![\w.])[^\W\d]\w*")
 _ARGUMENT = re.compile(r"arg\s+(\S+)\s*$")
-_ROBOT = {
-    "link": (("parent", "link"), ("child", "link"), ("gazebo", "reference")),
-    "joint": (("mimic", "joint"), ("gazebo", "reference"), ("joint", "name")),
-    "material": (("material", "name"),),
+_NODES = ("link", "frame", "joint", "model")
+_REFERENCES: Mapping[tuple[str, str], tuple[str, ...]] = {
+    ("parent", "link"): ("link",),
+    ("child", "link"): ("link",),
+    ("mimic", "joint"): ("joint",),
+    ("gazebo", "reference"): ("link", "joint"),
+    ("pose", "relative_to"): _NODES,
+    ("frame", "attached_to"): _NODES,
+    ("xyz", "expressed_in"): _NODES,
+    ("model", "canonical_link"): ("link",),
+    ("model", "placement_frame"): _NODES,
+    **{place: (kind,) for place, kind in NAMES.items() if place[1] != "name" or place[0] == "passive_joint"},
+    **dict.fromkeys(GROUPS, ("group",)),
 }
-"""Kind → the elements and attributes that name one in URDF."""
+"""Element and attribute → the kinds of what they refer to."""
+_TEXTS = frozenset({"parent", "child"})
+_DEFINED = frozenset({"link", "joint", "frame", "model", "group", "virtual_joint"})
+_HOLDERS_OF_JOINTS = frozenset({"transmission", "ros2_control", "mimic", "group", "group_state"})
 
 
-def xacro_names(document: Document) -> Iterator[Occurrence]:
-    """Every place in a xacro document where something is named whose definition it can see."""
-    visible = visible_definitions(document)
-    known = _Known(visible)
+class Naming(NamedTuple):
+    """A value that names a part of the robot: the kinds that it may be of, and whether it gives the name."""
+
+    value: Value
+    kinds: tuple[str, ...]
+    is_definition: bool
+
+
+def namings(element: Element) -> Iterator[Naming]:
+    """The values of an element that name parts of the robot, by their place alone."""
+    name = element.name
+    for attribute in element.attributes:
+        kinds = _REFERENCES.get((name, attribute))
+        value = element.attribute(attribute)
+        if kinds is not None and value is not None and value.text.strip():
+            yield Naming(value, kinds, False)
+    if name in _TEXTS and not element.attributes and element.content and not element.nodes:
+        yield Naming(element.own_value, _NODES, False)
+    value = element.attribute("name")
+    if value is None or not value.text.strip():
+        return
+    if name in _DEFINED:
+        kind = "joint" if name == "virtual_joint" else name
+        yield Naming(value, (kind,), not _is_reference(element))
+    elif name == "material":
+        yield Naming(value, ("material",), bool(element.nodes))
+
+
+def _is_reference(element: Element) -> bool:
+    """Is a ``joint`` or the like one that only names another: in a transmission, ``ros2_control`` or SRDF?"""
+    around = next((each for each in element.around if not each.name.startswith(PREFIX)), None)
+    holder = "" if around is None else around.name
+    if element.name == "joint":
+        return holder in _HOLDERS_OF_JOINTS
+    return holder == "group" or (holder == "state" and element.name != "group")
+
+
+def xacro_names(document: Document, around: Iterable[Document] = ()) -> Iterator[Occurrence]:
+    """Every place in a document where something is named; ``around`` are robots that include it."""
+    known = Known([visible_definitions(each) for each in (document, *around)])
     yield from known.own(document)
     for call in reading(document).calls:
         symbol = known.macros.get(call.name) or known.macros.get(call.name.rpartition(".")[2])
@@ -37,56 +85,79 @@ def xacro_names(document: Document) -> Iterator[Occurrence]:
     yield from _of_robot(document, known)
 
 
-def robot_symbols(document: Document) -> dict[tuple[str, str], Symbol]:
-    """The links, joints and materials that a xacro document and what it includes define, by kind and name."""
-    return _Known(visible_definitions(document)).robot
+class Own:
+    """The symbols that one document defines; found once, whatever includes it."""
 
-
-class _Known:
-    """The symbols that a document can see."""
-
-    def __init__(self, visible: Definitions) -> None:
+    def __init__(self, document: Document) -> None:
         self.macros: dict[str, Symbol] = {}
         self.properties: dict[str, Symbol] = {}
         self.arguments: dict[str, Symbol] = {}
         self.parameters: dict[Element, Mapping[str, Symbol]] = {}
         self.local: dict[Element, dict[str, Symbol]] = {}
-        self.robot: dict[tuple[str, str], Symbol] = {}
-        for read in visible.readings:
-            for macro in read.macros:
-                value = macro.element.attribute("name")
-                if value is not None and macro.name:
-                    self.macros.setdefault(macro.name, _symbol("macro", macro.name, value))
-                self.parameters[macro.element] = dict(_parameters(macro))
-            for found in read.properties:
-                value = found.element.attribute("name")
-                if value is None or not found.name:
-                    continue
-                own = self.properties if found.macro is None else self.local.setdefault(found.macro, {})
-                own.setdefault(found.name, _symbol("property", found.name, value))
-            for element, _ in read.elements:
-                self._take(element)
+        self.taken: dict[tuple[str, int], Mapping[str, Symbol]] = {}
+        self.robot: list[tuple[str, Element | None, Symbol]] = []
+        read = reading(document)
+        for macro in read.macros:
+            value = macro.element.attribute("name")
+            self.parameters[macro.element] = dict(_parameters(macro))
+            if value is not None and macro.name:
+                symbol = self.macros.setdefault(macro.name, _symbol("macro", macro.name, value))
+                self.taken.setdefault(symbol.key, self.parameters[macro.element])
+        for found in read.properties:
+            value = found.element.attribute("name")
+            if value is None or not found.name:
+                continue
+            own = self.properties if found.macro is None else self.local.setdefault(found.macro, {})
+            own.setdefault(found.name, _symbol("property", found.name, value))
+        for element, inside in read.elements:
+            self._take(element, inside)
 
-    def _take(self, element: Element) -> None:
-        name = element.name
-        value = element.attribute("name")
-        if value is None or not value.text:
+    def _take(self, element: Element, macro: Element | None) -> None:
+        if element.name == "xacro:arg":
+            value = element.attribute("name")
+            if value is not None and value.text:
+                self.arguments.setdefault(value.text, _symbol("argument", value.text, value))
             return
-        if name == "xacro:arg":
-            self.arguments.setdefault(value.text, _symbol("argument", value.text, value))
-        elif (name in {"link", "joint"} and not _is_reference(element)) or (
-            name == "material" and bool(element.nodes)
-        ):
-            self.robot.setdefault((name, value.text), _symbol(name, value.text, value))
+        for value, kinds, is_definition in namings(element):
+            if is_definition:
+                self.robot.append((kinds[0], macro, _symbol(kinds[0], value.text.strip(), value)))
+
+
+class Known:
+    """The symbols that a document can see, itself or in the robots that include it."""
+
+    def __init__(self, visible: Iterable[Definitions]) -> None:
+        self.macros: dict[str, Symbol] = {}
+        self.properties: dict[str, Symbol] = {}
+        self.arguments: dict[str, Symbol] = {}
+        self.parameters: dict[Element, Mapping[str, Symbol]] = {}
+        self.taken: dict[tuple[str, int], Mapping[str, Symbol]] = {}
+        """Key of a macro → its parameters by their names."""
+        self.local: dict[Element, dict[str, Symbol]] = {}
+        self.robot: dict[tuple[str, str], list[tuple[Element | None, Symbol]]] = {}
+        self._patterns: dict[str, list[tuple[re.Pattern[str], int, Symbol]]] | None = None
+        seen: set[Document] = set()
+        for read in (read for each in visible for read in each.readings):
+            if read.document not in seen:
+                seen.add(read.document)
+                self._add(read.document.view(Own))
+
+    def _add(self, own: Own) -> None:
+        for name, symbol in own.macros.items():
+            self.macros.setdefault(name, symbol)
+        for name, symbol in own.properties.items():
+            self.properties.setdefault(name, symbol)
+        for name, symbol in own.arguments.items():
+            self.arguments.setdefault(name, symbol)
+        self.parameters.update(own.parameters)
+        self.local.update(own.local)
+        for kind, macro, symbol in own.robot:
+            self.robot.setdefault((kind, symbol.name), []).append((macro, symbol))
+        self.taken.update(own.taken)
 
     def own(self, document: Document) -> Iterator[Occurrence]:
-        """Where the document itself gives names."""
-        every = [
-            *self.macros.values(),
-            *self.properties.values(),
-            *self.arguments.values(),
-            *self.robot.values(),
-        ]
+        """Where the document itself gives names to what belongs to xacro."""
+        every = [*self.macros.values(), *self.properties.values(), *self.arguments.values()]
         for inner in (*self.parameters.values(), *self.local.values()):
             every += inner.values()
         for symbol in every:
@@ -95,11 +166,48 @@ class _Known:
 
     def word(self, name: str, macro: Element | None) -> Symbol | None:
         """The meaning of a word in an expression, inside a macro or outside."""
-        if macro is not None:
+        while macro is not None:
             found = self.parameters.get(macro, {}).get(name) or self.local.get(macro, {}).get(name)
             if found is not None:
                 return found
+            macro = next((each for each in macro.around if each.name == "xacro:macro"), None)
         return self.properties.get(name)
+
+    def part(self, kinds: Iterable[str], text: str, macro: Element | None) -> Symbol | None:
+        """The definition that a text names: that of the same text, in the same macro if there are several.
+
+        Else one that may expand to it, the longest.
+        """
+        for kind in kinds:
+            found = self.robot.get((kind, text))
+            if found:
+                return next((symbol for inside, symbol in found if inside is macro), found[0][1])
+        fitting = [
+            (size, symbol)
+            for kind in kinds
+            for pattern, size, symbol in self._fitting(kind)
+            if pattern.fullmatch(text)
+        ]
+        return max(fitting, key=lambda each: each[0])[1] if fitting and is_literal(text) else None
+
+    def _fitting(self, kind: str) -> list[tuple[re.Pattern[str], int, Symbol]]:
+        if self._patterns is None:
+            self._patterns = {}
+            for (each, text), found in self.robot.items():
+                literal = len(replaced(text, lambda _: ""))
+                if not is_literal(text) and literal > 1:
+                    pattern = re.compile(".*".join(map(re.escape, _literals(text))), re.DOTALL)
+                    self._patterns.setdefault(each, []).append((pattern, literal, found[0][1]))
+        return self._patterns.get(kind, [])
+
+
+def _literals(text: str) -> Iterator[str]:
+    """The pieces of a text between its expressions."""
+    at = 0
+    for match in matches(text):
+        yield text[at : match.start()]
+        at = match.end()
+    yield text[at:]
 
 
 def _symbol(kind: str, name: str, value: Value) -> Symbol:
@@ -132,7 +240,7 @@ def _called(element: Element, name: str) -> Iterator[Span]:
         yield span.source.span(span.end - last, span.end)
 
 
-def _words(document: Document, known: _Known) -> Iterator[Occurrence]:
+def _words(document: Document, known: Known) -> Iterator[Occurrence]:
     """The words of expressions, and the attributes by which calls give parameters."""
     spans = document.spans
     for element, macro in reading(document).elements:
@@ -148,18 +256,13 @@ def _words(document: Document, known: _Known) -> Iterator[Occurrence]:
                 yield Occurrence(value.span, symbol)
         called = known.macros.get(element.name[len(PREFIX) :]) if element.name.startswith(PREFIX) else None
         if called is not None:
-            taken = next((own for at, own in known.parameters.items() if _is_of(at, called)), {})
+            taken = known.taken.get(called.key, {})
             for name in element.attributes:
                 if name in taken:
                     yield Occurrence(spans.attribute_name(element, name), taken[name])
 
 
-def _is_of(element: Element, macro: Symbol) -> bool:
-    value = element.attribute("name")
-    return value is not None and value.span.end == macro.span.end and value.span.source is macro.span.source
-
-
-def _in_text(span: Span, macro: Element | None, known: _Known, *, deep: bool = True) -> Iterator[Occurrence]:
+def _in_text(span: Span, macro: Element | None, known: Known, *, deep: bool = True) -> Iterator[Occurrence]:
     text = span.text
     if not deep:
         text = text.partition("<")[0]
@@ -178,23 +281,10 @@ def _in_text(span: Span, macro: Element | None, known: _Known, *, deep: bool = T
                     yield Occurrence(span.source.span(start, start + len(word[0])), symbol)
 
 
-def _of_robot(document: Document, known: _Known) -> Iterator[Occurrence]:
-    """The names of links, joints and materials, which are the same where they are written the same way."""
-    places = {place: kind for kind, own in _ROBOT.items() for place in own}
-    for element, _ in reading(document).elements:
-        for name, value in (
-            (name, element.attribute(name)) for name in ("link", "joint", "reference", "name")
-        ):
-            kind = places.get((element.name, name))
-            if value is None or kind is None:
-                continue
-            kinds = ("link", "joint") if name == "reference" else (kind,)
-            symbol = next((s for k in kinds if (s := known.robot.get((k, value.text))) is not None), None)
-            if symbol is not None and symbol.span != value.span:
-                yield Occurrence(value.span, symbol)
-
-
-def _is_reference(element: Element) -> bool:
-    """Is a ``joint`` one that only names another: in a transmission or in ``ros2_control``?"""
-    parent = element.parent
-    return parent is not None and parent.name in {"transmission", "ros2_control", "mimic"}
+def _of_robot(document: Document, known: Known) -> Iterator[Occurrence]:
+    """The names of parts of the robot, which are the same where they are written the same way."""
+    for element, macro in reading(document).elements:
+        for value, kinds, is_definition in namings(element):
+            text = value.text.strip()
+            symbol = known.part(kinds, text, macro) or _symbol(kinds[0], text, value)
+            yield Occurrence(value.span, symbol, is_definition)

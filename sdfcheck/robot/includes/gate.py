@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.formats.sdf.problems import MissingElement
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 
 
 def problems(document: Document) -> Iterator[object]:

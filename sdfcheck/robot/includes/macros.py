@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from sdfcheck.robot.part import Part
+from sdfcheck.robot.graph import Part
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT
 
 _OWNERS: dict[str, type[Link | Joint]] = {

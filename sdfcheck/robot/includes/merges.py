@@ -11,8 +11,7 @@ from collections.abc import Iterator
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.includes.included import Included, included, includes_of
 from sdfcheck.robot.naming.name import Name, Namesakes
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 
 _MOVED = frozenset({"link", "model", "joint", "frame", "gripper"})
 """The named parts that move into the parent."""

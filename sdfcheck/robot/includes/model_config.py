@@ -13,8 +13,7 @@ from pathlib import Path
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.robot.values import lazy
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import TEMPLATE_SUFFIXES, Kind
@@ -193,7 +192,7 @@ def _version(entry: Element) -> tuple[int, int] | None:
 
 def _near(folder: Path, name: str) -> str | None:
     """A description in the folder that may be meant."""
-    from sdfcheck.formats.suggest import suggest
+    from sdfcheck.formats.near_names import suggest
 
     try:
         there = sorted(entry for entry in os.listdir(folder) if entry.endswith((".sdf", ".urdf")))

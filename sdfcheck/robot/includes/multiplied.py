@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sdfcheck.robot.includes.brought import DEEPEST, MOST_MODELS
+from sdfcheck.robot.graph import DEEPEST, MOST_MODELS
 from sdfcheck.robot.includes.included import included, includes_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple

@@ -8,8 +8,8 @@ from enum import Enum
 from pathlib import Path
 
 from sdfcheck.files.uris import LOCAL_SCHEMES, REMOTE_SCHEMES, SEARCHED_SCHEMES, Location
-from sdfcheck.formats.suggest import suggest
-from sdfcheck.source.element import Value
+from sdfcheck.formats.near_names import suggest
+from sdfcheck.source.document import Value
 from sdfcheck.source.record import NamedTuple
 
 _SCHEMES = sorted(LOCAL_SCHEMES | REMOTE_SCHEMES)

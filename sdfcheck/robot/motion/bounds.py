@@ -12,16 +12,14 @@ from typing import TYPE_CHECKING, Any
 from sdfcheck.bodies.box import Box, around, of_points
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import Origin, numbers_of, origin_in, pose_in
-from sdfcheck.robot.parts.inertial import position
-from sdfcheck.robot.parts.placement import reference_of
+from sdfcheck.robot.values import reference_of
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model, Part
     from sdfcheck.robot.motion.rotations import Array
-    from sdfcheck.robot.part import Part
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.shape import Geometry, Shape
-    from sdfcheck.source.element import Element
+    from sdfcheck.source.document import Element
 
 
 _MOST_FIXED = 100
@@ -133,7 +131,7 @@ def reach_of(model: Model) -> float:
         written = (joint.element.find("origin") for joint in model.joints)
         places = [origin_position(origin) for origin in written if origin is not None]
         return max((math.hypot(*at) for at in places if at is not None), default=0.0)
-    known = [at for link in model.links if (at := position(link)) is not None]
+    known = [at for link in model.links if (at := link.written_position) is not None]
     return max((math.dist(at, known[0]) for at in known), default=0.0) if len(known) > 1 else 0.0
 
 

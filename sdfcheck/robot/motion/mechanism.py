@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
 

@@ -11,7 +11,7 @@ from typing import TypeAlias
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.parts.solids import Moments
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
 Triple: TypeAlias = tuple[float, float, float]

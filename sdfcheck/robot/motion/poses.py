@@ -1,27 +1,139 @@
-"""Where nodes are: every pose resolved, whatever it is written relative to.
-
-Source: the specification's pose frame semantics (1.7, 1.8) and libsdformat 17, which
-applies them to documents of every version.
-"""
+"""Poses: where nodes are, whatever the pose is written relative to."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+import math
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import origin_in, pose_in
-from sdfcheck.robot.motion.rotations import Array, inverse, transform
-from sdfcheck.robot.parts.placement import reference_of
+from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy, transform
+from sdfcheck.robot.values import reference_of
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
-    from sdfcheck.robot.node import Node
-    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.graph import Model, Node, Part, Scope
     from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.scope import Scope
-    from sdfcheck.source.element import Element
+    from sdfcheck.source.document import Element
+
+
+# Poses as values: a position and a rotation.
+
+
+class Pose:
+    """Where something is: ``numpy.asarray(pose)`` is its 4×4 transform.
+
+    The transform takes points of its frame to the frame that it is relative to.
+    """
+
+    __slots__ = ("_transform",)
+
+    def __init__(self, transform: Array) -> None:
+        self._transform = transform
+        transform.setflags(write=False)
+
+    @classmethod
+    def written(cls, element: Element, name: str) -> Pose | None:
+        """The pose that a child element ``pose`` or ``origin`` writes; None if there is none."""
+
+        child = element.find(name)
+        if child is None:
+            return None
+        return cls(origin_of(element) if name == "origin" else written_pose(child))
+
+    @property
+    def xyz(self) -> tuple[float, float, float]:
+        """The position (m)."""
+        x, y, z = self._transform[:3, 3].tolist()
+        return x, y, z
+
+    @property
+    def rpy(self) -> tuple[float, float, float]:
+        """Roll, pitch and yaw (rad) about fixed x, y and z axes, in this order."""
+        return to_rpy(self._transform[:3, :3])
+
+    @property
+    def quaternion(self) -> tuple[float, float, float, float]:
+        """The rotation as x, y, z, w of length 1, w not negative."""
+        return _quaternion(self._transform[:3, :3])
+
+    def inverse(self) -> Pose:
+        """The pose of the other frame in this one."""
+        return Pose(inverse(self._transform))
+
+    def __matmul__(self, other: Pose) -> Pose:
+        """The pose of something whose pose in this frame is ``other``."""
+        return Pose(self._transform @ other._transform)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
+        return np.array(self._transform, dtype=dtype, copy=True) if copy or dtype else self._transform
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Pose) and bool((self._transform == other._transform).all())
+
+    def __hash__(self) -> int:
+        return hash(self._transform.tobytes())
+
+    def __repr__(self) -> str:
+        numbers = " ".join(f"{round(number, 6) + 0.0:g}" for number in (*self.xyz, *self.rpy))
+        return f"Pose({numbers!r})"
+
+
+def resolved(node: Node, relative_to: str | Node | None) -> Pose:
+    """The pose of a node relative to another, or to the one that a reference, written beside it, names."""
+    poses, scope = node.root.poses, node.scope_around
+    if scope is None:
+        own = poses.in_scope(node)
+        if relative_to in {None, "world"} or relative_to is node.root.outside:
+            return Pose(own)
+        base = node if relative_to is node else _named(node, relative_to)
+        return Pose(inverse(poses.reached(cast("Scope", node), base)) if node.is_scope else own)
+    if relative_to is None:
+        return Pose(poses.in_scope(node).copy())
+    top = scope
+    while top.scope_around is not None:
+        top = top.scope_around
+    pose = poses.reached(top, node)
+    if relative_to == "world" or relative_to in (top, node.root.outside):
+        outer = np.eye(4) if top.kind == "world" else poses.in_scope(top)
+        return Pose(outer @ pose if relative_to != top else pose)
+    return Pose(inverse(poses.reached(top, _named(node, relative_to))) @ pose)
+
+
+def _named(node: Node, reference: str | Node | None) -> Node:
+    if reference is not None and not isinstance(reference, str):
+        return reference
+    is_outermost = node.is_scope and node.scope_around is None
+    scope = cast("Scope", node) if is_outermost else node.scope
+    found = scope.resolve(reference or "")
+    if found is None:
+        raise PoseError(f"there is no frame {reference!r} in {scope.name}", node.element)
+    return found
+
+
+def of_part(part: Part, holder: Node | None, relative_to: str | None) -> Pose:
+    """The pose of a visual, sensor or light in what it is on, or relative to what a reference names there."""
+
+    if holder is None:
+        return Pose(written_pose(part.find("pose")))
+    return Pose(_pose_of_part(part, holder, relative_to))
+
+
+def _quaternion(rotation: Array) -> tuple[float, float, float, float]:
+    (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
+    w = math.sqrt(max(0.0, 1 + a + e + i)) / 2
+    x = math.copysign(math.sqrt(max(0.0, 1 + a - e - i)) / 2, h - f)
+    y = math.copysign(math.sqrt(max(0.0, 1 - a + e - i)) / 2, c - g)
+    z = math.copysign(math.sqrt(max(0.0, 1 - a - e + i)) / 2, d - b)
+    length = math.sqrt(x * x + y * y + z * z + w * w)
+    return x / length, y / length, z / length, w / length
+
+
+# Where nodes are: every pose resolved, whatever it is written relative to.
+#
+# Source: the specification's pose frame semantics (1.7, 1.8) and libsdformat 17, which
+# applies them to documents of every version.
 
 
 class PoseError(DescriptionError):
@@ -132,7 +244,7 @@ class Poses:
         if node.scope_around is not None:
             base = self._of(node.scope, node.base, node.base_name)
         result = base @ written_pose(node.pose_element)
-        inside = node.apart
+        inside = node.unmerged
         if inside.kind == "model" and (frame := cast("Model", inside).placement_frame):
             result = result @ inverse(self.named(cast("Model", inside), frame))
         return result
@@ -160,7 +272,7 @@ def urdf_base(node: Node) -> tuple[Node | None, Joint | None]:
     return node.merged or node.scope, None
 
 
-def of_part(part: Part, holder: Node, relative_to: str | None) -> Array:
+def _pose_of_part(part: Part, holder: Node, relative_to: str | None) -> Array:
     """The pose of a part in the frame of its holder, or relative to what a reference in it names."""
     poses = holder.root.poses
     pose = poses.of_part(part.element, holder) if part.is_given else np.eye(4)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
 
@@ -86,7 +86,7 @@ class Tree:
 
     def _meant_children(self) -> Iterator[Link]:
         """The links to which joints lead, or would if their ends were spelled right."""
-        from sdfcheck.formats.suggest import suggest_in
+        from sdfcheck.formats.near_names import suggest_in
 
         for joint in self.joints:
             name = joint.child_name
@@ -164,6 +164,6 @@ def loops(parents: Mapping[Link, Sequence[Joint]], joints: Iterable[Joint]) -> l
 
 
 def _is_name_in_urdf(name: str) -> bool:
-    from sdfcheck.formats.urdf.table import is_expression
+    from sdfcheck.source.text import is_expression
 
     return bool(name) and not is_expression(name)

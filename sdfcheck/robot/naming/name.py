@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.robot.reserved import NODES
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import NamedTuple
 
 DEFAULT = "__default__"

@@ -1,9 +1,4 @@
-"""Names that things are given: those that siblings share, and those that are more than plain words.
-
-In a model, links, joints, frames and nested models share one name space, in a world
-models, joints and frames do; the ``gz sdf`` check refuses any two named siblings,
-plugins excepted. Source: libsdformat 17, checked against what it reports.
-"""
+"""Names that things are given: those that siblings share, and those that reach nothing."""
 
 from __future__ import annotations
 
@@ -11,12 +6,150 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.sdf.survey import Survey, survey
 from sdfcheck.robot.naming.name import Name, Namesakes
+from sdfcheck.robot.parts.joint import UNCONVERTED
 from sdfcheck.robot.values import lazy
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Element, Value
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from sdfcheck.robot.root import Root
+
+
+# Names in the ``<gazebo>`` blocks of a URDF robot: they are siblings of those in what the block is about.
+
+
+_MERGED = frozenset({"plugin", "visual", "collision"})
+"""In a block these share names freely: a shape there is what is added to those of the link."""
+
+
+def extension_names(root: Root) -> dict[Element, list[Name]]:
+    """Element → the names that the blocks add to it; an element in a block, or what the block is about."""
+    found: dict[Element, list[Name]] = {}
+    for parent, children in survey(root.document).named.items():
+        at, free = parent, frozenset({"plugin"})
+        if parent.name == "gazebo":
+            at, free = _subject(root, parent), _MERGED
+        found.setdefault(at, []).extend(
+            Name(kind, text.strip(), Value(element, "name", text), at, is_extension=True)
+            for kind, text, element in children
+            if text.strip() and kind not in free and ":" not in kind
+        )
+    return found
+
+
+def extended_namesakes(root: Root, given: Iterable[Name]) -> list[Namesakes]:
+    """The names in blocks that siblings have already; ``given`` are those of the robot's links and joints."""
+    found: list[Namesakes] = []
+    for parent, names in extension_names(root).items():
+        taken: dict[str, Name] = {}
+        if parent is root.element:
+            for name in given:
+                if name.makes_frame and not _is_dropped(name):
+                    taken.setdefault(name.name, name)
+        for name in names:
+            first = taken.setdefault(name.name, name)
+            if first is not name:
+                found.append(Namesakes(first, name))
+    return found
+
+
+def _is_dropped(name: Name) -> bool:
+    """Is it of a joint that libsdformat has no place for? Then the name is free."""
+    return name.kind == "joint" and name.value.element.get("type") in UNCONVERTED
+
+
+def _subject(root: Root, block: Element) -> Element:
+    """The link, joint or robot that a block is about."""
+    from sdfcheck.robot.parts.gazebo import GazeboBlock
+
+    part = root.part_of(block)
+    subject = part.subject if isinstance(part, GazeboBlock) else None
+    return block if subject is None else subject.element
+
+
+# Names with ``::`` in worlds up to version 1.7, which libsdformat turns back into nested models.
+#
+# ``A::x`` in a model becomes ``x`` in a nested model ``A``, and every reference in it
+# loses its ``A::``. A reference that has none to lose fails an assertion that ends the
+# program. Source: ``unflatten`` in libsdformat 17's Converter.cc and what it does when run.
+
+
+_MOVED = frozenset({"frame", "joint", "link", "model", "gripper"})
+_AXES = ("axis", "axis2")
+
+
+def foreign_references(surveyed: Survey) -> dict[Element, Value | Element]:
+    """The elements whose names cannot be unfolded, with what is in the way."""
+    found: dict[Element, Value | Element] = {}
+    for model in surveyed.index.get("model", ()):
+        if _is_in_world(model):
+            found.update(_in_model(model))
+    return found
+
+
+def _is_in_world(element: Element) -> bool:
+    return next((each.name for each in element.around if each.name != "model"), "") == "world"
+
+
+def _in_model(model: Element) -> Iterator[tuple[Element, Value | Element]]:
+    for child in model.children():
+        name = child.attributes.get("name", "")
+        if child.name in _MOVED and "::" in name:
+            prefix = name.partition("::")[0]
+            obstacle = next(_obstacles(child, prefix), None)
+            if obstacle is not None:
+                yield child, obstacle
+
+
+def _obstacles(element: Element, prefix: str) -> Iterator[Value | Element]:
+    """The names that do not begin with the prefix, in the order in which they occur."""
+    for reference in _references(element):
+        if isinstance(reference, Element) or not reference.text.strip().startswith(prefix):
+            yield reference
+
+
+def _references(element: Element) -> Iterator[Value | Element]:
+    """The references that are unfolded with an element, and axes that lack the direction they could be on."""
+    if element.name == "frame":
+        yield from _attribute(element, "attached_to")
+    elif element.name == "link":
+        for part in element.children():
+            yield from _poses(part)
+    elif element.name == "joint":
+        for role in ("parent", "child"):
+            if (end := element.find(role)) is not None and end.content:
+                yield end.own_value
+        for axis in (child for child in element.children() if child.name in _AXES):
+            xyz = axis.find("xyz")
+            yield from (axis,) if xyz is None else _attribute(xyz, "expressed_in")
+        for sensor in element.children("sensor"):
+            yield from _poses(sensor)
+
+
+def _poses(element: Element) -> Iterator[Value]:
+    """The node that the poses of a part of a link, and of its camera, are relative to."""
+    for holder in (element, element.find("camera")):
+        pose = holder.find("pose") if holder is not None else None
+        if pose is not None:
+            yield from _attribute(pose, "frame")
+            yield from _attribute(pose, "relative_to")
+
+
+def _attribute(element: Element, name: str) -> Iterator[Value]:
+    value = element.attribute(name)
+    if value is not None and value.text.strip():
+        yield value
+
+
+# Names that things are given: those that siblings share, and those that are more than plain words.
+#
+# In a model, links, joints, frames and nested models share one name space, in a world
+# models, joints and frames do; the ``gz sdf`` check refuses any two named siblings,
+# plugins excepted. Source: libsdformat 17, checked against what it reports.
+
 
 # Among names, one a line: what may be reserved, has spaces at its ends, or a colon in it.
 _ODD_LINE = re.compile(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
@@ -40,8 +173,6 @@ class Names:
         if self.root.is_urdf and (own := self.root.element.attribute("name")) is not None:
             given.append(Name("model", own.text, own, self.root.element))
         if self.root.is_urdf and self.root.elements.get("gazebo"):
-            from sdfcheck.robot.naming.extension_names import extension_names
-
             given += [name for names in extension_names(self.root).values() for name in names]
         return tuple(name for name in given if _ODD_LINE.search(name.name))
 
@@ -61,8 +192,6 @@ class Names:
         found = [pair for names in self._siblings.values() for pair in repeated(names)]
         document = self.root.document
         if self.root.is_urdf and self.root.elements.get("gazebo"):
-            from sdfcheck.robot.naming.extension_names import extended_namesakes
-
             found += extended_namesakes(self.root, _given_in_urdf(self.root))
         if document.library is not None and not self.root.is_urdf and "merge" in document.source.text:
             from sdfcheck.robot.includes.merges import merged_namesakes
@@ -80,7 +209,6 @@ class Names:
         if self.root.is_urdf or not self.root.is_older_than("1.8"):
             return {}
         from sdfcheck.formats.sdf.survey import survey
-        from sdfcheck.robot.naming.unfold import foreign_references
 
         return foreign_references(survey(self.root.document))
 

@@ -10,20 +10,17 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import Slot
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.naming.references import references
 from sdfcheck.robot.root import Root, root_of
-from sdfcheck.robot.scope import Scope
-from sdfcheck.robot.vendor.references import owner_of
+from sdfcheck.robot.vendor.tags import owner_of
 from sdfcheck.robot.vendor.tags import values as vendor_values
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.node import Node
-    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.graph import Node, Part
 
 _NAMED = ("World", "Model", "Link", "Joint", "Frame")
 

@@ -6,18 +6,16 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.model import Model
-from sdfcheck.robot.node import Node
-from sdfcheck.robot.parts.include import Include
+from sdfcheck.robot.graph import Model, Node, Scope
+from sdfcheck.robot.parts.files import Include
 from sdfcheck.robot.parts.physics import State
 from sdfcheck.robot.parts.plugin import Plugin
-from sdfcheck.robot.scope import Scope
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.part import Part
+    from sdfcheck.robot.graph import Part
     from sdfcheck.robot.root import Root
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
 
 _ATTRIBUTES = {
     "frame": ("attached_to",),
@@ -32,6 +30,8 @@ _ATTRIBUTES = {
 _ELEMENTS = ("parent", "child", "gearbox_reference_body", "gripper_link", "palm_link")
 
 _URDF = {"parent": ("link",), "child": ("link",), "mimic": ("joint",), "gazebo": ("reference",)}
+_IN_EXTENSIONS = ("pose", "frame", "xyz")
+"""Elements of SDFormat whose attributes name nodes in ``<gazebo>`` blocks of URDF, too."""
 _URDF_JOINTS = frozenset(("transmission", "ros2_control"))
 _OF_JOINTS = _URDF_JOINTS | {"mimic"}
 
@@ -95,11 +95,22 @@ def _in_attributes(root: Root) -> Iterator[tuple[Element, Value]]:
         for element in root.elements.get(name, ()):
             for value in filter(None, map(element.attribute, attributes)):
                 yield element, value
+    if root.is_urdf:
+        yield from _in_extensions(root)
     for name in _URDF_JOINTS if root.is_urdf else ():
         for block in root.elements.get(name, ()):
             for joint in block.children("joint"):
                 if (name_value := joint.attribute("name")) is not None:
                     yield block, name_value
+
+
+def _in_extensions(root: Root) -> Iterator[tuple[Element, Value]]:
+    """The references of SDFormat in ``<gazebo>`` blocks."""
+    for name in _IN_EXTENSIONS:
+        for element in root.elements.get(name, ()):
+            if any(each.name == "gazebo" for each in element.around):
+                for value in filter(None, map(element.attribute, _ATTRIBUTES[name])):
+                    yield element, value
 
 
 def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:

@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.robot.frame import Frame
-from sdfcheck.robot.node import Node
+from sdfcheck.robot.graph import Frame, Node, Scope
 from sdfcheck.robot.parts.joint import Joint
-from sdfcheck.robot.parts.placement import reference_value
-from sdfcheck.robot.scope import Scope
-from sdfcheck.source.element import Value
+from sdfcheck.robot.values import reference_value
+from sdfcheck.source.document import Value
 from sdfcheck.source.record import Record
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.part import Part
-    from sdfcheck.robot.parts.include import Include
+    from sdfcheck.robot.graph import Part
+    from sdfcheck.robot.parts.files import Include
     from sdfcheck.robot.root import Root
+
 
 _Step = tuple[Value | None, Node | None]
 """The reference that leads on from a node (None where it is implied), and where to."""

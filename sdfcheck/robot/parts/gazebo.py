@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.formats.urdf.table import TRUE, extension, is_expression, settings
-from sdfcheck.robot.part import Part
+from sdfcheck.formats.urdf.table import TRUE, extension, settings
+from sdfcheck.robot.graph import Model, Node, Part
+from sdfcheck.robot.reserved import NODES
 from sdfcheck.robot.values import lazy, parts
+from sdfcheck.source.document import Element
+from sdfcheck.source.text import is_expression
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Scope
     from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.light import Light
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.sensor import Sensor
-    from sdfcheck.robot.scope import Scope
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.robot.parts.sensor import Light, Sensor
+    from sdfcheck.source.document import Value
 
 
 def text_of_setting(element: Element) -> str:
@@ -134,3 +135,59 @@ class GazeboBlock(Part):
     def is_on(self, name: str) -> bool:
         """Is a setting of this name true?"""
         return bool(self.switched_on(name))
+
+
+# The content of a ``<gazebo>`` block of a URDF robot.
+
+
+def extension_parts(block: Element) -> Iterator[Element]:
+    """The elements in a ``<gazebo>`` block; what is in plugins is theirs."""
+    for child in block.children():
+        yield child
+        if child.name != "plugin":
+            yield from extension_parts(child)
+
+
+def with_extensions(index: Mapping[str, list[Element]]) -> Mapping[str, list[Element]]:
+    """Name → elements, with those in the ``<gazebo>`` blocks that are among them."""
+    found = {name: list(elements) for name, elements in index.items()}
+    for element in (part for block in index["gazebo"] for part in extension_parts(block)):
+        found.setdefault(element.name, []).append(element)
+    return found
+
+
+# A URDF robot as Gazebo has it: with the links, joints and models that its ``<gazebo>`` blocks add.
+
+
+class ExtendedModel(Model):
+    """The scope in which the SDFormat of ``<gazebo>`` blocks looks names up.
+
+    Links and joints that libsdformat merges away leave frames of their names.
+    """
+
+    __slots__ = ("robot",)
+
+    def __init__(self, holder: Part, element: Element | None, name: str | None = None) -> None:
+        super().__init__(holder.root, element, name or holder.name)
+        self.robot = cast("Model", holder)
+        self.is_urdf = False
+
+    def part(self, element: Element) -> Part:
+        return self.root.part_of(element)
+
+    def children(self, name: str | None = None) -> Iterator[Element]:
+        """The parts that the blocks about the robot add to it."""
+        for block in self.robot.blocks_by_reference.get("", ()):
+            yield from block.children(name)
+
+    def _fill(self, nodes: dict[str, Node]) -> None:
+        nodes.update(self.robot.nodes)
+        for child in self.children():
+            if child.name == "include":
+                self._unread = True
+            elif child.name in NODES and (name := child.attributes.get("name", "").strip()):
+                part = self.part(child)
+                if part.kind == "model" and isinstance(part, Node):
+                    nodes[name] = part  # of two things with this name the one with names in it
+                elif isinstance(part, Node):
+                    nodes.setdefault(name, part)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from sdfcheck.robot.graph import Part
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
-from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import is_true, lazy, number, parts
 
 if TYPE_CHECKING:
+    from sdfcheck.robot.graph import Scope
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.scope import Scope
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
 
 
 class Physics(Part):
@@ -43,7 +43,7 @@ class State(Part):
     @property
     def world(self) -> Scope | None:
         """The world that it is a state of."""
-        from sdfcheck.robot.scope import Scope
+        from sdfcheck.robot.graph import Scope
 
         return self.holder if isinstance(self.holder, Scope) and self.holder.kind == "world" else None
 
@@ -105,7 +105,7 @@ class Gripper(Part):
     @lazy
     def unresolved(self) -> tuple[UnknownName, ...]:
         """The names that are not those of links."""
-        from sdfcheck.robot.scope import Scope
+        from sdfcheck.robot.graph import Scope
 
         scope = self.holder
         if not isinstance(scope, Scope):

@@ -1,19 +1,93 @@
-"""Plugins."""
+"""Plugins, the names that their parameters write, and the differential drives that they describe."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, cast
 
-from sdfcheck.robot.part import Part
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.graph import Model, Part
+from sdfcheck.robot.motion.origin import Origin, origin_in, pose_in
 from sdfcheck.robot.values import lazy
+from sdfcheck.source.document import Value
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from sdfcheck.formats.plugins import Naming, PluginFacts
+    from sdfcheck.robot.graph import Node
+    from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.source.document import Element
 
-    from sdfcheck.formats.plugins import PluginFacts
-    from sdfcheck.robot.naming.plugin_names import PluginReference
-    from sdfcheck.robot.parts.drive import Drive
-    from sdfcheck.source.element import Element, Value
+
+# Names of joints and links that the parameters of plugins write.
+#
+# Systems look among the joints and links directly in their model, and know no ``::`` but for some.
+
+
+_TEMPLATE = re.compile(r"[${}%@]")
+_ALWAYS = frozenset({"", "world", "canonical", "__default__"})
+
+
+class PluginReference(NamedTuple):
+    """A name that a parameter writes, of a joint or link as ``kind`` says; ``node`` is what has the name."""
+
+    value: Value
+    kind: str
+    model: Model
+    node: Node | None
+
+    @property
+    def is_unresolved(self) -> bool:
+        """Does it reach no joint or link of its kind, or a joint that libsdformat merges away?"""
+        return self.node is None or self.node.kind != self.kind or _is_lumped(self.node)
+
+
+def references(plugin: Plugin, facts: PluginFacts) -> Iterator[PluginReference]:
+    """The names of joints and links that are written; what may be in a file that could not be read is left out."""
+    model = _model(plugin)
+    if model is None or not model.is_complete or not any(n.kind == "link" for n in model.nodes.values()):
+        return
+    for naming in facts.namings:
+        for value in _written(plugin.element, naming):
+            name = value.text.strip()
+            if name in _ALWAYS or _TEMPLATE.search(name) or (naming.is_list and "," in name):
+                continue
+            name = name.removeprefix(f"{model.name}::")
+            if "::" in name and (not naming.is_scoped or model.may_hold(name)):
+                continue
+            yield PluginReference(value, naming.kind, model, model.resolve(name))
+
+
+def _model(plugin: Plugin) -> Model | None:
+    """The model that a plugin is in: in URDF the robot with what Gazebo adds."""
+    holder = plugin.holder
+    if holder is not None and holder.kind == "gazebo":
+        found = plugin.root.scope_of(plugin.element)
+        return found if isinstance(found, Model) else None
+    return holder if isinstance(holder, Model) else None
+
+
+def _written(element: Element, naming: Naming) -> Iterator[Value]:
+    path, _, attribute = naming.path.partition("@")
+    found = [element]
+    for step in path.split("/"):
+        found = [child for parent in found for child in parent.children(step)]
+    for child in found:
+        value = child.attribute(attribute) if attribute else child.own_value
+        if value is not None:
+            yield value
+
+
+def _is_lumped(node: Node) -> bool:
+    """Does libsdformat merge a joint away? Names of links it rewrites in some parameters."""
+    from sdfcheck.robot.parts.joint import Joint
+
+    return isinstance(node, Joint) and node.is_lumped
+
+
+# Plugins.
 
 
 class Plugin(Part):
@@ -53,7 +127,6 @@ class Plugin(Part):
         """The parameters that name a joint or link of its model."""
         if self.known is None or not self.known.namings:
             return ()
-        from sdfcheck.robot.naming.plugin_names import references
 
         return tuple(references(self, self.known))
 
@@ -82,7 +155,6 @@ class Plugin(Part):
         """The differential drive that it makes, where it names one wheel on each side, and both are known."""
         if "drive" not in self.filename.lower():
             return None
-        from sdfcheck.robot.parts.drive import drive_of
 
         return drive_of(self)
 
@@ -151,3 +223,137 @@ class Plugin(Part):
     def is_template(self) -> bool:
         """Will something else write more of it, such as xacro?"""
         return any("xacro:" in child.name or "$" in child.content for child in self.parameters)
+
+
+# Differential drives: what the parameters of a plugin say, and where the wheels are.
+
+
+_LEFT = ("left_joint", "leftJoint")
+_RIGHT = ("right_joint", "rightJoint")
+_SEPARATION = ("wheel_separation", "wheelSeparation")
+_RADIUS = ("wheel_radius", "wheelRadius")
+_DIAMETER = ("wheel_diameter", "wheelDiameter")
+_DEEPEST = 200
+"""Joints above a wheel that are followed."""
+
+
+class Wheel(NamedTuple):
+    """A wheel of a drive, in the frame of the model."""
+
+    joint: Joint
+    position: tuple[float, ...]
+    axis: tuple[float, ...]
+    """Of length 1."""
+    radius: float
+    """m, of its round shape; nan where there is none."""
+
+
+class Drive(NamedTuple):
+    """A drive with one wheel on each side."""
+
+    left: Wheel
+    right: Wheel
+    left_name: Element
+    """The parameter that names the joint."""
+    right_name: Element
+    separation: Element | None
+    radius: Element | None
+    """The parameter of the radius or the diameter."""
+
+    @property
+    def distance(self) -> float:
+        """How far to the left of the right wheel the left one is, along its axis (m)."""
+        pairs = zip(self.left.position, self.right.position, self.left.axis, strict=True)
+        return sum((left - right) * along for left, right, along in pairs)
+
+    @property
+    def written_radius(self) -> float:
+        """The radius that the plugin takes (m); nan if none is written."""
+        number = self.radius.own_value.number if self.radius is not None else math.nan
+        return number / 2 if self.radius is not None and self.radius.name in _DIAMETER else number
+
+
+def drive_of(plugin: Plugin) -> Drive | None:
+    """The drive that a plugin makes; None for other plugins, several wheels a side, and what is not known."""
+    model = _driven_model(plugin)
+    given: dict[str, list[Element]] = {}
+    for parameter in plugin.parameters:
+        given.setdefault(parameter.name, []).append(parameter)
+    left, right = _only(given, _LEFT), _only(given, _RIGHT)
+    if model is None or left is None or right is None:
+        return None
+    wheels = [_wheel(model, name.content.strip()) for name in (left, right)]
+    if wheels[0] is None or wheels[1] is None or wheels[0].joint is wheels[1].joint:
+        return None
+    radius = _only(given, (*_RADIUS, *_DIAMETER))
+    return Drive(wheels[0], wheels[1], left, right, _only(given, _SEPARATION), radius)
+
+
+def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | None:
+    found = [element for name in names for element in given.get(name, ())]
+    return found[0] if len(found) == 1 else None
+
+
+def _driven_model(plugin: Plugin) -> Model | None:
+    from sdfcheck.robot.graph import Model
+
+    scope = plugin.root.scope_of(plugin.element)
+    return scope if isinstance(scope, Model) else None
+
+
+def _wheel(model: Model, name: str) -> Wheel | None:
+    joint = model.joints_by_name.get(name)
+    xyz = joint.axis.xyz if joint is not None else ()
+    length = math.hypot(*xyz)
+    if joint is None or joint.axis_count != 1 or len(xyz) != 3 or not 0 < length < math.inf:
+        return None
+    if joint.axis.expressed_in:
+        return None
+    try:
+        pose = _in_model(joint)
+    except DescriptionError:
+        return None
+    if pose is None:
+        return None
+    x, y, z = (number / length for number in xyz)
+    return Wheel(joint, pose.position, pose.turned((x, y, z)), wheel_radius(joint))
+
+
+def _in_model(joint: Joint) -> Origin | None:
+    """Where a joint is in its model; None where it hangs on nothing. Raises DescriptionError."""
+    link = joint.child_link
+    if link is None:
+        return None
+    if not joint.is_urdf:
+        return _in_sdf(joint)
+    found, at = origin_in(joint.element), joint.parent_link
+    for _ in range(_DEEPEST):
+        above = at.parent_joints[0] if at is not None and at.parent_joints else None
+        if above is None:
+            return found
+        found, at = origin_in(above.element).followed_by(found), above.parent_link
+    return None
+
+
+def _in_sdf(joint: Joint) -> Origin | None:
+    """The same in SDFormat, as far as it is relative to what is in the same model."""
+    found, at = Origin(), cast("Node", joint)
+    for _ in range(_DEEPEST):
+        found = pose_in(at.pose_element).followed_by(found)
+        base = at.base
+        if base is None or base is joint.scope:
+            return found if base is not None or not at.base_name else None
+        if base.scope is not joint.scope or base.kind == "model":
+            return None
+        at = base
+    return None
+
+
+def wheel_radius(joint: Joint) -> float:
+    """The radius (m) of the one round shape of the link that a joint turns; nan where it has another number of them."""
+    link = joint.child_link
+    shapes = (link.collisions or link.visuals) if link is not None else ()
+    geometry = shapes[0].geometry if len(shapes) == 1 else None
+    if geometry is None or geometry.solid is None or geometry.shape not in {"cylinder", "sphere"}:
+        return math.nan
+    return float(geometry.radius)

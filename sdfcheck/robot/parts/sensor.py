@@ -1,20 +1,63 @@
-"""Sensors."""
+"""Sensors and lights."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from sdfcheck.robot.graph import Part
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
-from sdfcheck.robot.part import Part
-from sdfcheck.robot.values import is_true, lazy, number, parts
+from sdfcheck.robot.values import Vector, is_true, lazy, number, parts
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.graph import Setting
+    from sdfcheck.robot.motion.poses import Pose
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.setting import Setting
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
+
+
+# Lights.
+
+
+class Light(Part):
+    """A light of a world or link, or one that is a whole file."""
+
+    __slots__ = ()
+    kind = "light"
+
+    @property
+    def type(self) -> str:
+        """``point``, ``spot`` or ``directional``."""
+        return (self._text("type") or "point").strip()
+
+    @property
+    def direction(self) -> Vector:
+        """Where it shines to."""
+        return self._vector("direction", (0.0, 0.0, -1.0))
+
+    @property
+    def diffuse(self) -> Vector:
+        """Red, green, blue, alpha."""
+        return self._vector("diffuse", (1.0, 1.0, 1.0, 1.0))
+
+    @property
+    def specular(self) -> Vector:
+        """Red, green, blue, alpha."""
+        return self._vector("specular", (0.1, 0.1, 0.1, 1.0))
+
+    intensity = number("intensity", 1.0, "A factor.")
+
+    def pose(self, relative_to: str | None = None) -> Pose:
+        """Its pose in what it is in, or relative to what a reference names there; raises PoseError."""
+        from sdfcheck.robot.graph import Node
+        from sdfcheck.robot.motion.poses import of_part
+
+        return of_part(self, self.within(Node), relative_to)
+
+
+# Sensors.
+
 
 SETTINGS = {
     "camera": "camera",
@@ -140,7 +183,7 @@ class Sensor(Part):
     @property
     def settings(self) -> Setting | None:
         """The part of its type: ``camera``, ``lidar``, ``imu`` …; None without one."""
-        from sdfcheck.robot.parts.setting import Setting
+        from sdfcheck.robot.graph import Setting
 
         names = (SETTINGS.get(self.type, self.type), "lidar", "ray", "camera", "gps", "navsat")
         element = next((found for name in names if name and (found := self.find(name)) is not None), None)
@@ -151,6 +194,6 @@ class Sensor(Part):
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in the frame of its link or joint, or relative to what a reference names; raises PoseError."""
-        from sdfcheck.robot.motion.pose import of_part
+        from sdfcheck.robot.motion.poses import of_part
 
         return of_part(self, self.owner, relative_to)

@@ -1,24 +1,97 @@
-"""Shapes: what is seen of a link, and what it touches others with."""
+"""Shapes and materials: what is seen of a link, and what it touches others with."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.robot.part import Part
+from sdfcheck.robot.graph import Part
 from sdfcheck.robot.parts import solids
-from sdfcheck.robot.parts.inertial import position
-from sdfcheck.robot.parts.material import Material
 from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.bodies.box import Box
     from sdfcheck.bodies.mesh import Mesh
-    from sdfcheck.robot.motion.pose import Pose
+    from sdfcheck.robot.motion.poses import Pose
     from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.plugin import Plugin
     from sdfcheck.robot.parts.solids import Solid
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
+
+
+# Materials: colors and textures.
+
+
+_WITHOUT_ALPHA = 3
+
+
+class Material(Part):
+    """The material of a visual, or one that a URDF robot defines for all its links."""
+
+    __slots__ = ()
+    kind = "material"
+
+    @property
+    def color(self) -> Vector | None:
+        """Red, green, blue, alpha: in SDFormat the diffuse color; None where there is none."""
+        if self.is_urdf:
+            color = self.find("color")
+            return Vector.of(color.attribute("rgba"), color, ()) if color is not None else None
+        return self.light("diffuse")
+
+    def light(self, name: str) -> Vector | None:
+        """The color of ``ambient``, ``diffuse``, ``specular`` or ``emissive`` light; None where it is not given.
+
+        An alpha that SDFormat leaves out is 1.
+        """
+        child = self.find(name)
+        if child is None:
+            return None
+        color = Vector.of(child.own_value, child, ())
+        if len(color) != _WITHOUT_ALPHA:
+            return color
+        whole = Vector((*color, 1.0))
+        whole.value, whole.element = color.value, color.element
+        return whole
+
+    @property
+    def texture(self) -> str:
+        """The file of the texture of URDF; empty if there is none."""
+        texture = self.find("texture") if self.is_urdf else None
+        return texture.attributes.get("filename", "") if texture is not None else ""
+
+    @property
+    def script(self) -> Element | None:
+        """The script of Gazebo Classic."""
+        return None if self.is_urdf else self.find("script")
+
+    @property
+    def has_look(self) -> bool:
+        """Does it say what it looks like, instead of naming another?"""
+        return self.has("color") or self.has("texture") if self.is_urdf else self.is_given
+
+    @property
+    def look(self) -> tuple[object, object]:
+        """In URDF: color and texture, to be compared; None for one that it does not have."""
+        color = self.color
+        return (
+            None if color is None else tuple(color) or color.text,
+            self.texture if self.has("texture") else None,
+        )
+
+    @property
+    def defined(self) -> Material:
+        """In URDF: itself, or the robot's material of this name where only the name is given."""
+        from sdfcheck.robot.graph import Model
+
+        model = self.within(Model)
+        if self.has_look or model is None:
+            return self
+        return model.materials_by_name.get(self.name, self)
+
+
+# Shapes: what is seen of a link, and what it touches others with.
+
 
 _DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {
     "box": {"size": (1.0, 1.0, 1.0)},
@@ -211,7 +284,7 @@ class Shape(Part):
     @property
     def position(self) -> tuple[float, float, float] | None:
         """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
-        return position(self)
+        return self.written_position
 
     @property
     def along(self) -> tuple[float, float, float] | None:
@@ -244,7 +317,7 @@ class Shape(Part):
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in the link's frame, or relative to what a reference names; raises PoseError."""
-        from sdfcheck.robot.motion.pose import of_part
+        from sdfcheck.robot.motion.poses import of_part
 
         return of_part(self, self.link, relative_to)
 

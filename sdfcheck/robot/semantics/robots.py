@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages
-from sdfcheck.formats.urdf.table import is_expression
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics.semantics import Semantics, names
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import is_expression
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model
 
 MOST_FILES = 1000
 MOST_ROBOTS = 6
@@ -34,7 +34,8 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
     """Find the robots that an SRDF file may be about; ``expand`` expands xacro.
 
     They have the name of the file and most of what it names, and are looked for in the package of the file, and if
-    there is none in the project around it. Where the robots of its name in the package have nothing of what it names
+    there is none in the project around it. Without one, the robot that has it all in a file of the package that is
+    called like the SRDF file. Where the robots of its name in the package have nothing of what it names
     they are its ``strangers``; where the package has robots of other names only, one that has it all is its
     ``namesake``.
     """
@@ -52,7 +53,19 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         if packages is own and scored and best == 0:
             semantics.strangers = tuple(robot for _, robot in scored)
     if not semantics.strangers:
+        semantics.robots = tuple(_called_alike(semantics, own))
         semantics.namesake = _namesake(semantics, own)
+
+
+def _called_alike(semantics: Semantics, packages: Packages) -> Iterator[Model]:
+    """The robot of another name, in the nearest URDF file that is called like the SRDF file, if it has all names."""
+    for path in _files(semantics.document, packages, (".urdf",)):
+        if path.stem == semantics.document.path.stem:
+            head = _head(path, semantics)
+            robot = None if head is None else _robot(path, head, semantics, None)
+            if robot is not None and _score(semantics, robot) == 1:
+                yield robot
+                return
 
 
 def _namesake(semantics: Semantics, packages: Packages) -> Model | None:
@@ -95,8 +108,8 @@ def _package(path: Path) -> Path:
 def _score(semantics: Semantics, robot: Model) -> float:
     """The share of the names that a robot has."""
     known = {kind: names(robot, kind) for kind in ("link", "joint")}
-    right = sum(part.value.text.strip() in known[part.kind] for part in semantics.named)
-    return right / len(semantics.named)
+    asked = [part for part in semantics.named if not semantics.is_added(part)]
+    return sum(part.value.text.strip() in known[part.kind] for part in asked) / max(len(asked), 1)
 
 
 def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None) -> Iterator[Model]:

@@ -9,56 +9,23 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.near_names import nearest
-from sdfcheck.formats.urdf.table import is_expression
+from sdfcheck.formats.srdf import GROUPS, NAMES, REQUIRED
 from sdfcheck.robot.values import lazy
+from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import is_expression
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.model import Model
+    from sdfcheck.robot.graph import Model
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
-    from sdfcheck.source.document import Document
-    from sdfcheck.source.element import Element, Value
+    from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span
+
 
 ROOT_JOINT = "root_joint"
 """What Pinocchio calls the joint of a floating robot, which no URDF has."""
-
-_REQUIRED = {
-    "chain": ("base_link", "tip_link"),
-    "disable_collisions": ("link1", "link2"),
-    "disable_default_collisions": ("link",),
-    "enable_collisions": ("link1", "link2"),
-    "end_effector": ("name", "group", "parent_link"),
-    "group": ("name",),
-    "group_state": ("name", "group"),
-    "joint": ("name",),
-    "link": ("name",),
-    "link_sphere_approximation": ("link",),
-    "passive_joint": ("name",),
-    "virtual_joint": ("name", "type", "parent_frame", "child_link"),
-}
-"""Element → the attributes without which srdfdom drops it; a joint of a state needs its value, too."""
-
-_NAMES = {
-    ("chain", "base_link"): "link",
-    ("chain", "tip_link"): "link",
-    ("disable_collisions", "link1"): "link",
-    ("disable_collisions", "link2"): "link",
-    ("disable_default_collisions", "link"): "link",
-    ("enable_collisions", "link1"): "link",
-    ("enable_collisions", "link2"): "link",
-    ("end_effector", "parent_link"): "link",
-    ("joint", "name"): "joint",
-    ("link", "name"): "link",
-    ("link_sphere_approximation", "link"): "link",
-    ("passive_joint", "name"): "joint",
-    ("virtual_joint", "child_link"): "link",
-}
-"""Element and attribute → what of the robot it names."""
-
-_GROUPS = {("end_effector", "group"), ("end_effector", "parent_group"), ("group_state", "group")}
-"""Elements and attributes that name groups; a group in a group does by its name."""
 
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
@@ -109,7 +76,7 @@ class Semantics:
         """The elements that srdfdom reads."""
         found = []
         for child in self.element.children():
-            if child.name in _REQUIRED and child.name not in {"link", "joint", "chain"}:
+            if child.name in REQUIRED and child.name not in {"link", "joint", "chain"}:
                 found.append(child)
                 if child.name == "group":
                     found += [
@@ -133,7 +100,7 @@ class Semantics:
         """The elements without an attribute that they need."""
         for part in self.parts:
             is_value = part.name == "joint" and part.parent is not None and part.parent.name == "group_state"
-            for name in (*_REQUIRED[part.name], *(("value",) if is_value else ())):
+            for name in (*REQUIRED[part.name], *(("value",) if is_value else ())):
                 if part.attribute(name) is None:
                     yield part, name
 
@@ -142,7 +109,7 @@ class Semantics:
         """The names of links and joints of the robot."""
         found = []
         for part in self.parts:
-            for (element, attribute), kind in _NAMES.items():
+            for (element, attribute), kind in NAMES.items():
                 value = part.attribute(attribute) if element == part.name else None
                 if value is not None and value.text.strip() and not is_expression(value.text):
                     found.append(NamedPart(kind, value))
@@ -176,10 +143,13 @@ class Semantics:
         """The names that no robot has which the file may be about."""
         for part in self.named if self.robots else ():
             name = part.value.text.strip()
-            if part.kind == "joint" and (name == ROOT_JOINT or name in self.virtual_joints):
-                continue
-            if not any(name in names(robot, part.kind) for robot in self.robots):
+            if not self.is_added(part) and not any(name in names(robot, part.kind) for robot in self.robots):
                 yield part
+
+    def is_added(self, part: NamedPart) -> bool:
+        """Is it a joint that no URDF has, but which this file or Pinocchio adds?"""
+        name = part.value.text.strip()
+        return part.kind == "joint" and (name == ROOT_JOINT or name in self.virtual_joints)
 
     def guess(self, part: NamedPart) -> str | None:
         """The name that was probably meant."""
@@ -190,7 +160,7 @@ class Semantics:
     def unknown_groups(self) -> Iterator[Value]:
         """The names of groups that it does not define."""
         for part in self.parts:
-            attributes = [attribute for element, attribute in _GROUPS if element == part.name]
+            attributes = [attribute for element, attribute in GROUPS if element == part.name]
             if part.name == "group" and part.parent is not self.element:
                 attributes = ["name"]
             for attribute in sorted(attributes):
@@ -264,3 +234,14 @@ def _is_number(text: str) -> bool:
     except ValueError:
         return False
     return "_" not in text
+
+
+# The semantics in a document; nothing in other documents than SRDF.
+
+
+def semantics_in(document: Document) -> tuple[Semantics, ...]:
+    """The parts of an SRDF document that are about a robot."""
+    if document.kind is not Kind.SRDF or document.root is None:
+        return ()
+
+    return (document.view(Semantics),)

@@ -6,8 +6,7 @@ import re
 
 from sdfcheck.source.problems import Problem, SyntaxDefect, SyntaxKind
 from sdfcheck.source.scanner.misspelt_ends import line_end
-from sdfcheck.source.scanner.start_tag import NAME, AttributePlace, StartTag, repeated_attributes
-from sdfcheck.source.scanner.xml_names import is_name
+from sdfcheck.source.scanner.start_tag import NAME, AttributePlace, StartTag, is_name, repeated_attributes
 from sdfcheck.source.text import Source
 
 _TAG_NAME = re.compile(r"\s*([^\s<>/=\"']*)")

@@ -1,14 +1,46 @@
-"""Start tags and their attributes."""
+"""Start tags, their attributes, and the names that XML allows."""
 
 from __future__ import annotations
 
 import re
+from functools import cache
 from itertools import islice
 
 from sdfcheck.source.limits import ATTRIBUTE_LIMIT
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
+
+# Names as XML 1.0 defines them, to the letter.
+
+
+_PLAIN = re.compile(r"[A-Za-z_:][A-Za-z0-9_:.\-]*")
+_INITIAL = (
+    r":A-Z_a-z\xc0-\xd6\xd8-\xf6\xf8-\u02ff\u0370-\u037d\u037f-\u1fff\u200c\u200d\u2070-\u218f"
+    r"\u2c00-\u2fef\u3001-\ud7ff\uf900-\ufdcf\ufdf0-\ufffd\U00010000-\U000effff"
+)
+_FURTHER = rf"{_INITIAL}\-.0-9\xb7\u0300-\u036f\u203f\u2040"
+
+
+def is_name(text: str) -> bool:
+    """Is this a name for XML?"""
+    return (_PLAIN if text.isascii() else _any_letters()).fullmatch(text) is not None
+
+
+def made_name(text: str) -> str:
+    """The nearest thing that is a name."""
+    made = text if is_name(text) else re.sub(rf"[^{_FURTHER}]", "_", text)
+    return made if is_name(made) else f"_{made}"
+
+
+@cache
+def _any_letters() -> re.Pattern[str]:
+    """Compiled when needed: it takes 10 ms."""
+    return re.compile(rf"[{_INITIAL}][{_FURTHER}]*")
+
+
+# Start tags and their attributes.
+
 
 BLANK = r"[ \t\r\n]"
 # Not quite XML's: those that differ are not ASCII, and compiling XML's own takes 10 ms.
@@ -48,7 +80,6 @@ def has_names(match: re.Match[str]) -> bool:
     """Are the names in a start tag such as XML allows, letters of all the world included?"""
     if match[0].isascii():
         return True
-    from sdfcheck.source.scanner.xml_names import is_name
 
     tag = tag_of(match)
     return is_name(tag.name) and all(is_name(attribute.name) for attribute in tag.attributes)

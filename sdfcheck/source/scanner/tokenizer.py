@@ -1,8 +1,4 @@
-"""A text cut into tags, texts, comments and the rest, whatever it looks like.
-
-Every piece gets a guess of what it was meant to be; where it is not well formed, there is a problem as
-well. How tags belong together is not asked here.
-"""
+"""A text cut into tags, texts, comments and the rest, whatever it looks like."""
 
 from __future__ import annotations
 
@@ -11,11 +7,37 @@ import re
 from sdfcheck.source.problems import DocumentType, Problem, SyntaxDefect, SyntaxKind
 from sdfcheck.source.scanner.broken_tag import parse_broken_tag
 from sdfcheck.source.scanner.hyphens import hyphens
-from sdfcheck.source.scanner.instructions import instruction_fault
 from sdfcheck.source.scanner.misspelt_ends import comment_end, find_inner_comment, line_end, section_end
 from sdfcheck.source.scanner.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names
 from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens
 from sdfcheck.source.text import Source
+
+# XML declarations and other instructions: whether they are well formed.
+
+
+_INSTRUCTION = re.compile(
+    rf"<\?xml{BLANK}+version{BLANK}*={BLANK}*([\"'])1\.[0-9]+\1"
+    rf"(?:{BLANK}+encoding{BLANK}*={BLANK}*([\"'])[A-Za-z][\w.\-]*\2)?(?:{BLANK}+standalone{BLANK}*={BLANK}*([\"'])(?:yes|no)\3)?{BLANK}*\?>"
+    rf"|<\?(?![xX][mM][lL]){NAME}(?:{BLANK}[\s\S]*)?\?>|<\?xml-{NAME}(?:{BLANK}[\s\S]*)?\?>"
+)
+_VERSION = re.compile(rf"<\?xml{BLANK}+version{BLANK}*={BLANK}*([\"'])(\w[\w.\-]*)\1")
+
+
+def instruction_fault(text: str, start: int, end: int) -> tuple[SyntaxKind, int, int] | None:
+    """The fault of an instruction and its place; None if it is sound."""
+    if _INSTRUCTION.fullmatch(text, start, end):
+        return None
+    version = _VERSION.match(text, start, end)
+    if version and _INSTRUCTION.fullmatch(f'<?xml version="1.0"{text[version.end() : end]}'):
+        return SyntaxKind.ODD_VERSION, version.start(2), version.end(2)
+    return SyntaxKind.MALFORMED_INSTRUCTION, start, end
+
+
+# A text cut into tags, texts, comments and the rest, whatever it looks like.
+#
+# Every piece gets a guess of what it was meant to be; where it is not well formed, there is a problem as
+# well. How tags belong together is not asked here.
+
 
 _SOUND_TAG = re.compile(rf"{START.pattern}|</({NAME}){BLANK}*>")
 _ODD_END = re.compile(r"</?[ \t]*/?[ \t]*([^\s<>/]*)([^<>]*?)(/?>|(?=<)|\Z)")

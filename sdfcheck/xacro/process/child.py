@@ -14,15 +14,19 @@ import select
 import signal
 import sys
 import time
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, SupportsIndex
+from xml.dom import minidom
+from xml.dom.minicompat import NodeList
 
 import xacro
 import yaml  # noqa: F401 - xacro loads it late, and then nothing may be loaded any more
 from xacro import substitution_args
 
 from sdfcheck.files.packages import Packages
-from sdfcheck.xacro.parameters import ArgumentParser
+from sdfcheck.xacro.language import ArgumentParser
 from sdfcheck.xacro.process import failure, sandbox, walls
 from sdfcheck.xacro.process.interpreter import Interpreter, TooMuch
 from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
@@ -226,6 +230,8 @@ def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
         path = str(absolute(spec))
         return path if os.path.exists(path) else str(packages.locate(Path(path)))
 
+    vars(minidom)["NodeList"] = Children
+    _with_names(xacro.Macro)
     Interpreter(xacro, substitution_args)
     xacro.parse_macro_arg = ArgumentParser()
     xacro.abs_filename_spec = locate
@@ -234,6 +240,65 @@ def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
     substitution_args._eval_env = variable
     substitution_args._eval_dict["env"] = variable
     tracer.install()
+
+
+class Children(NodeList[Any]):
+    """The children of a node; one is looked for where the last one was found.
+
+    xacro replaces the nodes of a file one after the other, and would go through all before each.
+    """
+
+    __slots__ = ("_near",)
+    _WINDOW = 32
+
+    def index(self, node: Any, *between: SupportsIndex) -> int:
+        near = getattr(self, "_near", 0)
+        try:
+            found = super().index(node, *(between or (max(0, near - self._WINDOW), near + self._WINDOW)))
+        except ValueError:
+            found = super().index(node, *between)
+        self._near = found
+        return found
+
+    def remove(self, node: Any) -> None:
+        del self[self.index(node)]
+
+
+class Names:
+    """The parameters of a macro, in place of xacro's list: each is found without going through the others."""
+
+    __slots__ = ("_counts",)
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._counts = Counter(names)
+
+    def append(self, name: str) -> None:
+        self._counts[name] += 1
+
+    def remove(self, name: str) -> None:
+        self._counts[name] -= 1
+        if not self._counts[name]:
+            del self._counts[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._counts
+
+    def __iter__(self) -> Iterator[str]:
+        return self._counts.elements()
+
+    def __len__(self) -> int:
+        return len(self._counts)
+
+    def __getitem__(self, every: slice) -> Names:
+        return Names(self._counts.elements())
+
+
+def _with_names(macro: type) -> None:
+    """Let macros keep their parameters as Names, whatever list they are given."""
+    name = "_parameters"
+    macro.params = property(  # type: ignore[attr-defined]
+        lambda self: vars(self)[name], lambda self, given: vars(self).update({name: Names(given)})
+    )
 
 
 class Steps:

@@ -1,35 +1,224 @@
-"""The problems of a xacro file that reading it shows: no expression is evaluated."""
+"""The problems of a xacro file that reading it shows; expressions are judged by their text."""
 
 from __future__ import annotations
 
+import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from keyword import iskeyword
 
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.near_names import guess, nearest
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, Element
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import BUILT_IN, FIND, KEYWORDS, PREFIX
+from sdfcheck.xacro.language import (
+    BUILT_IN,
+    COMMANDS,
+    FIND,
+    KEYWORDS,
+    LONGEST_CODE,
+    PREFIX,
+    expressions,
+    is_literal,
+    replaced,
+    syntax_tree,
+)
 from sdfcheck.xacro.problems import (
+    ExpansionFailure,
+    Failure,
     Mismatch,
     Problem,
     UndeclaredXacroPrefix,
+    UndefinedArgument,
+    UndefinedBlock,
     UndefinedMacro,
     UndefinedProperty,
+    UnevaluatedExpression,
     UnknownPackage,
     UnusedMacroParameter,
     UnusedProperty,
     WrongMacroArguments,
     XacroIncludeCycle,
 )
-from sdfcheck.xacro.static.definitions import Definitions, is_robot, knows_all, visible_definitions
-from sdfcheck.xacro.static.elements import element_problems
-from sdfcheck.xacro.static.expressions import expression_problems
-from sdfcheck.xacro.static.names import free_names
-from sdfcheck.xacro.static.oversights import oversights, parameter_place
+from sdfcheck.xacro.static.definitions import (
+    Call,
+    Definitions,
+    Include,
+    Macro,
+    element_problems,
+    free_names,
+    is_conditional,
+    is_robot,
+    keyword,
+    knows_all,
+    own_attributes,
+    place,
+    reading,
+    texts,
+    visible_definitions,
+)
+from sdfcheck.xacro.static.likely_mistakes import oversights, parameter_place
 from sdfcheck.xacro.static.prefixes import missing_prefixes
-from sdfcheck.xacro.static.project import is_included, project_names
-from sdfcheck.xacro.static.reading import Call, Macro, place, reading
+from sdfcheck.xacro.static.project import includers, is_included, is_whole, project_names
+
+# Expressions that are wrong whatever the values: recognized by the text alone.
+
+
+_BRACES = re.compile(r"\{([^{}$\"':,]+)\}")
+_ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
+_TRUTHS = frozenset({"true", "True", "false", "False"})
+
+_CONSTANTS = {"M_PI": "pi", "PI": "pi", "Pi": "pi", "M_E": "e"}
+"""Names of constants elsewhere → those of xacro."""
+
+Found = ExpansionFailure | UndefinedArgument | UndefinedBlock | UnevaluatedExpression
+
+
+def expression_problems(document: Document, visible: Definitions) -> Iterator[Found]:
+    """The problems of the expressions, substitutions, conditions and inclusions of a document."""
+    invalid = {each.name: each for each in reading(document).properties if _is_invalid(each.name)}
+    for each in invalid.values():
+        detail = f"Property names must be valid python identifiers: {each.name}"
+        yield ExpansionFailure(
+            document.spans.attribute_value(each.element, "name"), Failure.EXPRESSION, detail
+        )
+    yield from _expressions(document, [*invalid])
+    yield from _unevaluated(document, visible)
+    yield from _commands(document, visible)
+    yield from _conditions(document)
+    yield from _blocks(document, visible)
+    for include in visible.missing:
+        detail = f"{include.filename}: no such file or directory"
+        yield ExpansionFailure(_filename(include), Failure.FILE, detail)
+    for include in visible.unmatched:
+        if not include.optional:
+            yield ExpansionFailure(_filename(include), Failure.PATTERN, include.filename)
+
+
+def _is_invalid(name: str) -> bool:
+    return name != "" and is_literal(name) and (iskeyword(name) or not name.isidentifier())
+
+
+def _expressions(document: Document, invalid: Sequence[str]) -> Iterator[ExpansionFailure]:
+    """The expressions that fail, unless they use one of the ``invalid`` names."""
+    for found in reading(document).expressions:
+        reason = _fault(found.code, found.element)
+        if reason is not None and not any(name in found.code for name in invalid):
+            whole = f"${{{found.code}}}"
+            span = place(found.element, found.attribute, whole)
+            yield ExpansionFailure(span, Failure.EXPRESSION, reason, whole)
+
+
+def _fault(code: str, element: Element) -> str | None:
+    """Why a piece of code has no value in any case, None if it may have one."""
+    if "$" in code or len(code) > LONGEST_CODE:
+        return None  # made of what is put into it, or not read
+    try:
+        tree = syntax_tree(code.strip())
+    except SyntaxError as error:
+        return error.msg
+    except (ValueError, RecursionError, MemoryError):
+        return "invalid syntax"
+    if any(_divides_by_zero(node) for node in ast.walk(tree)) and not is_conditional(element):
+        return "division by zero"
+    return None
+
+
+def _divides_by_zero(node: ast.AST) -> bool:
+    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.Div | ast.FloorDiv | ast.Mod):
+        return False
+    return isinstance(node.right, ast.Constant) and node.right.value == 0
+
+
+def _unevaluated(document: Document, visible: Definitions) -> Iterator[UnevaluatedExpression]:
+    """Braces around a name that is known here without their dollar, and expressions without end."""
+    for element, macro in reading(document).elements:
+        for attribute, text in texts(element, "{("):
+            plain = replaced(text, lambda match: " " * len(match[0]))
+            for match in _BRACES.finditer(plain):
+                names = free_names(match[1])
+                is_known = names <= visible.properties or (
+                    macro is not None
+                    and all(name in visible.properties or name in visible.parameters for name in names)
+                )
+                if names and is_known and not _is_free(element):
+                    span = place(element, attribute, match[0])
+                    yield UnevaluatedExpression(span, f"${match[0]}", is_open=False)
+            for rest in _endless(text, plain):
+                yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
+
+
+def _endless(text: str, plain: str) -> Iterator[str]:
+    """The expressions that lack their end; ``plain`` is the text without those that have one."""
+    for _, code in expressions(text):
+        if "${" in code:
+            yield "${" + code.partition("${")[0]
+    for start in (plain.find("${"), plain.find("$(")):
+        if start >= 0:
+            yield text[start:].strip()
+
+
+def _is_free(element: Element) -> bool:
+    """Whether braces may be meant: in code, templates and the like that somebody else reads."""
+    return element.name in {"param", "plugin", "xacro:property"}
+
+
+def _commands(document: Document, visible: Definitions) -> Iterator[ExpansionFailure | UndefinedArgument]:
+    declared = {name for read in visible.readings for name in read.arguments}
+    for found in reading(document).commands:
+        word = found.text.partition(" ")[0].strip()
+        if word not in COMMANDS and "$" not in word:
+            whole = f"$({found.text})"
+            span = place(found.element, found.attribute, whole)
+            meant = nearest(word, COMMANDS)
+            detail = f"there is no `{word}`" + (f"; did you mean `{meant}`?" if meant else "")
+            yield ExpansionFailure(span, Failure.EXPRESSION, detail, whole)
+        argument = _ARGUMENT.match(found.text)
+        if argument and argument[1] not in declared:
+            near = guess(document, argument[1], declared, surely=not knows_all(document))
+            if near is not None and argument[1] not in project_names(document):
+                span = place(found.element, found.attribute, found.text, argument[1])
+                yield UndefinedArgument(span, argument[1], near)
+
+
+def _conditions(document: Document) -> Iterator[ExpansionFailure]:
+    for element, _ in reading(document).elements:
+        if keyword(element) in {"if", "unless"}:
+            text = own_attributes(element, "if").get("value", "0")
+            if is_literal(text) and text not in _TRUTHS and not _is_whole(text):
+                value = element.attribute("value")
+                span = value.span if value is not None else element.span
+                yield ExpansionFailure(span, Failure.EXPRESSION, f"`{text}` is neither true nor false")
+
+
+def _is_whole(text: str) -> bool:
+    try:
+        int(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _blocks(document: Document, visible: Definitions) -> Iterator[UndefinedBlock]:
+    known = {name.lstrip("*") for name in visible.parameters} | visible.properties
+    for element, _ in reading(document).elements:
+        if element.name != f"{PREFIX}insert_block":
+            continue
+        name = element.attributes.get("name", "")
+        if name in known or not is_literal(name) or name in project_names(document):
+            continue
+        near = guess(document, name, known, surely=not knows_all(document))
+        if near is not None:
+            yield UndefinedBlock(element.document.spans.attribute_value(element, "name"), name, near)
+
+
+def _filename(include: Include) -> Span:
+    return include.element.document.spans.attribute_value(include.element, "filename")
+
+
+# The problems of a xacro file that reading it shows: no expression is evaluated.
+
 
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 
@@ -113,10 +302,32 @@ def _undefined_properties(document: Document, visible: Definitions) -> Iterator[
             is_certain = knows_all(document)
             candidates = known | BUILT_IN if is_function else known
             near = guess(document, name, candidates, surely=not is_certain)
-            # A file that includes a library may define properties, but hardly functions.
-            if not is_certain and (name in project_names(document) or (near is None and not is_function)):
+            if not is_certain and name in project_names(document):
                 continue
-            yield UndefinedProperty(place(found.element, found.attribute, found.code, name), name, near)
+            # A file that includes a library may define properties, but hardly functions.
+            is_guess = not is_certain and near is None and not is_function
+            if is_guess and not document.view(_is_closed):
+                continue
+            span = place(found.element, found.attribute, found.code, name)
+            yield UndefinedProperty(span, name, _CONSTANTS.get(name, near), is_dormant=is_guess)
+
+
+def _is_closed(document: Document) -> bool:
+    """Are all that a file includes, and all that include it, in the project, as far as that can be known?"""
+    library = library_of(document)
+    waiting, seen = [document], {document.path}
+    while waiting:
+        each = waiting.pop()
+        if library is None or each.root is None or visible_definitions(each).reaches_out:
+            return False
+        for path in includers(each):
+            if path not in seen:
+                seen.add(path)
+                found = library.document(path, Kind.XACRO, document)
+                if found is None:
+                    return False
+                waiting.append(found)
+    return is_whole(document)
 
 
 def _wrong_arguments(document: Document, visible: Definitions) -> Iterator[Problem]:

@@ -8,9 +8,14 @@ from collections.abc import Collection, Iterator
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.xacro.problems import ExpansionFailure, Failure
-from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.elements import is_conditional, is_outside
-from sdfcheck.xacro.static.reading import Command, place
+from sdfcheck.xacro.static.definitions import (
+    Command,
+    Definitions,
+    is_conditional,
+    is_outside,
+    place,
+    visible_definitions,
+)
 
 _ASKED = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _CALLED = re.compile(r"\barg\(\s*['\"]([^'\"]+)['\"]\s*\)")

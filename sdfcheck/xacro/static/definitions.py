@@ -1,19 +1,390 @@
-"""All that a xacro file can see: itself and what it includes, as far as that can be known."""
+"""All that a xacro file can see: its own definitions, calls and includes, and those of what it includes."""
 
 from __future__ import annotations
 
+import ast
+import os
 import re
+from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.formats.near_names import nearest
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import FIND, PREFIX, matches
+from sdfcheck.xacro.language import (
+    FIND,
+    KEYWORDS,
+    OPTIONAL,
+    PREFIX,
+    REQUIRED,
+    Parameter,
+    expressions,
+    is_literal,
+    matches,
+    parameters,
+    replaced,
+    substitutions,
+    syntax_tree,
+)
+from sdfcheck.xacro.problems import IgnoredIncludeContent, WrongXacroAttribute
 from sdfcheck.xacro.static.project import is_included
-from sdfcheck.xacro.static.reading import Include, Macro, Reading, reading
+
+# The elements of the xacro language, also where they are misspelled.
+
+
+_INCLUDE = "xacro:include"
+_FREE = frozenset({"gazebo", "plugin", "ros2_control", "transmission", "mujoco"})
+"""The content of these belongs to others, and its names may be those of xacro's elements."""
+
+
+def keyword(element: Element) -> str:
+    """Which element of the language this is or was meant to be, empty if none."""
+    name = element.name
+    if name.startswith(PREFIX):
+        own = name[len(PREFIX) :]
+        if own in KEYWORDS:
+            return own
+        near = nearest(own, REQUIRED)
+        return near if near is not None and _has_needs(element, near) else ""
+    return name if lacks_prefix(element) else ""
+
+
+def lacks_prefix(element: Element) -> bool:
+    """Whether an element is xacro's but for the prefix: by its name, its attributes and its place."""
+    name = element.name
+    return name in REQUIRED and _has_needs(element, name) and not is_free(element)
+
+
+def is_free(element: Element) -> bool:
+    """Whether an element is inside of what is another format's than the document's."""
+    names = [each.name for each in element.around]
+    return any(name in _FREE or (":" in name and not name.startswith(PREFIX)) for name in names)
+
+
+def is_conditional(element: Element) -> bool:
+    """Whether xacro may ignore an element."""
+    return any(keyword(each) in {"if", "unless"} for each in element.around)
+
+
+def is_outside(element: Element) -> bool:
+    """Is an element directly in the root?"""
+    return element.parent is not None and element.parent.parent is None
+
+
+def own_attributes(element: Element, own: str) -> dict[str, str]:
+    """The attributes of an element of the language, each by the name that was meant."""
+    given = element.attributes
+    if own not in REQUIRED or all(name in _taken(own) for name in given):
+        return given
+    meant: dict[str, str] = {}
+    for name, text in given.items():
+        meant.setdefault(_meant(name, own, given) or name, text)
+    return meant
+
+
+Found = WrongXacroAttribute | IgnoredIncludeContent
+
+
+def element_problems(document: Document) -> Iterator[Found]:
+    """Problems of the elements of the language in a document: their attributes, and what is not read."""
+    for element in document.elements[1:]:
+        if is_in_include(element):
+            continue
+        if element.name == _INCLUDE:
+            yield from (IgnoredIncludeContent(child.span, child.name) for child in element.children())
+        if element.name.startswith(PREFIX) and element.name[len(PREFIX) :] in REQUIRED:
+            yield from _wrong_attributes(element, element.name[len(PREFIX) :])
+
+
+def is_in_include(element: Element) -> bool:
+    """Whether an element is where xacro looks at nothing."""
+    return any(each.name == _INCLUDE for each in element.around)
+
+
+def _wrong_attributes(element: Element, own: str) -> Iterator[WrongXacroAttribute]:
+    given = element.attributes
+    meant = set()
+    for name in given:
+        if name not in _taken(own) and ":" not in name:
+            near = _meant(name, own, given)
+            meant.add(near)
+            span = element.document.spans.attribute_name(element, name)
+            yield WrongXacroAttribute(span, element.name, name, is_missing=False, near=near)
+    for name in REQUIRED[own]:
+        if name not in given and name not in meant:
+            yield WrongXacroAttribute(element.span, element.name, name, is_missing=True)
+
+
+def _meant(name: str, own: str, given: dict[str, str]) -> str | None:
+    """The intended name of an attribute: one that is near, else the only one that is required and missing."""
+    free = [each for each in _taken(own) if each not in given]
+    if name in _taken(own) or ":" in name:
+        return None
+    missing = [each for each in REQUIRED[own] if each not in given]
+    unknown = [each for each in given if each not in _taken(own)]
+    return nearest(name, free) or (missing[0] if len(missing) == len(unknown) == 1 else None)
+
+
+def _taken(own: str) -> tuple[str, ...]:
+    return (*REQUIRED[own], *OPTIONAL.get(own, ()))
+
+
+def _has_needs(element: Element, own: str) -> bool:
+    return all(name in element.attributes for name in REQUIRED[own])
+
+
+# The names that an expression needs from outside.
+
+
+@lru_cache(maxsize=4096)
+def free_names(code: str) -> frozenset[str]:
+    """The names that a piece of code reads and does not bind itself; none if it is not Python."""
+    try:
+        tree = syntax_tree(replaced(code, lambda _: "0").strip())
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return frozenset()
+    read: set[str] = set()
+    bound: set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name):
+            (read if isinstance(node.ctx, ast.Load) else bound).add(node.id)
+        elif isinstance(node, ast.arg):
+            bound.add(node.arg)
+    return frozenset(read - bound)
+
+
+# The definitions, calls, includes and reads of one xacro file, found without evaluating anything.
+
+
+_WORD = re.compile(r"[^\W\d]\w*")
+
+
+class Macro(Record):
+    """A macro: its element, its parameters, the words that its body reads, and the macros that it calls."""
+
+    element: Element
+    name: str
+    parameters: tuple[Parameter, ...]
+    words: frozenset[str]
+    calls: tuple[str, ...]
+    has_includes: bool
+    written: tuple[Parameter, ...]
+    """Its parameters as xacro takes them, with commas and doubled ones."""
+
+
+class Property(Record):
+    """A property; ``macro`` is the macro in whose body it is defined, ``value`` None for a block."""
+
+    element: Element
+    name: str
+    value: str | None
+    macro: Element | None
+
+
+class Call(Record):
+    """A use of a macro."""
+
+    element: Element
+    name: str
+
+
+class Expression(Record):
+    """A ``${…}``: its code, where it is (``attribute`` None: in the text), and in which macro's body."""
+
+    element: Element
+    attribute: str | None
+    code: str
+    macro: Element | None
+
+
+class Include(Record):
+    """An include; ``conditional`` inside ``xacro:if`` or a macro, ``optional`` where the file may be missing."""
+
+    element: Element
+    filename: str
+    namespace: str
+    conditional: bool
+    optional: bool
+
+
+class Command(Record):
+    """A ``$(…)``, and whether it is evaluated for certain."""
+
+    element: Element
+    attribute: str | None
+    text: str
+    certain: bool
+
+
+class Reading:
+    """The facts of one file; made by :func:`reading` once for each document."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.macros: list[Macro] = []
+        self.properties: list[Property] = []
+        self.calls: list[Call] = []
+        self.expressions: list[Expression] = []
+        self.includes: list[Include] = []
+        self.commands: list[Command] = []
+        self.elements: list[tuple[Element, Element | None]] = []
+        """All elements, each with the macro in whose body it is."""
+        self.arguments: dict[str, str] = {}
+        self.argument_elements: dict[str, Element] = {}
+        self.words: set[str] = set()
+        """Every word in an expression, and every name that is inserted or forwarded."""
+        self.is_open = False
+        """Whether names are made by expressions, so that not all of them can be known."""
+        if document.root is not None:
+            self._walk(document.root, None, False)
+
+    def _walk(self, element: Element, macro: Element | None, conditional: bool) -> None:
+        name = element.name
+        self.elements.append((element, macro))
+        own = keyword(element)
+        if name.startswith(PREFIX) and name[len(PREFIX) :] not in KEYWORDS:
+            self.calls.append(Call(element, name[len(PREFIX) :]))
+        if own == "macro":
+            self._take_macro(element)
+            macro, conditional = element, True
+        elif own:
+            self._take_keyword(own, element, macro, conditional)
+            conditional |= own in {"if", "unless"}
+        self._take_values(element, macro, conditional)
+        if own == "include":
+            return  # xacro ignores what is inside
+        for child in element.children():
+            self._walk(child, macro, conditional)
+
+    def _take_macro(self, element: Element) -> None:
+        attributes = own_attributes(element, "macro")
+        name = attributes.get("name", "").removeprefix(PREFIX)
+        written = tuple(parameters(attributes.get("params", "")))
+        found = tuple({each.name: each for each in map(_without_comma, reversed(written))}.values())[::-1]
+        words = _words_in_text(element)
+        calls: list[str] = []
+        has_includes = False
+        for node in element.below:
+            if node.name == "xacro:macro":
+                continue
+            words |= _words_of(node)
+            has_includes |= keyword(node) == "include"
+            if node.name.startswith(PREFIX) and node.name[len(PREFIX) :] not in KEYWORDS - {"call"}:
+                calls.append(node.name[len(PREFIX) :])
+        for parameter in found:
+            default = parameter.default or ""
+            words.update(word for _, code in expressions(default) for word in _WORD.findall(code))
+        self.words.update(p.name for p in found if p.forwards)
+        self.macros.append(Macro(element, name, found, frozenset(words), tuple(calls), has_includes, written))
+
+    def _take_keyword(self, own: str, element: Element, macro: Element | None, conditional: bool) -> None:
+        attributes = own_attributes(element, own)
+        name = attributes.get("name", "")
+        if own == "property":
+            self.is_open |= not is_literal(name)
+            self.properties.append(
+                Property(element, name, attributes.get("value", attributes.get("default")), macro)
+            )
+        elif own == "arg":
+            self.arguments.setdefault(name, attributes.get("default", ""))
+            self.argument_elements.setdefault(name, element)
+        elif own == "include":
+            optional = attributes.get("optional", "") not in {"", "false", "False", "0"}
+            namespace = attributes.get("ns", "")
+            self.is_open |= not is_literal(namespace)
+            filename = attributes.get("filename", "")
+            self.includes.append(Include(element, filename, namespace, conditional or optional, optional))
+        elif own == "call":
+            self.is_open |= not is_literal(attributes.get("macro", ""))
+            if is_literal(attributes.get("macro", "")):
+                self.calls.append(Call(element, attributes.get("macro", "")))
+
+    def _take_values(self, element: Element, macro: Element | None, conditional: bool) -> None:
+        self.words |= _words_of(element)
+        certain = not conditional and element.name != "xacro:property"
+        for attribute, text in texts(element):
+            for _, code in expressions(text):
+                self.expressions.append(Expression(element, attribute, code, macro))
+            for _, command in substitutions(text):
+                self.commands.append(Command(element, attribute, command, certain))
+
+
+def reading(document: Document) -> Reading:
+    """The facts of a document, read once."""
+    return document.view(Reading)
+
+
+def texts(element: Element, signs: str = "$") -> Iterator[tuple[str | None, str]]:
+    """The attribute values and the text that xacro evaluates, as far as they have one of the signs."""
+    for attribute, value in element.attributes.items():
+        if any(sign in value for sign in signs):
+            yield attribute, value
+    for text in (element.text, *(child.tail for child in element.nodes)):
+        if text and any(sign in text for sign in signs):
+            yield None, str(text)
+
+
+def own_words(element: Element) -> set[str]:
+    """The words that an element reads itself, the defaults of a macro's parameters included."""
+    words = _words_of(element)
+    if keyword(element) == "macro":
+        words.update(_WORD.findall(element.attributes.get("params", "")))
+    return words
+
+
+def _without_comma(parameter: Parameter) -> Parameter:
+    """A parameter as it was meant where somebody separated it from the next by a comma."""
+    if not parameter.name.endswith(",") and not (parameter.default or "").endswith(","):
+        return parameter
+    name = parameter.name.rstrip(",")
+    end = parameter.end - len(parameter.name) + len(name)
+    return parameter._replace(name=name, end=end, default=(parameter.default or "").rstrip(",") or None)
+
+
+def _words_of(element: Element) -> set[str]:
+    """The words in an element's expressions, and the block that it inserts."""
+    words = {
+        word for _, text in texts(element) for _, code in expressions(text) for word in _WORD.findall(code)
+    }
+    for _, text in texts(element):
+        words.update(word for _, command in substitutions(text) for word in _WORD.findall(command))
+    if element.name == "xacro:insert_block":
+        words.add(element.attributes.get("name", ""))
+    return words
+
+
+def _words_in_text(element: Element) -> set[str]:
+    """The words in the expressions of an element's own text."""
+    found = [text for attribute, text in texts(element) if attribute is None]
+    return {word for text in found for _, code in expressions(text) for word in _WORD.findall(code)}
+
+
+def place(element: Element, attribute: str | None, code: str, word: str = "") -> Span:
+    """The place of a word in an expression; the expression, the value or the tag if it is not found."""
+    spans = element.document.spans
+    if attribute is not None:
+        whole = spans.attribute_value(element, attribute)
+    else:
+        at = spans.place(element)
+        whole = spans.span(element, at.end, at.close)
+    start = whole.source.text.find(code, whole.start, whole.end)
+    if start < 0:
+        return whole if attribute is not None else element.span
+    if word:
+        pattern = re.compile(rf"'[^']*'|\"[^\"]*\"|(?<![\w.])({re.escape(word)})(?!\w)")
+        matches = pattern.finditer(whole.source.text, start, start + len(code))
+        match = next((match for match in matches if match[1]), None)
+        if match:
+            return whole.source.span(match.start(), match.end())
+    return whole.source.span(start, start + len(code))
+
+
+# All that a xacro file can see: itself and what it includes, as far as that can be known.
+
 
 _CONTENT = frozenset({"xacro:call", "xacro:insert_block", "xacro:element"})
 _GLOB = re.compile(r"[*?\[]")
@@ -33,38 +404,42 @@ class Definitions:
     """A document and the files that it includes.
 
     ``is_open``: some of them cannot be known or read, so that what is not found here
-    may still be somewhere.
+    may still be somewhere; ``reaches_out``: somewhere out of the project.
     """
 
     def __init__(self, document: Document) -> None:
         self.readings: list[Reading] = []
         self.cycles: list[Cycle] = []
-        self.is_open = False
+        self.is_open = self.reaches_out = False
         self.missing: list[Include] = []
         """The includes of the document itself whose file is known for certain and not there."""
         self.unmatched: list[Include] = []
         """The includes of the document itself whose pattern matches no file."""
         self.conditional: set[Document] = set()
         """The documents that only includes lead to which xacro may ignore."""
-        self._done: set[Path] = set()
+        self.given: dict[str, list[Property]] = {}
+        """Property → all that give it a value."""
+        self.parameters: set[str] = set()
+        self._done: set[str] = set()
         self._enter(document, ())
         self.macros: dict[str, list[Macro]] = {}
         for read in self.readings:
             for macro in read.macros:
                 self.macros.setdefault(macro.name, []).append(macro)
         self.namespaces = {i.namespace for read in self.readings for i in read.includes if i.namespace}
-        self.properties = {p.name for read in self.readings for p in read.properties} | self.namespaces
-        self.parameters = {
-            p.name.lstrip("*") for read in self.readings for macro in read.macros for p in macro.parameters
-        }
+        self.properties = self.given.keys() | self.namespaces
         self.words = set[str]().union(*(read.words for read in self.readings))
 
-    def _enter(self, document: Document, way: tuple[tuple[Path, Include | None], ...]) -> None:
-        path = _real(document.path)
+    def _enter(self, document: Document, way: tuple[tuple[str, Include | None], ...]) -> None:
+        path = document.source.real_path
         self._done.add(path)
         read = reading(document)
         self.readings.append(read)
+        for found in read.properties:
+            self.given.setdefault(found.name, []).append(found)
+        self.parameters.update(p.name.lstrip("*") for macro in read.macros for p in macro.parameters)
         self.is_open |= read.is_open
+        self.reaches_out |= read.is_open
         if any(include is not None and include.conditional for _, include in way):
             self.conditional.add(document)
         for include in read.includes:
@@ -73,13 +448,15 @@ class Definitions:
                 self.unmatched += [include] if not way else []
                 continue
             self.is_open |= not targets
+            self.reaches_out |= not targets and not self._stays(include, document)
             if not targets and not way and not include.optional and self._known_path(include, document):
                 self.missing.append(include)
             for target in targets:
                 self._follow(target, document, (*way, (path, include)))
 
-    def _follow(self, target: Path, document: Document, way: tuple[tuple[Path, Include | None], ...]) -> None:
-        real = _real(target)
+    def _follow(self, target: Path, document: Document, way: tuple[tuple[str, Include | None], ...]) -> None:
+        library = library_of(document)
+        real = library.disk.real(target) if library is not None else os.path.realpath(target)
         paths = [path for path, _ in way]
         if real in paths:
             if real == paths[0]:
@@ -90,12 +467,22 @@ class Definitions:
             return
         if real in self._done:
             return
-        library = library_of(document)
         found = library.document(target, Kind.XACRO, document) if library else None
         if found is None or found.root is None:
-            self.is_open = True
+            self.is_open = self.reaches_out = True
         else:
             self._enter(found, way)
+
+    def _stays(self, include: Include, document: Document) -> bool:
+        """Is an include, whose file an expression decides, of a folder or package that is there?"""
+        if self._known_path(include, document) is not None:
+            return False
+        start = next(matches(include.filename), None)
+        if start is None or start.start() > 0:
+            return start is not None
+        find = FIND.match(start["command"] or "")
+        library = library_of(document)
+        return bool(find and library and library.packages(document.path).find(find[1]))
 
     def _targets(self, include: Include, document: Document) -> list[Path]:
         """The files that an include names; none if that cannot be known."""
@@ -126,18 +513,18 @@ class Definitions:
         text = self._known_text(include.filename, document)
         return document.path.parent / text if text and document.library is not None else None
 
-    def _known_text(self, text: str, document: Document) -> str:
-        """A text whose substitutions have one possible value each; empty if one of them has not."""
+    def _known_text(self, text: str, document: Document, of: frozenset[str] = frozenset()) -> str:
+        """A text whose substitutions have one possible value each; empty if one has not, or is in ``of``."""
         pieces, at = [], 0
         for match in matches(text):
-            value = self._value(match, document)
+            value = self._value(match, document, of) if match[0] not in of else None
             if value is None:
                 return ""
             pieces += [text[at : match.start()], value]
             at = match.end()
         return "".join([*pieces, text[at:]])
 
-    def _value(self, match: re.Match[str], document: Document) -> str | None:
+    def _value(self, match: re.Match[str], document: Document, of: frozenset[str]) -> str | None:
         if match["command"] is not None:
             find = FIND.match(match["command"])
             if find and (library := library_of(document)) is not None:
@@ -148,12 +535,14 @@ class Definitions:
             values = {read.arguments[name] for read in self.readings if name in read.arguments}
         elif match["code"] is not None and _SIMPLE.fullmatch(match["code"].strip()):
             name = match["code"].strip()
-            if any(p.name == name for r in self.readings for macro in r.macros for p in macro.parameters):
+            if name in self.parameters:
                 return None
-            values = {p.value or "" for r in self.readings for p in r.properties if p.name == name}
+            values = {found.value or "" for found in self.given.get(name, ())}
         else:
             return None
-        return self._known_text(values.pop(), document) or None if len(values) == 1 else None
+        if len(values) != 1:
+            return None
+        return self._known_text(values.pop(), document, of | {match[0]}) or None
 
 
 def visible_definitions(document: Document) -> Definitions:
@@ -193,7 +582,3 @@ def knows_all(document: Document) -> bool:
 
 def _knows_all(document: Document) -> bool:
     return is_robot(document) and not visible_definitions(document).is_open and not is_included(document)
-
-
-def _real(path: Path) -> Path:
-    return path.resolve()

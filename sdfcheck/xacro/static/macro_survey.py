@@ -10,13 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import cast
 
-from sdfcheck.formats.suggest import suggest
+from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.urdf.survey import UrdfWalk
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, known_parents, urdf
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
-from sdfcheck.xacro.static.definitions import visible_definitions
-from sdfcheck.xacro.static.elements import is_free, lacks_prefix
+from sdfcheck.source.document import Document, Element
+from sdfcheck.xacro.static.definitions import is_free, lacks_prefix, visible_definitions
 from sdfcheck.xacro.static.prefixes import is_plain_call
 
 _PREFIX = "xacro:"
@@ -102,7 +100,7 @@ def _place(body: Element) -> UrdfElement | None:
         return robot.at(path)
     best, place = 0, None
     for path in _PLACES:
-        candidate = cast(UrdfElement, robot.at(path))
+        candidate = cast("UrdfElement", robot.at(path))
         known, foreign = _fit(body, candidate)
         if known >= _SHARE * foreign and known - foreign > best:
             best, place = known - foreign, candidate

@@ -6,11 +6,15 @@ from collections.abc import Callable, Sequence
 
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.urdf import table
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.problems import MissingXacroPrefix
-from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.elements import is_free, is_in_include, lacks_prefix
+from sdfcheck.xacro.static.definitions import (
+    Definitions,
+    is_free,
+    is_in_include,
+    lacks_prefix,
+    visible_definitions,
+)
 
 _KNOWN: dict[str, Callable[[str], Sequence[str]]] = {
     "robot": table.known_parents,

@@ -40,13 +40,15 @@ class _Filename(NamedTuple):
 class _Project:
     """The names in the xacro files of a project: those that occur, and those that are defined."""
 
-    __slots__ = ("filenames", "names", "patterns")
+    __slots__ = ("filenames", "is_whole", "names", "patterns")
 
     def __init__(self, packages: Packages) -> None:
         self.filenames: dict[str, list[_Filename]] = {}
         self.patterns: list[_Filename] = []
         names: set[str] = set()
-        for path in packages.files(".xacro", FILE_LIMIT):
+        paths = list(packages.files(".xacro", FILE_LIMIT))
+        self.is_whole = len(paths) < FILE_LIMIT
+        for path in paths:
             text = _text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
                 last = name.rpartition("/")[2]
@@ -109,6 +111,12 @@ def project_names(document: Document) -> frozenset[str]:
     """All that any xacro file of the document's project defines: who includes a library may define it."""
     library = library_of(document)
     return frozenset() if library is None else _project(library, document).names
+
+
+def is_whole(document: Document) -> bool:
+    """Was the whole project of a document looked through?"""
+    library = library_of(document)
+    return library is not None and _project(library, document).is_whole
 
 
 def _project(library: Library, document: Document) -> _Project:

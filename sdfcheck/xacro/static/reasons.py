@@ -5,10 +5,8 @@ from __future__ import annotations
 import keyword
 import re
 
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.givers import givers
 from sdfcheck.xacro.language import PREFIX, is_literal
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
@@ -18,10 +16,9 @@ from sdfcheck.xacro.problems import (
     UndefinedMacro,
     UndefinedProperty,
 )
-from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.elements import lacks_prefix
+from sdfcheck.xacro.static.definitions import Definitions, Property, lacks_prefix, visible_definitions
 from sdfcheck.xacro.static.prefixes import missing_prefixes
-from sdfcheck.xacro.static.reading import Property
+from sdfcheck.xacro.value_sources import givers
 
 _FOREIGN = {
     "else": "xacro has no `else`: repeat the value in `xacro:unless`",

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from sdfcheck.source.document import Document
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.language import PREFIX
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
-from sdfcheck.xacro.static.reading import reading
+from sdfcheck.xacro.static.definitions import Definitions, reading, visible_definitions
 
 _BRANCHES = frozenset({"xacro:if", "xacro:unless"})
 

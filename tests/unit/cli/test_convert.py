@@ -284,7 +284,8 @@ def test_wrong_usage(urdf: Path, tmp_path: Path) -> None:
     assert run(tmp_path / "none.urdf") == 2
     assert run(urdf, "--sdf-version", "1.3") == 2
     assert run(urdf, "-o", tmp_path / "a", "--output-dir", tmp_path) == 2
-    assert run(urdf, "-o", tmp_path) == 2
+    (tmp_path / "r.sdf").mkdir()
+    assert run(urdf, "-o", tmp_path) == 2  # where the result would go there is a folder
 
 
 def test_xacro_is_expanded_with_its_arguments(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,4 +1,7 @@
-"""Every rule's examples go through every command that takes such a file, and none of them meets a bug."""
+"""Every rule's examples go through every command that takes such a file, and none of them meets a bug.
+
+Commands for one file get every third of them, each command another third; with ``--all-examples`` they get all.
+"""
 
 from __future__ import annotations
 
@@ -9,8 +12,10 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.lint.example import Bad, Good, fill, unmark
-from sdfcheck.lint.rulebook.example_run import file_name
 from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.lint.rulebook.trial import file_name
+
+pytestmark = pytest.mark.slow
 
 EACH_ALONE = (
     "graph frames",
@@ -70,9 +75,16 @@ def files(folder: Path, *suffixes: str) -> list[Path]:
     return found
 
 
+@pytest.fixture
+def step(request: pytest.FixtureRequest) -> int:
+    return 1 if request.config.getoption("--all-examples") else 3
+
+
 @pytest.mark.parametrize("command", EACH_ALONE)
-def test_commands_for_one_file(folder: Path, command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    for path in files(folder, ".sdf", ".urdf"):
+def test_commands_for_one_file(
+    folder: Path, command: str, step: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for path in files(folder, ".sdf", ".urdf")[EACH_ALONE.index(command) % step :: step]:
         assert main([*command.split(), "--isolated", str(path)]) in {0, 1, 2}
         check(capsys, path)
 
@@ -83,8 +95,8 @@ def test_schemas(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         check(capsys, path)
 
 
-def test_expansions(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    for path in files(folder, ".xacro"):
+def test_expansions(folder: Path, step: int, capsys: pytest.CaptureFixture[str]) -> None:
+    for path in files(folder, ".xacro")[::step]:
         main(["expand", "--isolated", str(path)])
         check(capsys, path)
 

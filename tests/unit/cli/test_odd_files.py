@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -139,3 +141,39 @@ def test_a_broken_text_is_named_by_commands_that_read_what_there_is(
     assert "warning: broken.sdf:1:53: the text is broken here" in capsys.readouterr().err
     main([*words, "sound.sdf"])
     assert "broken" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["loop", "loop/x.sdf", "x" * 300], ids=["loop", "in a loop", "long"])
+@pytest.mark.parametrize("options", ["print -o", "lint --output-format json --output-file"])
+def test_a_result_that_has_no_place_is_an_error(
+    folder: Path, options: str, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "loop").symlink_to("loop")
+    command, *rest = options.split()
+    assert main([command, "a.sdf", *rest, name]) == 2
+    assert f"error: cannot write {name}: " in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("sdfcheck.toml", 'model-paths = ["a\\u0000b"]', "has the character NUL"),
+        ("b.json", '{"version": 1, "counts": {"a.sdf": {"NAM001": 1e400}}}', "b.json is not a baseline"),
+    ],
+)
+def test_odd_values_of_other_files_are_errors(
+    folder: Path, name: str, text: str, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / name).write_text(text)
+    assert main(["lint", "a.sdf", *(["--baseline", name] if name == "b.json" else [])]) == 2
+    assert said in capsys.readouterr().err
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a shell of POSIX closes it")
+@pytest.mark.parametrize("closed", ["lint - <&-", "print a.sdf >&-"])
+def test_closed_streams_are_errors(folder: Path, closed: str) -> None:
+    command = f'"{sys.executable}" -m sdfcheck {closed}'
+    done = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "is closed" in done.stderr
+    assert "Traceback" not in done.stderr

@@ -31,7 +31,7 @@ class OddFlaw(Rule):
 def pack(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("FORCE_COLOR", raising=False)
-    folder = tmp_path / f"pack_{tmp_path.name}"
+    folder = tmp_path / f"pack_{tmp_path.parent.name}"
     folder.mkdir()
     (folder / "odd_flaw.py").write_text(SHAPE)
     Path("sdfcheck.toml").write_text(f'plugins = ["{folder.name}"]')

@@ -68,7 +68,7 @@ def test_refusals(engine: Engine, arm: Path) -> None:
     assert good.is_accepted
 
 
-def stand_in(folder: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> None:
+def merged_frame(folder: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> None:
     """A program in the place of ``check_urdf``."""
     if os.name != "posix":
         pytest.skip("the program is a script of a shell")
@@ -92,7 +92,7 @@ def stand_in(folder: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> None
 def test_outcomes(
     script: str, outcome: Outcome, error: str, arm: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stand_in(arm.parent, monkeypatch, script)
+    merged_frame(arm.parent, monkeypatch, script)
     answer = ask(Engine.URDFDOM, Question(arm), Limits(1.0))
     assert (answer.outcome, answer.error) == (outcome, error)
 
@@ -107,7 +107,7 @@ def test_a_missing_engine_is_named_with_how_to_install_it(arm: Path, monkeypatch
 def test_modules_of_the_current_folder_are_not_loaded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stand_in(tmp_path, monkeypatch, "echo 'root Link: base has 0 child(ren)'")
+    merged_frame(tmp_path, monkeypatch, "echo 'root Link: base has 0 child(ren)'")
     (tmp_path / "json.py").write_text(f"open({str(tmp_path / 'loaded')!r}, 'w')\nraise SystemExit\n")
     (tmp_path / "arm.urdf").write_text(ARM)
     monkeypatch.chdir(tmp_path)

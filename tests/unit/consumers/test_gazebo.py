@@ -10,7 +10,7 @@ import pytest
 
 from sdfcheck.consumers.gazebo import GazeboRobot
 from sdfcheck.consumers.reaction import Consumer
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 

@@ -8,8 +8,7 @@ import pytest
 
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, canonical
-from sdfcheck.convert.rewrite.tidy_numbers import NumberStyle
-from sdfcheck.convert.rewrite.tidy_tree import Branch
+from sdfcheck.convert.rewrite.tidy import Branch, NumberStyle
 from sdfcheck.source.wrong_usage import WrongUsage
 from tests.unit.robot.files import ARM, CONFIG, opened, write
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.change import Change, ChangeKind
+from sdfcheck.convert.comparison import Change, ChangeKind
 from sdfcheck.convert.file_difference import FileDifference, compare_files
 from tests.unit.robot.files import opened, write
 

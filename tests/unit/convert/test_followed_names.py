@@ -9,6 +9,7 @@ import pytest
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
+from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
@@ -69,3 +70,21 @@ def test_plugins_of_a_merged_link_get_its_offset() -> None:
     assert "<rpyOffset>0 0 1.5707963267948966</rpyOffset>" in done.text
     assert done.verification is not None
     assert done.verification.is_equal, done.verification.differences
+
+
+@pytest.mark.parametrize("written", ["0 2", "a b c", "", "0 2 nan", "1 2 3 4"])
+def test_an_offset_that_is_not_three_numbers_is_reported(written: str) -> None:
+    links = f'<link name="base">{_MASS}</link><link name="imu"/>'
+    joint = '<joint name="j" type="fixed"><parent link="base"/><child link="imu"/>{}</joint>'
+    plugin = (
+        f'<plugin name="p" filename="p.so"><bodyName>imu</bodyName><rpyOffset>{written}</rpyOffset></plugin>'
+    )
+    moved = converted(links + joint.format('<origin xyz="1 0 0"/>') + f"<gazebo>{plugin}</gazebo>")
+    message = (
+        "<rpyOffset> of plugin `p` is not three numbers and stays as it is, "
+        "but the link that it is measured from was merged"
+    )
+    assert message in {loss.message for loss in moved.losses if loss.severity is Severity.WARNING}
+    assert "xyzOffset" not in moved.text
+    at_its_place = converted(links + joint.format("") + f"<gazebo>{plugin}</gazebo>")
+    assert not [loss for loss in at_its_place.losses if "Offset" in loss.message]

@@ -17,8 +17,7 @@ from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.formats.sdf.version import Version
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, read
 
 FIXTURES = Path(__file__).parents[3] / "fixtures" / "robots"
 _TAG = re.compile(r"<(?![?!/])([\w:.-]+)((?:\s+[\w:.-]+\s*=\s*(?:\"[^\"]*\"|'[^']*'))*)\s*(/?)>")

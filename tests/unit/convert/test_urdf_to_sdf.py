@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.convert.comparison import Verification
 from sdfcheck.convert.loss import LossKind, NotConvertible
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
-from sdfcheck.convert.urdf_to_sdf.naming import legal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
-from sdfcheck.convert.verification import Verification
+from sdfcheck.convert.urdf_to_sdf.plan import legal
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.root import root_of

@@ -4,13 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.result import Conversion
-from sdfcheck.convert.result_paths import seen_from
+from sdfcheck.convert.result import Conversion, seen_from
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.convert.writer import Node, copied, number, numbers, render, settled, write_atomically
-from sdfcheck.source.document import read
-from sdfcheck.source.element import Comment
+from sdfcheck.source.document import Comment, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 

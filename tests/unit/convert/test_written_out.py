@@ -8,8 +8,7 @@ import pytest
 
 from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
 from sdfcheck.files.library import Library
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, read
 
 PART = """\
 <sdf version="1.12"><model name="part">

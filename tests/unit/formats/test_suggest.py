@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.suggest import distance, suggest
+from sdfcheck.formats.near_names import distance, suggest
 
 
 @pytest.mark.parametrize(

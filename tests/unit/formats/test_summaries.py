@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.describe.summary import summary
+from sdfcheck.formats.describe.description import summary
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.formats.urdf.table import UrdfElement, urdf

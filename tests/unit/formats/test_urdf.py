@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome
+from sdfcheck.formats.urdf.findings import read
 from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, extension, known_parents, urdf
-from sdfcheck.formats.urdf.values import read
 
 
 def attribute(path: str, name: str) -> UrdfAttribute:

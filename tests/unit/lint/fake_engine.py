@@ -16,7 +16,7 @@ from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
 from sdfcheck.lint.source_file import FileResult
-from sdfcheck.lint.suppress.comments import Comment
+from sdfcheck.lint.suppress.directives import Comment
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 

@@ -6,8 +6,7 @@ import pytest
 
 from sdfcheck.lint.config import show as config_show
 from sdfcheck.lint.config.configuration import Configuration, Settings, load
-from sdfcheck.lint.config.fields import FIELDS
-from sdfcheck.lint.config.reading import Pattern, line_of
+from sdfcheck.lint.config.reading import FIELDS, Pattern, line_of
 from sdfcheck.lint.config.schema import render, schema
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.wrong_usage import WrongUsage

@@ -52,7 +52,7 @@ def lint(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str,
 def installed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """A folder of installed packages, with a pack that declares an entry point."""
     site = tmp_path / "site"
-    package = site / f"acme_{tmp_path.name}" / "robot_rules"
+    package = site / f"acme_{tmp_path.parent.name}" / "robot_rules"
     package.mkdir(parents=True)
     (package / "rules.py").write_text(RULES)
     (site / "acme-1.0.dist-info").mkdir()

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Fix, TextEdit
 from sdfcheck.lint.fix.fixer import TRIALS, FixedFile, Refused, edited, fix_file, harmless, together
 from sdfcheck.lint.one_file import Selected
 from sdfcheck.source.decode import decode
@@ -19,14 +19,14 @@ from sdfcheck.source.text import Source
 
 PATH = Path("a.sdf")
 TEXT = '<sdf version="1.9">{}</sdf>'
-Changes = Callable[[Source], list[tuple[Edit, ...]]]
+Changes = Callable[[Source], list[tuple[TextEdit, ...]]]
 
 
 def swap(pattern: str, new: str) -> Changes:
     """One fix for each match."""
 
-    def changes(source: Source) -> list[tuple[Edit, ...]]:
-        return [(Edit(source.span(*m.span()), new),) for m in re.finditer(pattern, source.text)]
+    def changes(source: Source) -> list[tuple[TextEdit, ...]]:
+        return [(TextEdit(source.span(*m.span()), new),) for m in re.finditer(pattern, source.text)]
 
     return changes
 
@@ -72,7 +72,7 @@ def test_more_insertions_at_one_place_than_rounds() -> None:
     words = [f"w{number:02}" for number in range(25)]
 
     def rule(word: str) -> Changes:
-        return lambda source: [] if word in source.text else [(Edit(source.span(19, 19), f"<{word}/>"),)]
+        return lambda source: [] if word in source.text else [(TextEdit(source.span(19, 19), f"<{word}/>"),)]
 
     result = fixed_file(TEXT.format(""), *map(rule, words))
     assert result.fixed == 25
@@ -81,10 +81,10 @@ def test_more_insertions_at_one_place_than_rounds() -> None:
 
 def test_an_edit_that_two_fixes_share_is_done_once() -> None:
     source = Source(PATH, "abc")
-    shared = Edit(source.span(0, 0), "+")
-    first = Fix("t", (shared, Edit(source.span(1, 2), "B")))
-    second = Fix("t", (shared, Edit(source.span(2, 3), "C")))
-    third = Fix("t", (Edit(source.span(0, 2), "Z"),))
+    shared = TextEdit(source.span(0, 0), "+")
+    first = Fix("t", (shared, TextEdit(source.span(1, 2), "B")))
+    second = Fix("t", (shared, TextEdit(source.span(2, 3), "C")))
+    third = Fix("t", (TextEdit(source.span(0, 2), "Z"),))
     edits, applied = together([first, second, third])
     assert [(edit.span.start, edit.text) for edit in edits] == [(0, "+"), (1, "B"), (2, "C")]
     assert len(applied) == 2
@@ -92,9 +92,9 @@ def test_an_edit_that_two_fixes_share_is_done_once() -> None:
 
 def test_a_fix_is_applied_whole_or_not_at_all() -> None:
     source = Source(PATH, "abcd")
-    first = Fix("t", (Edit(source.span(2, 3), "C"),))
-    second = Fix("t", (Edit(source.span(0, 1), "A"), Edit(source.span(1, 3), "Z")))
-    third = Fix("t", (Edit(source.span(0, 2), "Y"),))
+    first = Fix("t", (TextEdit(source.span(2, 3), "C"),))
+    second = Fix("t", (TextEdit(source.span(0, 1), "A"), TextEdit(source.span(1, 3), "Z")))
+    third = Fix("t", (TextEdit(source.span(0, 2), "Y"),))
     edits, applied = together([first, second, third])
     assert ([edit.text for edit in edits], len(applied)) == (["Y", "C"], 2)
 
@@ -106,8 +106,8 @@ def test_unsafe_fixes_only_on_request() -> None:
 
 
 def test_fixes_of_other_files_are_left_alone() -> None:
-    def elsewhere(_: Source) -> list[tuple[Edit, ...]]:
-        return [(Edit(Source(Path("b.sdf"), "a").span(0, 1), "b"),)]
+    def elsewhere(_: Source) -> list[tuple[TextEdit, ...]]:
+        return [(TextEdit(Source(Path("b.sdf"), "a").span(0, 1), "b"),)]
 
     assert fixed_file(TEXT.format("a"), elsewhere).fixed == 0
 
@@ -142,7 +142,7 @@ def test_fixes_that_cannot_be_written_are_refused() -> None:
 @given(st.lists(st.tuples(st.integers(0, 12), st.integers(0, 4), st.text("xy", max_size=2)), max_size=8))
 def test_edits_never_overlap(wanted: list[tuple[int, int, str]]) -> None:
     source = Source(PATH, "." * 16)
-    fixes = [Fix("t", (Edit(source.span(at, at + length), text),)) for at, length, text in wanted]
+    fixes = [Fix("t", (TextEdit(source.span(at, at + length), text),)) for at, length, text in wanted]
     edits, applied = together(fixes)
     places = [(edit.span.start, edit.span.end) for edit in edits]
     assert places == sorted(places)
@@ -155,7 +155,7 @@ def test_edits_that_leave_nothing_are_refused() -> None:
     source = Source(Path("a.sdf"), text)
     file = Selected(Path("a.sdf"), text.encode(), Kind.SDF)
     with pytest.raises(Refused):
-        edited(file, [Edit(source.span(0, len(text)), "")])
+        edited(file, [TextEdit(source.span(0, len(text)), "")])
 
 
 def found_in(text: str, rules: tuple[Changes, ...], bad: str) -> tuple[list[Diagnostic], int]:
@@ -200,9 +200,9 @@ def test_an_error_that_was_there_before_stops_no_fix() -> None:
 def test_a_comment_for_the_linter_is_not_taken_away() -> None:
     text = TEXT.format("<!-- sdfcheck: ignore[A1] -->P")
 
-    def hides(source: Source) -> list[tuple[Edit, ...]]:
+    def hides(source: Source) -> list[tuple[TextEdit, ...]]:
         start, end = source.text.find("<!--"), source.text.find("P")
-        return [(Edit(source.span(start, start), "<![CDATA["), Edit(source.span(end, end), "]]>"))]
+        return [(TextEdit(source.span(start, start), "<![CDATA["), TextEdit(source.span(end, end), "]]>"))]
 
     result = on_trial(text, hides, swap("P", "Q"), bad="nothing")
     assert result.refusal == "the edits would take away a comment for sdfcheck"
@@ -214,7 +214,7 @@ def test_a_fix_that_ends_a_suppression_is_left_out() -> None:
         text = file.data.decode()
         source = Source(PATH, text)
         place = source.span(22, 23)
-        note = Diagnostic("A1", "a", Severity.INFO, "m", place, fix=Fix("t", (Edit(place, "b"),)))
+        note = Diagnostic("A1", "a", Severity.INFO, "m", place, fix=Fix("t", (TextEdit(place, "b"),)))
         shown = Diagnostic("B1", "shown", Severity.INFO, "m", place)
         return ([shown], 0) if ">b<" in text else ([note], 1)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.fold import fold
 from sdfcheck.source.text import Source
 
@@ -15,7 +15,7 @@ SOURCE = Source(Path("leg.xacro"), "abcdefghij" * 5)
 def said(at: int, origin: int, message: str = "bad", code: str = "A001", fix: str = "") -> Diagnostic:
     span = SOURCE.span(at, at + 2)
     origins = (Origin(SOURCE.span(origin, origin + 1), "in macro `m`, called here"),)
-    repair = Fix("fix_files", (Edit(span, fix),)) if fix else None
+    repair = Fix("fix_files", (TextEdit(span, fix),)) if fix else None
     return Diagnostic(code, "name", Severity.ERROR, message, span, fix=repair, origins=origins)
 
 

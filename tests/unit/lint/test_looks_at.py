@@ -19,8 +19,7 @@ from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
 from sdfcheck.lint.select import SILENT, ActiveRules, select
 from sdfcheck.lint.source_file import lint_source
 from sdfcheck.lint.subjects import Subjects, is_extension
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.text import Span
 
 TEXT = '<sdf version="1.12"><model name="m"><link name="a"/><link name="bb"/><frame name="cc"/></model></sdf>'
@@ -190,6 +189,13 @@ def test_a_rule_whose_condition_never_applies_is_not_loaded(monkeypatch: pytest.
     dispatch = Dispatch(index, ActiveRules(index.facts, {}))
     found = lint_source(TEXT.encode(), Path("a.sdf"), None, dispatch).diagnostics
     assert found == []
+
+
+def test_without_the_module_of_conditions_the_rules_are_loaded() -> None:
+    facts = describe(LongName)
+    index = RuleIndex([facts], conditions=["sdfcheck_rules.conditions_that_nobody_wrote"])
+    index._rules[facts.code] = LongName()
+    assert index.condition(facts) == LongName.applies
 
 
 def test_a_failing_condition_is_one_diagnostic() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -13,7 +13,19 @@ from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
 from tests.unit.lsp.wire import Session
 
+REFRESHES = (
+    types.WORKSPACE_DIAGNOSTIC_REFRESH,
+    types.WORKSPACE_INLAY_HINT_REFRESH,
+    types.WORKSPACE_SEMANTIC_TOKENS_REFRESH,
+)
 EDITORS = ("visual-studio-code", "neovim@v0.7", "neovim@v0.11")
+
+
+def _noted(session: Session, method: str) -> Callable[[None], None]:
+    def asked(params: None) -> None:
+        session.refreshed.append(method)
+
+    return asked
 
 
 async def begin(client: LanguageClient, folder: Path, editor: str) -> Session:
@@ -24,6 +36,9 @@ async def begin(client: LanguageClient, folder: Path, editor: str) -> Session:
     @client.feature(types.CLIENT_REGISTER_CAPABILITY)  # type: ignore[untyped-decorator]
     def register(params: types.RegistrationParams) -> None:
         session.registered += params.registrations
+
+    for method in REFRESHES:
+        client.protocol.fm.features[method] = _noted(session, method)
 
     session.answer = await client.initialize_session(
         types.InitializeParams(
@@ -62,6 +77,6 @@ def session(client: LanguageClient) -> Iterator[Session]:
 @pytest.fixture
 def folder(session: Session, tmp_path: Path) -> Path:
     """A folder of the workspace for one test."""
-    own = session.folder / tmp_path.name
+    own = session.folder / tmp_path.parent.name
     own.mkdir(exist_ok=True)
     return own

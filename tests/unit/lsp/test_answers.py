@@ -5,15 +5,20 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from lsprotocol import types
+from lsprotocol.converters import get_converter
 
 from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.completion.item import Item
+from sdfcheck.lsp.edits import Edits
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import everywhere, occurrences
-from sdfcheck.lsp.names.rename import Refused, rename
+from sdfcheck.lsp.names.rename import rename
+from sdfcheck.lsp.names.spread import Refused
 from sdfcheck.lsp.outline import links, outline
+from sdfcheck.lsp.speech import Speech
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
@@ -199,7 +204,7 @@ def test_the_world_is_not_renamed_where_it_is_called_world() -> None:
 
 def test_the_outline_has_the_parts() -> None:
     _, document = opened(SDF)
-    (root,) = outline(document)
+    (root,) = outline(document.source)
     (model,) = root.children
     assert [child.name for child in model.children] == ["arm", "hand", "j", "p"]
 
@@ -245,7 +250,8 @@ def test_unsaved_macros_count_for_their_includers(tmp_path: Path) -> None:
     buffer = workspace.open(path.as_uri(), path, text, 1)
     try:
         findings.lint(buffer)
-        assert findings.lint_includers(buffer)
+        (root,) = findings.includers(buffer)
+        findings.lint_from_disk(root)
         assert any("a" in found.message for found in findings.at(path))
     finally:
         workspace.close()
@@ -260,3 +266,23 @@ def test_included_files_are_linted_for_their_includers(tmp_path: Path) -> None:
     findings.lint(buffer)
     (found,) = findings.at(tmp_path / "m.sdf")
     assert found.origins[-1].span.source is buffer.source
+
+
+def test_lines_above_definitions_lead_to_places_where_the_client_can() -> None:
+    workspace, document = opened(ROBOT, Path("there/r.xacro"))
+    buffer = workspace.buffers[workspace.key(document.path)]
+    speech = Speech(workspace)
+    edits = Edits(workspace, speech)
+    ball = next(lens for lens in edits.lenses(buffer, None) if lens.range.start.line == 3)
+    plain = edits.counted(buffer, ball).command
+    assert plain is not None
+    assert (plain.title, plain.command, plain.arguments) == ("1 reference", "", None)
+    speech.client = types.ClientCapabilities(experimental={"commands": ["sdfcheck.references"]})
+    able = edits.counted(buffer, ball).command
+    assert able is not None
+    assert (able.title, able.command) == ("1 reference", "sdfcheck.references")
+    sent = get_converter().unstructure(able)
+    uri, position, places = sent["arguments"]
+    assert uri == "file:///there/m"
+    assert position == {"line": 3, "character": 21}
+    assert [place["range"]["start"]["line"] for place in places] == [6]

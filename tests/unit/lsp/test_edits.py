@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sdfcheck.lint.fix import Edit
+from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.actions import differences, offers
+from sdfcheck.lsp.colors import colors
 from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.completion.context import Checkpoints, context
+from sdfcheck.lsp.extract import extractions
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
+from sdfcheck.lsp.lenses import counted, lenses
 from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.lsp.names.rename import Refused, rename
+from sdfcheck.lsp.names.rename import rename
+from sdfcheck.lsp.names.spread import Refused
 from sdfcheck.lsp.outline import folds, links, outline
 from sdfcheck.lsp.positions import Change, Place, Units, changed, offset_of, place_of
+from sdfcheck.lsp.signature import signature
+from sdfcheck.lsp.tags import linked, selections
 from sdfcheck.lsp.workspace import Choices, Workspace
 from sdfcheck.source.document import Document
 from sdfcheck.source.splice import replaced
@@ -58,11 +65,23 @@ def ask_everything(workspace: Workspace, path: Path, offset: int) -> None:
     whole = document.source.span(0, len(document.source.text))
     hover(document, offset)
     complete(workspace, buffer, offset)
-    outline(document)
+    outline(document.source)
     folds(document)
     list(links(document))
     list(hints(document, whole))
     tokens(document)
+    list(colors(document))
+    signature(workspace, buffer, offset)
+    for lens in list(lenses(document))[:2]:
+        counted(workspace, document, lens.span.start, is_file=lens.is_file)
+    pair = linked(document, offset)
+    assert pair is None or pair[0].text == pair[1].text
+    assert all(inner.start >= outer.start for inner, outer in pairwise(selections(document, offset)))
+    for chosen in (document.source.span(offset, offset), whole):
+        for found in extractions(document, chosen):
+            edits = [(edit.span.start, edit.span.end, edit.text) for edit in found.edits]
+            assert edits == sorted(edits)
+            assert len(replaced(document.source.text, edits)) > len(document.source.text)
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
@@ -126,7 +145,7 @@ def test_renaming_and_back_gives_the_same_bytes(path: Path) -> None:
         workspace.write(buffer, Source(path, text), 3)
 
 
-def rename_at(workspace: Workspace, path: Path, offset: int, name: str) -> list[Edit]:
+def rename_at(workspace: Workspace, path: Path, offset: int, name: str) -> list[TextEdit]:
     document = workspace.document(path)
     assert document is not None
     occurrence = occurrences(document).at(offset)
@@ -134,7 +153,7 @@ def rename_at(workspace: Workspace, path: Path, offset: int, name: str) -> list[
     return rename(workspace, document, occurrence, name)
 
 
-def own(edits: list[Edit], path: Path) -> list[tuple[int, int, str]]:
+def own(edits: list[TextEdit], path: Path) -> list[tuple[int, int, str]]:
     mine = (edit for edit in edits if edit.span.source.path == path)
     return sorted((edit.span.start, edit.span.end, edit.text) for edit in mine)
 

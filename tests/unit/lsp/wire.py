@@ -24,6 +24,8 @@ class Session:
         self.texts: dict[str, Text] = {}
         self.published: list[types.PublishDiagnosticsParams] = []
         self.registered: list[types.Registration] = []
+        self.refreshed: list[str] = []
+        """The requests that the server let the client make again."""
         self.answer: types.InitializeResult | None = None
 
     @property
@@ -38,6 +40,13 @@ class Session:
         assert self.client.capabilities is not None
         able = self.client.capabilities.text_document
         return able is not None and able.diagnostic is not None
+
+    @property
+    def can_show(self) -> bool:
+        """Does the client show documents when the server asks for it?"""
+        assert self.client.capabilities is not None
+        able = self.client.capabilities.window
+        return able is not None and able.show_document is not None and able.show_document.support
 
     def open(self, path: Path, text: str, *, save: bool = True) -> Text:
         """Show a text."""

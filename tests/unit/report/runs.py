@@ -9,7 +9,7 @@ from typing import Any
 
 from sdfcheck.consumers.reaction import refuses, warns
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.fix import Applicability, Edit, Fix
+from sdfcheck.lint.fix import Applicability, Fix, TextEdit
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.source.text import Source, Span
@@ -54,7 +54,7 @@ def diagnostic(text: str, *labels: str, path: str = "arm.sdf", **fields: Any) ->
 def fixed(found: Diagnostic, text: str, *, safe: bool = True) -> Diagnostic:
     """The diagnostic with a fix that replaces its span."""
     applicability = Applicability.SAFE if safe else Applicability.UNSAFE
-    return found._replace(fix=Fix(f"write `{text}`", (Edit(found.span, text),), applicability))
+    return found._replace(fix=Fix(f"write `{text}`", (TextEdit(found.span, text),), applicability))
 
 
 def facts(code: str = "NAM901", name: str = "taken-name", **fields: Any) -> RuleFacts:

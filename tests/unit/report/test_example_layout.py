@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.report.example_layout import laid_out
+from sdfcheck.report.manual import laid_out
 
 
 def test_elements_with_children_are_broken_into_lines() -> None:

@@ -13,9 +13,9 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.report import OutputFormat, content, render
-from sdfcheck.report.edits import DELETED, INSERTED, KEPT, Hunk, hunks
+from sdfcheck.report.content import DELETED, INSERTED, KEPT, Hunk, hunks
 from sdfcheck.report.formats.html import MOST_ROBOTS
 from sdfcheck.report.robots import TITLE
 from sdfcheck.source.text import Span
@@ -169,7 +169,7 @@ def test_robots_do_not_make_a_report_too_large(tmp_path: Path, monkeypatch: pyte
 def hunks_of(text: str, *replacements: str) -> list[Hunk]:
     primary, others = marked(text)
     spans: list[Span] = [primary, *others]
-    edits = tuple(Edit(span, new) for span, new in zip(spans, replacements, strict=True))
+    edits = tuple(TextEdit(span, new) for span, new in zip(spans, replacements, strict=True))
     return list(hunks(Fix("change it", edits)))
 
 

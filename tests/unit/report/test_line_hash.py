@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.report.formats.line_hash import line_hashes
+from sdfcheck.report.formats.sarif import line_hashes
 
 WITH_END = [
     "e9496ae3ebfced30:1",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat, render
 from tests.unit.report.runs import diagnostic, fixed, marked, parsed, rich_diagnostic, run
@@ -100,7 +100,7 @@ def test_rdjson_counts_bytes() -> None:
     found = rich_diagnostic()
     (there, _) = marked("«x»", "other.sdf")
     assert found.fix is not None
-    edits = (*found.fix.edits, Edit(there, "y"), Edit(found.span.source.span(0, 0), "z"))
+    edits = (*found.fix.edits, TextEdit(there, "y"), TextEdit(found.span.source.span(0, 0), "z"))
     log = parsed(OutputFormat.RDJSON, found._replace(fix=Fix("fix it", edits)))
     place = {"start": {"line": 2, "column": 8}, "end": {"line": 2, "column": 9}}
     top = {"start": {"line": 1, "column": 1}, "end": {"line": 1, "column": 1}}

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.formats.sdf.problems import MissingAttribute, WrongComponentCount
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.includes.gate import problems
-from sdfcheck.robot.includes.parameter_problems import InvalidParameter
-from sdfcheck.robot.includes.parameter_problems import ParameterFault as Fault
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.includes.included import InvalidParameter
+from sdfcheck.robot.includes.included import ParameterFault as Fault
 from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import MODEL, WORLD, document
 

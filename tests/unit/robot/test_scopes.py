@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.root import root_of
-from sdfcheck.robot.scope import Scope
 from sdfcheck.source.document import Document, read
 
 NESTED = """<sdf version="1.12"><world name="w">

@@ -8,8 +8,8 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
-from sdfcheck.robot.semantics.find import semantics_in
 from sdfcheck.robot.semantics.robots import descriptions_of
+from sdfcheck.robot.semantics.semantics import semantics_in
 from sdfcheck.source.sniff import Kind
 
 LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
@@ -95,3 +95,12 @@ def test_descriptions_of_the_robot_come_by_nearness(package: Path) -> None:
         (semantics,) = semantics_in(document)
         folders = [each.path.parent for each in descriptions_of(semantics)]
         assert folders[:2] == order
+
+
+def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path) -> None:
+    (package / "other.urdf").write_text(ROBOT.format("").replace('"arm"', '"leg"'))
+    virtual = '<virtual_joint name="float" type="floating" parent_frame="map" child_link="base"/>'
+    outside = state("1.5") + virtual
+    assert found(package, outside, robot="my_arm") == [("SRD006", "1.5")]
+    assert found(package, outside, name="hand.srdf", robot="my_arm") == []
+    assert found(package, outside + '<passive_joint name="knee"/>', robot="my_arm") == []

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.robot.model import Model
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 

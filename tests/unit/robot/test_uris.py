@@ -9,8 +9,7 @@ import pytest
 
 from sdfcheck.files.uris import locate
 from sdfcheck.robot.includes.uri_spelling import UriFault, is_absolute, misspelling, other_case
-from sdfcheck.source.document import read
-from sdfcheck.source.element import Value
+from sdfcheck.source.document import Value, read
 from tests.unit.robot.files import MODEL, opened, write
 
 

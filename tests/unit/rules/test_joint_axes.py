@@ -91,7 +91,9 @@ def test_the_direction_of_unit_length() -> None:
     [
         ("<lower>1</lower><upper>-1</upper>", "revolute", "JNT005"),
         ("<lower>1</lower><upper>-1</upper>", "continuous", "JNT005"),
-        ("<lower>1</lower><upper>1</upper>", "revolute", None),
+        ("<lower>1</lower><upper>1</upper>", "revolute", "JNT023"),
+        ("<lower>1</lower><upper>1</upper>", "continuous", "JNT011"),
+        ("<lower>0</lower><upper>-0.0</upper>", "revolute", None),
         ("<lower>high</lower><upper>-1</upper>", "revolute", None),
         ("<lower>-1</lower><upper>1</upper>", "continuous", "JNT011"),
         ("<upper>1</upper>", "continuous", "JNT011"),

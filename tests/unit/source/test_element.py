@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.source.document import read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Element, read
 
 # Once with all prefixes declared, once with none: they are read as text either way.
 BODY = (

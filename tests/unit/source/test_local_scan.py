@@ -11,8 +11,7 @@ from lxml import etree
 
 from sdfcheck.source import document as documents
 from sdfcheck.source.document import Document
-from sdfcheck.source.scanner import local_scan as local
-from sdfcheck.source.scanner import tokenizer
+from sdfcheck.source.scanner import full_scan, tokenizer
 from sdfcheck.source.scanner.full_scan import scan
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.scanner.tokens import Tokens
@@ -58,7 +57,7 @@ def what(scan: Scan) -> tuple[object, ...]:
 def test_both_scans_agree(at: int, removed: int, piece: str) -> None:
     source = Source(Path("w.sdf"), TEXT[:at] + piece + TEXT[at + removed :])
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(local, "WINDOW", 1500)
+        patch.setattr(full_scan, "WINDOW", 1500)
         patch.setattr(documents, "LONG", 0)
         document = Document(source, None, [])
     if document.scan.wellformed:
@@ -68,15 +67,15 @@ def test_both_scans_agree(at: int, removed: int, piece: str) -> None:
 def test_only_the_place_of_the_fault_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
     at = TEXT.index("<model", len(TEXT) // 2)
     source = Source(Path("w.sdf"), TEXT[:at] + "<" + TEXT[at:])
-    monkeypatch.setattr(local, "WINDOW", 1500)
+    monkeypatch.setattr(full_scan, "WINDOW", 1500)
     looked_at: list[str] = []
 
     def tokenize(given: Source, text: str) -> Tokens:
         looked_at.append(text.replace(" ", ""))
         return tokenizer.tokenize(given, text)
 
-    monkeypatch.setattr(local, "tokenize", tokenize)
-    found = local.local_scan(source, at)
+    monkeypatch.setattr(full_scan, "tokenize", tokenize)
+    found = full_scan.local_scan(source, at)
     assert found is not None
     assert len(looked_at[0]) < 6000 < len(TEXT)
     assert len(found.starts) == TEXT.count("<model") * 8 + 2
@@ -86,7 +85,7 @@ def test_a_second_fault_far_away_is_not_hidden() -> None:
     at, other = TEXT.index("<model", 2000), TEXT.rindex("<model")
     text = TEXT[:at] + "<" + TEXT[at:other] + "<" + TEXT[other:]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(local, "WINDOW", 1500)
+        patch.setattr(full_scan, "WINDOW", 1500)
         patch.setattr(documents, "LONG", 0)
         document = Document(Source(Path("w.sdf"), text), None, [])
     assert [problem.span.start for problem in document.problems] == [at, other + 1]

@@ -11,7 +11,7 @@ from lxml import etree
 
 from sdfcheck.source.document import read
 from sdfcheck.source.scanner.full_scan import scan
-from sdfcheck.source.scanner.quick_scan import quick_scan
+from sdfcheck.source.scanner.scan import quick_scan
 from sdfcheck.source.text import Source
 
 NAME = st.sampled_from(["a", "link", "p:joint", "größe", "x-1", "_y.z"])

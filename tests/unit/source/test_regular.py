@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.files.regular import Unfit, oddity, read_named, read_regular
+from sdfcheck.files.regular import Configured, Unfit, oddity, read_named, read_regular
 from tests.posix import make_pipe
 
 
@@ -20,6 +20,19 @@ def test_a_large_file_is_not(tmp_path: Path) -> None:
     path.write_bytes(b"texts")
     with pytest.raises(Unfit, match="larger than"):
         read_regular(path, limit=4)
+
+
+def test_only_a_limit_of_the_configuration_names_its_setting(tmp_path: Path) -> None:
+    path = tmp_path / "a.sdf"
+    path.write_bytes(b"texts")
+    for limit, words in (
+        (4, "larger than 4 bytes"),
+        (Configured(4), "larger than 4 bytes (`max-file-size` in"),
+    ):
+        with pytest.raises(Unfit) as refused:
+            read_regular(path, limit)
+        assert str(refused.value.strerror).startswith(words)
+        assert ("max-file-size" in str(refused.value)) is isinstance(limit, Configured)
 
 
 @pytest.mark.parametrize("by_link", [False, True], ids=["itself", "by a link"])

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, read
 
 
 def document(text: str) -> Document:

@@ -10,8 +10,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from sdfcheck.source.document import Document, read
-from sdfcheck.source.element import Element
+from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Step
 from sdfcheck.xacro.annotate import annotated

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from typing import Any, cast
 
 import pytest
 import xacro
 
-from sdfcheck.xacro.parameters import ArgumentParser, parameters
+from sdfcheck.xacro.language import ArgumentParser, parameters
 
-Parser = Callable[[str], tuple[str, object, str]]
+Parser = Callable[[Any], tuple[str, object, object]]
 PIECES = ("a", "b", " ", "  ", "'", '"', "${", "}", "$(", ")", ":=", "=", ":", "^", "|", "^|", "*", "x")
 CASES = (
     "a",
@@ -30,9 +31,10 @@ CASES = (
 
 
 def taken_apart(parse: Parser, text: str) -> list[tuple[str, object]]:
-    found = []
-    while text.strip():
-        name, default, text = parse(text)
+    found, rest = [], cast("object", text)
+    while str(rest).strip():
+        name, default, rest = parse(rest)
+        assert bool(rest) == bool(str(rest))
         found.append((name, default))
     return found
 

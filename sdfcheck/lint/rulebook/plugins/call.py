@@ -2,20 +2,51 @@
 
 from __future__ import annotations
 
+import io
+import sys
 from collections.abc import Iterable, Iterator
-from contextlib import redirect_stdout
+from contextlib import contextmanager, redirect_stdout
 from functools import wraps
 from types import NoneType
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.fix import Edit, Fix
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.rulebook.plugins.place import Misbehavior, place_of_check
-from sdfcheck.lint.rulebook.plugins.prints import Aside
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule
+
+
+# Prints of rules go to stderr: stdout carries the report.
+
+
+class Aside(io.TextIOBase):
+    """A stream to stderr that says once whose prints these are."""
+
+    def __init__(self, whose: str) -> None:
+        self._whose = whose
+        self._is_named = False
+
+    def write(self, text: str) -> int:
+        """Write to stderr."""
+        if not self._is_named and text:
+            self._is_named = True
+            sys.stderr.write(f"warning: {self._whose} prints; this is not part of the report:\n")
+        return sys.stderr.write(text)
+
+    def flush(self) -> None:
+        """Nothing is held back."""
+        sys.stderr.flush()
+
+
+@contextmanager
+def aside(name: str) -> Iterator[None]:
+    """While this lasts, what is printed is the plugin's."""
+    with redirect_stdout(Aside(f"plugin {name}")):
+        yield
+
 
 _END = object()
 _LONG = 60
@@ -90,7 +121,7 @@ _FIELDS: tuple[tuple[str, type | tuple[type, ...], str], ...] = (
 
 
 def _is_edit(edit: Any) -> bool:
-    fields = tuple(edit) if isinstance(edit, Edit) else (None, None)
+    fields = tuple(edit) if isinstance(edit, TextEdit) else (None, None)
     return isinstance(fields[0], Span) and isinstance(fields[1], str)
 
 

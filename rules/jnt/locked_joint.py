@@ -1,0 +1,61 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, warns
+from sdfcheck_rules.jnt.inverted_limits import BOUNDED
+
+AXIS = "<axis><xyz>0 0 1</xyz><limit><lower>{}</lower><upper>{}</upper></limit></axis>"
+
+
+class LockedJoint(Rule):
+    """The lower limit of a joint equals its upper one, and is not 0.
+
+    Nothing can move the joint, and it cannot be at 0, where simulations start. A sign or a number was lost, or an
+    exporter wrote one value for both. Joints locked at 0, so that Gazebo keeps their links, are not reported.
+    """
+
+    code = "JNT023"
+    name = "locked-joint"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(
+        (Consumer.GAZEBO, Consumer.DRAKE, Consumer.URDFDOM), warns("has a joint that cannot move")
+    )
+    looks_at = (Limit,)
+    scaffold = IN_JOINT
+
+    bad = (
+        Bad(
+            AXIS.format("«0.035»", "0.035"),
+            says="lower limit 0.035 equals the upper one: joint `j` cannot move",
+        ),
+        Bad(
+            '<limit lower="«1.4»" upper="1.4" effort="5" velocity="2"/>',
+            scaffold=IN_URDF_JOINT,
+            says="joint `j` cannot move",
+        ),
+    )
+    good = (
+        Good(AXIS.format("0", "0"), why="locked on purpose"),
+        Good(
+            '<limit lower="0" upper="0" effort="0" velocity="0"/>',
+            scaffold=IN_URDF_JOINT,
+            why="locked on purpose",
+        ),
+        Good('<limit lower="-0.035" upper="0.035" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT),
+        Good('<limit effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT, why="no limits are written"),
+    )
+
+    @staticmethod
+    def applies(limit: Limit) -> bool:
+        lower, upper = limit.lower, limit.upper
+        if not (lower.is_given and upper.is_given and lower.number == upper.number != 0):
+            return False
+        return limit.joint.type in BOUNDED and limit.axis.limit is limit
+
+    def check(self, limit: Limit) -> Iterator[Diagnostic]:
+        lower, upper = limit.lower, limit.upper
+        yield self.diagnostic(
+            lower,
+            f"lower limit {lower.text} equals the upper one: {limit.joint.title} cannot move",
+            labels={upper: "the upper limit"},
+            help="give it the range that it has, or make it a joint of type fixed",
+        )

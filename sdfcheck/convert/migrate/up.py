@@ -1,0 +1,494 @@
+"""Steps to a newer version: the conversions that libsdformat makes when it reads an older file, and others."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.migrate import numbers
+from sdfcheck.convert.migrate.defaults import write_defaults
+from sdfcheck.convert.migrate.draft import Node
+from sdfcheck.convert.migrate.migration import Migration, Places, title
+from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
+from sdfcheck.convert.verify import Counterpart
+from sdfcheck.convert.writer import number
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.motion.poses import PoseError, written_pose
+from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.source.record import NamedTuple
+
+# The changes that libsdformat makes when it reads an older file, from data/migration.txt.
+
+
+_FILE = Path(__file__).parents[1] / "data" / "migration.txt"
+
+
+class Operation(NamedTuple):
+    """One line: at a place, from here to there; ``@x`` is the attribute ``x`` of the element before it."""
+
+    minor: int
+    name: str
+    at: str
+    source: str
+    target: str
+    value: str
+
+
+@cache
+def operations(minor: int) -> tuple[Operation, ...]:
+    """Those that lead to 1.``minor``, in the order of effect."""
+    lines = (line for line in _FILE.read_text("utf-8").splitlines() if not line.startswith("#"))
+    rows = ((line + "\t" * 5).split("\t")[:6] for line in lines)
+    return tuple(Operation(int(first), *rest) for first, *rest in rows if int(first) == minor)
+
+
+# The conversions that libsdformat makes when it reads an older file.
+#
+# Where its own interpreter loses something this one does not: a target that exists
+# already is kept, missing parents are made in full, and what is renamed keeps its
+# attributes and children.
+
+
+_TRUE = {"true", "1"}
+
+
+def convert_to(migration: Migration, minor: int) -> None:
+    """Carry out the operations that lead to 1.``minor``."""
+    for operation in operations(minor):
+        for node in _places(migration.root, operation.at):
+            _apply(migration, operation, node)
+
+
+def _places(root: Node, at: str) -> list[Node]:
+    if at.startswith("//"):
+        first, *steps = at[2:].split("/")
+        found = root.of(first)
+    else:
+        found, steps = [root], at.split("/")
+    for step in steps:
+        found = [child for node in found for child in node.children(step)]
+    return found
+
+
+def _apply(migration: Migration, operation: Operation, node: Node) -> None:
+    name, source, target = operation.name, operation.source, operation.target
+    if name in {"move", "copy", "rename"}:
+        _carry(migration, node, operation)
+    elif name == "add":
+        if target and node.find(target) is None:
+            node.add(target, operation.value)
+    elif name == "map":
+        flag = node.find(source)
+        if flag is not None and flag.content.lower() in _TRUE:
+            path, _, attribute = target.partition("/@")
+            node.path(path).set(attribute, operation.value)
+    elif name == "remove":
+        for child in node.children(source):
+            migration.merge(child)
+    elif name == "remove_empty" and source[0] == "@" and node.get(source[1:]) == "":
+        node.unset(source[1:])
+
+
+def _carry(migration: Migration, node: Node, operation: Operation) -> None:
+    source, target = operation.source, operation.target
+    if source[0] == "@":
+        _carry_attribute(node, source[1:], target)
+        return
+    found = node.find(source)
+    if found is None:
+        return
+    path, _, attribute = target.partition("/@")
+    if attribute:
+        node.path(path).set(attribute, found.content)
+    elif node.find(target) is not None:
+        migration.lose(
+            found, f"{title(found)} is left out: there is a `{target}` already", LossKind.DROPPED_ELEMENT
+        )
+    elif operation.name == "copy":
+        node.path(target).write(found.content)
+        return
+    else:
+        _move(node, found, target)
+        return
+    if operation.name != "copy":
+        migration.merge(found)
+
+
+def _move(node: Node, found: Node, target: str) -> None:
+    *path, name = target.split("/")
+    if not path and found.parent is node:
+        found.rename(name)
+        return
+    beside = found
+    while beside.parent is not node and beside.parent is not None:
+        beside = beside.parent
+    found.remove()
+    found.rename(name)
+    if path:
+        node.path("/".join(path)).append(found)
+    else:
+        node.append(found, before=beside)
+
+
+def _carry_attribute(node: Node, name: str, target: str) -> None:
+    text = node.get(name)
+    if text is None:
+        return
+    if target[0] == "@":
+        if text.strip() and node.get(target[1:]) is None:
+            node.rename_attribute(name, target[1:])
+        else:
+            node.unset(name)
+    elif node.find(target) is None:
+        node.add(target, text)
+        node.unset(name)
+
+
+# Names that 1.7 does not allow any more: those of two things at once, and reserved ones.
+
+
+_NAMED = ("link", "joint", "frame", "model")
+_ENDS = ("parent", "child", "gripper_link", "palm_link")
+
+
+def rename_clashing(migration: Migration) -> None:
+    """The links, joints, frames and models of a model share one name space, as models and frames of a world do.
+
+    libsdformat renames the joint, then the frame; references go on to name the other part.
+    """
+    for model in migration.root.of("model", "world"):
+        taken = {child.get("name") for child in _named(model) if child.name in {"link", "model"}}
+        for kind in ("joint", "frame"):
+            for child in model.children(kind):
+                name = child.get("name")
+                if name and name in taken:
+                    new = _rename(migration, model, child, "the name is taken")
+                    if kind == "joint":
+                        migration.renamed_joints[_prefix(model) + name] = _prefix(model) + new
+            taken |= {child.get("name") for child in model.children(kind)}
+
+
+def rename_reserved(migration: Migration) -> None:
+    """``world`` and ``__x__`` are the format's own."""
+    for model in migration.root.of("model", "world"):
+        for child in _named(model):
+            name = child.get("name") or ""
+            if not _is_reserved(name):
+                continue
+            new = _rename(migration, model, child, "the name is reserved from 1.7 on")
+            if child.name == "joint":
+                migration.renamed_joints[_prefix(model) + name] = _prefix(model) + new
+            elif child.name == "link":
+                migration.moved_links[_prefix(model) + name] = Counterpart(_prefix(model) + new)
+                _refer(model, name, new)
+            elif child.name == "frame":
+                _refer(model, name, new)
+
+
+def _named(model: Node) -> list[Node]:
+    return [child for child in model.children() if child.name in _NAMED]
+
+
+def _is_reserved(name: str) -> bool:
+    return name == "world" or (len(name) > 3 and name[:2] == name[-2:] == "__")
+
+
+def _rename(migration: Migration, model: Node, child: Node, why: str) -> str:
+    name = child.get("name") or ""
+    taken = {other.get("name") for other in _named(model)}
+    new = f"{name}_{child.name}"
+    while new in taken:
+        new += "_"
+    migration.lose(child, f"{title(child)} is called `{new}`: {why}", LossKind.RENAMED)
+    child.set("name", new)
+    rename_in_plugins(migration, model, {(child.name, name): new})
+    return new
+
+
+def _refer(model: Node, old: str, new: str) -> None:
+    """Follow the new name of a link or frame."""
+    for user in model.children():
+        for end in user.of(*_ENDS):
+            if end.content == old:
+                end.write(new)
+        for pose in user.of("pose"):
+            if (pose.get("frame") or "").strip() == old:
+                pose.set("frame", new)
+
+
+def _prefix(model: Node) -> str:
+    names, at = "", model
+    while at.parent is not None and at.parent.name == "model":
+        names, at = f"{at.get('name')}::{names}", at.parent
+    return names
+
+
+# ``A::link`` in a model of 1.7 becomes ``link`` in a nested model ``A``, as 1.8 has it.
+#
+# Unlike libsdformat this compares whole names, reaches models at the top of a file, and
+# keeps in the outer model what refers out of the nested one.
+
+
+_MOVED = frozenset({"frame", "joint", "link", "model", "gripper"})
+_REFERENCES = (("pose", "relative_to"), ("xyz", "expressed_in"))
+
+
+def unflatten(migration: Migration) -> None:
+    """Do it in all models, from the outside in."""
+    while True:
+        model = next((m for m in migration.root.of("model") if _heads(m)), None)
+        if model is None:
+            return
+        for head in _heads(model):
+            _gather(migration, model, head)
+
+
+def _heads(model: Node) -> list[str]:
+    names = [child.get("name") or "" for child in model.children() if child.name in _MOVED]
+    return list(dict.fromkeys(name.partition("::")[0] for name in names if "::" in name and name[:2] != "::"))
+
+
+def _gather(migration: Migration, model: Node, head: str) -> None:
+    prefix = f"{head}::"
+    members = [c for c in model.children() if c.name in _MOVED and (c.get("name") or "").startswith(prefix)]
+    poses = _poses(migration, members, f"{prefix}__model__")
+    nested = Node("model")
+    nested.set("name", head)
+    model.append(nested, before=members[0])
+    for member in members:
+        name = (member.get("name") or "")[len(prefix) :]
+        if name == "__model__" and member.name == "frame":
+            _dissolve(migration, nested, member, prefix)
+        elif _refers_out(member, prefix):
+            kept = f"{head}__{name}"
+            text = f"{title(member)} is called `{kept}`: it joins {head} with what is outside"
+            migration.lose(member, text, LossKind.RENAMED)
+            if member.name == "joint":
+                migration.renamed_joints[f"{prefix}{name}"] = kept
+            member.set("name", kept)
+        else:
+            member.remove()
+            member.set("name", name)
+            _cut(member, prefix)
+            if member in poses:
+                own = member.find("pose") or member.add("pose")
+                own.unset("relative_to")
+                if member.get("attached_to"):
+                    own.set("relative_to", "__model__")  # else it would be in what it is attached to
+                own.write(numbers.pose(poses[member]))
+            nested.append(member)
+
+
+def _poses(migration: Migration, members: list[Node], own: str) -> dict[Node, Array]:
+    """The poses in the nested model of what is placed in the outer one."""
+    places = Places(migration)
+    frame = next((m for m in members if m.get("name") == own), None)
+    found: dict[Node, Array] = {}
+    for member in members:
+        pose = member.find("pose")
+        reference = (pose.get("relative_to") or "").strip() if pose is not None else ""
+        attached = member.get("attached_to") if member.name == "frame" else None
+        if member.name not in {"link", "frame", "model"} or member is frame or (attached and not reference):
+            continue
+        if reference.startswith(own.removesuffix("__model__")) or (frame is None and not reference):
+            continue
+        inner, outer = places.frame(member), places.frame(frame) if frame is not None else None
+        try:
+            if inner is not None:
+                at = places.poses.in_scope(inner)
+                found[member] = inverse(places.poses.in_scope(outer)) @ at if outer is not None else at
+        except PoseError as error:
+            migration.lose(member, f"the pose cannot be resolved: {error}", LossKind.UNKNOWN_REFERENCE)
+    return found
+
+
+def _dissolve(migration: Migration, nested: Node, frame: Node, prefix: str) -> None:
+    """The frame that stood for the model says where it is and by which link it moves."""
+    attached = (frame.get("attached_to") or "").strip()
+    if attached.startswith(prefix):
+        nested.set("canonical_link", attached[len(prefix) :])
+    pose = frame.find("pose")
+    migration.merge(frame)
+    if pose is not None:
+        pose.remove()
+        nested.append(pose)
+
+
+def _refers_out(member: Node, prefix: str) -> bool:
+    if member.name == "joint":
+        ends = [end.content for end in (member.find("parent"), member.find("child")) if end is not None]
+        return any(not end.startswith(prefix) for end in ends)
+    if member.name == "frame":
+        return not (member.get("attached_to") or prefix).startswith(prefix)
+    if member.name == "gripper":
+        return any(not n.content.startswith(prefix) for n in member.of("gripper_link", "palm_link"))
+    return False
+
+
+def _cut(member: Node, prefix: str) -> None:
+    attached = member.get("attached_to") or ""
+    if attached.startswith(prefix):
+        member.set("attached_to", attached[len(prefix) :])
+    for node in member.standard():
+        if node.name in _ENDS and node.content.startswith(prefix):
+            node.write(node.content[len(prefix) :])
+        for name, attribute in _REFERENCES:
+            reference = node.get(attribute) or ""
+            if node.name == name and reference.startswith(prefix):
+                node.set(attribute, reference[len(prefix) :])
+
+
+# Parts that newer versions write otherwise and libsdformat does not convert.
+
+
+STATES = {"model": "model_state", "light": "light_state", "joint": "joint_state", "link": "link_state"}
+
+
+def go_up(migration: Migration) -> None:
+    """Take a draft to a newer version, step by step."""
+    write_defaults(migration)
+    for minor in range(migration.source.minor + 1, migration.target.minor + 1):
+        for repair in _BEFORE.get(minor, ()):
+            repair(migration)
+        if minor == 8:
+            unflatten(migration)
+        convert_to(migration, minor)
+    migration.root.set("version", str(migration.target))
+
+
+def _allow_no_friction_limit(migration: Migration) -> None:
+    """-1 meant endless friction up to 1.3; newer consumers refuse the file."""
+    for mu in migration.root.of("mu", "mu2"):
+        if mu.content.startswith("-"):
+            migration.note(
+                mu, f"{mu.name} {mu.content} is written as 1e16: both mean no limit", LossKind.CHANGED_LIMIT
+            )
+            mu.write("1e16")
+
+
+def _fold_inner_frames(migration: Migration) -> None:
+    """Frames inside links and their parts ended with 1.6; poses in them take them in."""
+    document = migration.draft.read()
+    frames = {
+        m
+        for m in migration.root.of("frame")
+        if m.parent is not None and m.parent.name not in {"model", "world"}
+    }
+    if not frames or document is None:
+        return
+    for pose in migration.root.of("pose"):
+        reference = (pose.get("frame") or "").strip()
+        frame = _inner_frame(pose, reference, frames)
+        if frame is None:
+            continue
+        own = frame.find("pose")
+        try:
+            outer = written_pose(migration.draft.element(own)) if own is not None else np.eye(4)
+            pose.write(numbers.pose(outer @ written_pose(migration.draft.element(pose))))
+        except PoseError as error:
+            migration.lose(pose, f"the pose cannot be resolved: {error}", LossKind.UNKNOWN_REFERENCE)
+        pose.unset("frame")
+    for frame in frames:
+        if frame.parent is not None:
+            text = f"{title(frame)} is left out: frames inside `{frame.parent.name}` ended with 1.6"
+            migration.drop(frame, text, LossKind.DROPPED_FRAME)
+
+
+def _inner_frame(pose: Node, reference: str, frames: set[Node]) -> Node | None:
+    at = pose.parent
+    while at is not None and reference and at.name not in {"model", "world"}:
+        for frame in at.children("frame"):
+            if frame in frames and frame.get("name") == reference:
+                return frame
+        at = at.parent
+    return None
+
+
+def _move_moved_elements(migration: Migration) -> None:
+    """imu/topic and ode/provide_feedback left in 1.7; what took their place is older."""
+    for imu in migration.root.of("imu"):
+        topic = imu.find("topic")
+        if topic is not None and imu.parent is not None and imu.parent.find("topic") is None:
+            topic.remove()
+            imu.parent.append(topic, before=imu)
+    for ode in migration.root.of("ode"):
+        flag = ode.find("provide_feedback")
+        if flag is not None and ode.parent is not None and ode.parent.find("provide_feedback") is None:
+            flag.remove()
+            ode.parent.append(flag, after=ode)
+
+
+def _look_for_lost_ends(migration: Migration) -> None:
+    for child in migration.root.of("child"):
+        if child.content == "world" and child.parent is not None and child.parent.name == "joint":
+            text = f"{title(child.parent)} has the world as child, which consumers refuse from 1.7 on"
+            migration.lose(child, text, LossKind.UNKNOWN_REFERENCE, Severity.ERROR)
+
+
+def _drop_inertial_references(migration: Migration) -> None:
+    for inertial in migration.root.of("inertial"):
+        pose = inertial.find("pose")
+        if pose is not None and (reference := (pose.get("relative_to") or "").strip()):
+            text = f"the reference `{reference}` of an inertial's pose is left out: no consumer regards it"
+            migration.lose(pose, text, LossKind.UNKNOWN_REFERENCE)
+            pose.unset("relative_to")
+
+
+def _report_several_models(migration: Migration) -> None:
+    for extra in migration.root.children("model")[1:]:
+        text = f"{title(extra)} is not read: from 1.8 on a file has one model at its top"
+        migration.lose(extra, text, LossKind.DROPPED_ELEMENT)
+
+
+def _convert_thread_pitch(migration: Migration) -> None:
+    for joint in migration.root.of("joint"):
+        old = joint.find("thread_pitch")
+        if old is None or joint.find("screw_thread_pitch") is not None:
+            continue
+        try:
+            pitch = -2 * math.pi / float(old.content)
+        except (ValueError, ZeroDivisionError):
+            continue
+        old.rename("screw_thread_pitch")
+        old.write(number(pitch))
+
+
+def _rename_states(migration: Migration) -> None:
+    for state in migration.root.of("state"):
+        for node in [*state.standard()]:
+            inside = node.parent is not None and node.parent.name in {
+                "state",
+                "model",
+                "link",
+                *STATES.values(),
+            }
+            if node.name in STATES and inside and not _is_inserted(node):
+                node.rename(STATES[node.name])
+
+
+def _is_inserted(node: Node) -> bool:
+    at = node.parent
+    while at is not None and at.name != "state":
+        if at.name == "insertions":
+            return True
+        at = at.parent
+    return False
+
+
+_BEFORE = {
+    4: (_allow_no_friction_limit,),
+    7: (
+        _fold_inner_frames,
+        rename_reserved,
+        rename_clashing,
+        _move_moved_elements,
+        _look_for_lost_ends,
+    ),
+    8: (_drop_inertial_references, _report_several_models),
+    10: (_convert_thread_pitch,),
+    12: (_rename_states,),
+}

@@ -1,0 +1,230 @@
+"""The plan of a URDF robot: its model, the tree of its joints, where its links are, and its names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sdfcheck.convert.ledger import models
+from sdfcheck.formats.near_names import suggest
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.motion.mechanism import Joint, Mechanism
+from sdfcheck.robot.motion.rotations import Array, angle_between, inverse
+from sdfcheck.source.document import Document, Element
+from sdfcheck.source.wrong_usage import WrongUsage
+
+# Names in the URDF: one scope, in which links and joints share no name.
+
+
+class Naming:
+    """Hands out names that nobody has."""
+
+    def __init__(self, taken: Iterable[str] = ()) -> None:
+        self._taken = set(taken)
+
+    def unique(self, wanted: str, otherwise: str = "") -> str:
+        """The wanted name, or else the other one, or else a numbered one."""
+        name = plain = wanted.replace("::", "__")
+        if name in self._taken and otherwise:
+            name = plain = otherwise.replace("::", "__")
+        number = 2
+        while name in self._taken:
+            name = f"{plain}_{number}"
+            number += 1
+        self._taken.add(name)
+        return name
+
+
+def named(
+    robot: Mechanism, frames: Iterable[str], kept: Iterable[str] = ()
+) -> tuple[Naming, Mapping[str, str], Mapping[str, str], Mapping[str, str]]:
+    """The names of links, of joints and of frames, by those of the source; ``kept`` are further joints.
+
+    Names without a scope are given out first: they stay what they are.
+    """
+    naming = Naming({"world"})
+    links = {name: naming.unique(name) for name in sorted(robot.links, key=_depth)}
+    joints = {
+        name: naming.unique(name, f"{name}_joint") for name in sorted([*robot.joints, *kept], key=_depth)
+    }
+    places = {name: naming.unique(name) for name in sorted(frames, key=_depth)}
+    return naming, links, joints, places
+
+
+def _depth(name: str) -> int:
+    return name.count("::")
+
+
+# The one model of a file that is to become a robot.
+
+
+def choose(document: Document, name: str) -> Model:
+    """The model of a name, or the only one.
+
+    Raises: WrongUsage: the file has no model, or several and no name was given.
+    """
+    found = models(document)
+    names = [scope.name for scope in found]
+    if not found:
+        raise WrongUsage(f"{document.path} has no model")
+    if not name:
+        if len(found) > 1:
+            raise WrongUsage(f"{document.path} has several models; choose one with --model: {_list(names)}")
+        return found[0]
+    if name not in names:
+        near = suggest(name, names)
+        hint = f", did you mean `{near}`?" if near else f"; it has {_list(names)}"
+        raise WrongUsage(f"{document.path} has no model `{name}`{hint}")
+    return found[names.index(name)]
+
+
+def _list(names: list[str]) -> str:
+    shown = ", ".join(names[:20])
+    return shown if len(names) <= 20 else f"{shown} and {len(names) - 20} more"
+
+
+def others(document: Document, chosen: Model) -> Iterator[Element]:
+    """The parts beside the chosen model: other models, lights, physics and the rest of its world."""
+    at: Element | None = chosen.place
+    while at is not None and at is not document.root:
+        around = at.parent
+        if around is not None:
+            yield from (child for child in around.children() if child is not at and not child.is_custom)
+        at = around
+
+
+# Which joints make the tree that URDF demands, and which way round they go.
+
+
+WORLD = "world"
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """A joint of the tree, from its parent there to its child there."""
+
+    joint: Joint
+    parent: str
+    child: str
+
+    @property
+    def is_reversed(self) -> bool:
+        """Is the joint's parent the child in the tree?"""
+        return self.parent != self.joint.parent
+
+
+@dataclass(slots=True)
+class Arrangement:
+    """A forest: its edges in document order, the tops of its trees, the joints left over."""
+
+    edges: list[Edge]
+    tops: list[str]
+    """The links that no edge carries; the first is the one that holds the canonical link."""
+    loops: list[Joint] = field(default_factory=list)
+    has_world: bool = False
+
+    @property
+    def carriers(self) -> dict[str, Edge]:
+        return {edge.child: edge for edge in self.edges}
+
+
+def arrange(robot: Mechanism, canonical: str) -> Arrangement:
+    """The forest in which every tree begins at the world, at the top above the canonical link, or where no
+    joint carries a link."""
+    chosen = robot.spanning()
+    beside: dict[str, list[Joint]] = {}
+    for joint in chosen:
+        for end in (joint.parent, joint.child):
+            beside.setdefault(end, []).append(joint)
+    edges: dict[str, Edge] = {}
+    tops: list[str] = []
+    placed: set[str] = set()
+    for start in (WORLD, _top(robot, canonical), *robot.roots(), *robot.links):
+        if start in placed or (start not in robot.links and start not in beside):
+            continue
+        tops.append(start)
+        for edge in _outwards(start, beside, placed):
+            edges[edge.joint.name] = edge
+    has_world = WORLD in tops
+    if has_world:
+        tops.remove(WORLD)
+    kept = [edges[name] for name in robot.joints if name in edges]
+    return Arrangement(kept, tops, robot.loops(), has_world)
+
+
+def _outwards(start: str, beside: dict[str, list[Joint]], placed: set[str]) -> Iterator[Edge]:
+    """The edges of one tree; nearest to its top first."""
+    placed.add(start)
+    waiting = [start]
+    for here in waiting:
+        for joint in beside.get(here, ()):
+            there = joint.child if here == joint.parent else joint.parent
+            if there not in placed:
+                placed.add(there)
+                waiting.append(there)
+                yield Edge(joint, here, there)
+
+
+def _top(robot: Mechanism, link: str) -> str:
+    """The link at the top of the tree that a link is in."""
+    carriers = {joint.child: joint for joint in robot.tree()}
+    while link in carriers and carriers[link].parent != WORLD:
+        link = carriers[link].parent
+    return link
+
+
+# Where the links of the URDF are: each at the joint that carries it.
+
+
+SAME = 1e-12
+"""Frames that are nearer than this (m, rad) are one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The frames of the URDF's links, as 4×4 poses in the model's frame, by the names of the source.
+
+    ``joint_links`` are massless links before links which keep their frame, with
+    the frames of those: the joint carries them.
+    """
+
+    frames: Mapping[str, Array]
+    joint_links: Mapping[str, tuple[str, Array]]
+
+    def within(self, link: str, pose: Array) -> Array:
+        """A pose of the model's frame in the frame of a link."""
+        return tidy(inverse(self.frames[link]) @ pose)
+
+
+def lay_out(robot: Mechanism, made: Arrangement, world: Array, *, keep: bool, naming: Naming) -> Layout:
+    """Frames for all links; ``world`` is the pose of the world in the model's frame."""
+    frames: dict[str, Array] = {WORLD: world}
+    joint_links: dict[str, tuple[str, Array]] = {}
+    carriers = made.carriers
+    for name, link in robot.links.items():
+        edge = carriers.get(name)
+        if edge is None or is_same(edge.joint.pose, link.pose):
+            frames[name] = link.pose
+        elif keep:
+            frames[name] = link.pose
+            joint_links[name] = (naming.unique(f"{name}__joint"), edge.joint.pose)
+        else:
+            frames[name] = edge.joint.pose
+    return Layout(frames, joint_links)
+
+
+def is_same(a: Array, b: Array) -> bool:
+    near = float(np.linalg.norm(a[:3, 3] - b[:3, 3])) < SAME
+    return near and angle_between(a[:3, :3], b[:3, :3]) < SAME
+
+
+def tidy(pose: Array) -> Array:
+    """The pose without the dust of rounding around zero and one."""
+    result: Array = pose.copy()
+    result[np.abs(result) < 1e-15] = 0.0
+    turn = result[:3, :3]
+    turn[np.abs(turn - 1) < 1e-15] = 1.0
+    turn[np.abs(turn + 1) < 1e-15] = -1.0
+    return result

@@ -1,0 +1,499 @@
+"""``<gazebo>`` blocks: their content goes where libsdformat puts it, and the names in it follow what was renamed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Iterator
+from math import isfinite
+
+import numpy as np
+
+from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.convert.ledger import TEXT
+from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.old_sensors import renew
+from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
+from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS, legal
+from sdfcheck.convert.writer import Node, copied, numbers
+from sdfcheck.formats.sdf.values import floats, number
+from sdfcheck.formats.urdf.table import TRUE, UrdfElement, extension, settings
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.motion.rotations import Array, from_rpy, to_rpy, transform
+from sdfcheck.robot.naming.references import NAMING
+from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.source.document import Comment, Element
+
+# Copies of what is in ``<gazebo>`` blocks, as the version that is written has it.
+#
+# Names there must not have ``::`` in them, nor be those of two things in one link.
+
+
+_SINGLE = frozenset({"light", "particle_emitter", "projector", "sensor"})
+"""The parts of a link or joint that libsdformat looks up by name."""
+
+
+def copied_entry(context: Context, entry: Element, holder: Node) -> Node:
+    """The copy of an entry of a block, entered as such; ``holder`` is where it goes."""
+    made = context.copied(entry)
+    context.ledger.copy(entry)
+    context.copies.append((entry, made, holder))
+    _settle_names(context, entry, made, holder)
+    if renew(made, context.options.version):
+        text = f"the noise of {entry.title} is written for each axis, as SDFormat has it since 1.6"
+        context.note(entry, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
+    return made
+
+
+def _settle_names(context: Context, entry: Element, made: Node, holder: Node) -> None:
+    for node in _checked(made):
+        own = node.attributes.get("name", "")
+        if "::" in own:
+            node.attributes["name"] = legal(own)
+            _report(context, entry, node, own)
+    own = made.attributes.get("name", "")
+    if made.name not in _SINGLE or not own:
+        return
+    taken = {child.attributes.get("name") for child in holder.elements(made.name)}
+    number = 1
+    while made.attributes["name"] in taken:
+        number += 1
+        made.attributes["name"] = f"{own}_{number}"
+    if number > 1:
+        _report(context, entry, made, own)
+
+
+def _report(context: Context, entry: Element, node: Node, own: str) -> None:
+    message = f"{node.name} `{own}` of a <gazebo> block is named `{node.attributes['name']}`"
+    context.note(entry, LossKind.RENAMED, message)
+
+
+def _checked(node: Node) -> Iterator[Node]:
+    """The elements whose names libsdformat checks: not those of plugins and custom elements, nor what is in them."""
+    if node.name == "plugin" or ":" in node.name:
+        return
+    yield node
+    for child in node.elements():
+        yield from _checked(child)
+
+
+# Names that the content of ``<gazebo>`` blocks writes: of collisions, in the words of libsdformat, and of links.
+#
+# A contact sensor names a collision as libsdformat calls it, which is not what the result calls it. Of
+# the parameters of plugins libsdformat rewrites two, with the offset of the link that is merged
+# (parser_urdf.cc, ReduceSDFExtensionPluginFrameReplace); others stay as they are, and are reported.
+
+
+_WITH_OFFSET = ("bodyName", "frameName")
+"""Parameters of plugins in which the name of a link is rewritten."""
+_ENDS = ("parent", "child")
+_ORIGIN = ("xyzOffset", "rpyOffset")
+_AXES = "xyz"
+
+
+class FollowedNames:
+    """Rewrites what a copy of a block's content calls by a name that the result has for nothing."""
+
+    def __init__(self, context: Context, robot: Model) -> None:
+        self.context = context
+        built = robot.as_built_by(Consumer.GAZEBO)
+        self.collisions = {
+            shape.name: shape.origin.element for link in built.links.values() for shape in link.collisions
+        }
+        """The names that libsdformat gives to collisions → the collision."""
+        self.gone = dict(self._gone())
+
+    def _gone(self) -> Iterator[tuple[str, tuple[LossKind, str]]]:
+        """The names of links and joints that were merged or renamed, with the reason."""
+        plan = self.context.plan
+        of_links = plan.names.links.keys() - {name for name in plan.names.links if plan.is_merged(name)}
+        for name, new in plan.names.joints.items():
+            if name in of_links:
+                continue
+            if name in plan.merged_joints:
+                yield name, (LossKind.MERGED_LINK, f"joint `{name}` was merged")
+            elif new != name:
+                yield name, (LossKind.RENAMED, f"joint `{name}` is now named `{new}`")
+        for name, new in plan.names.links.items():
+            survivor = plan.home[name][0]
+            if survivor != name:
+                yield name, (LossKind.MERGED_LINK, f"link `{name}` is now part of link `{survivor}`")
+            elif new != name and not plan.is_world(name):
+                yield name, (LossKind.RENAMED, f"link `{name}` is now named `{new}`")
+
+    def follow(self, entry: Element, made: Node, holder: Node) -> None:
+        """Look at one element of a block, its copy, and the element that holds the copy."""
+        for element, node in _pairs(entry, made):
+            if element.name == "contact" and element.parent is not None and element.parent.name == "sensor":
+                self._follow_collisions(element, node, holder)
+            elif element.name == "plugin":
+                self._follow_parameters(element, node)
+            elif element.name in _ENDS:
+                self._follow_scope(element, node)
+
+    def _follow_scope(self, end: Element, made: Node) -> None:
+        """Rewrite the end of a joint in a model of a block that has got another name."""
+        own, delimiter, rest = end.content.partition("::")
+        if delimiter and own in self.context.own_names:
+            made.text = f"{self.context.own_names[own]}::{rest}"
+            self.context.note(end, LossKind.RENAMED, f"`{end.content}` is now `{made.text}`", Severity.INFO)
+
+    def _follow_collisions(self, contact: Element, made: Node, holder: Node) -> None:
+        for element, node in zip(contact.children("collision"), made.elements("collision"), strict=False):
+            own = node.text or ""
+            collision = self.collisions.get(own)
+            written = None if collision is None else self.context.shapes.get(collision)
+            if written is None or own in {
+                part.attributes.get("name") for part in holder.elements("collision")
+            }:
+                continue
+            link, shape = written
+            if link is holder:
+                node.text = shape.attributes["name"]
+                if node.text != own:
+                    text = f"collision `{own}`, as libsdformat calls it, is named `{node.text}`"
+                    self.context.note(element, LossKind.RENAMED, text, Severity.INFO)
+            else:
+                text = f"{contact.parent.title if contact.parent is not None else contact.title} gets no contacts: "
+                text += f"collision `{shape.attributes['name']}` is in link `{link.attributes['name']}`"
+                self.context.note(element, LossKind.DROPPED_SENSOR, text)
+
+    def _follow_parameters(self, plugin: Element, made: Node) -> None:
+        for element, node in _pairs(plugin, made):
+            found = self.gone.get(element.content)
+            if found is None:
+                continue
+            kind, what = found
+            if kind is LossKind.RENAMED and NAMING.search(element.name):
+                node.text = self._renamed(element.content)
+                text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
+                self.context.note(element, kind, text, Severity.INFO)
+                continue
+            if element.parent is plugin and element.name in _WITH_OFFSET:
+                survivor, offset = self.context.plan.home.get(element.content, ("", np.eye(4)))
+                if survivor in self.context.links:
+                    self._move(plugin, made, offset)
+                    node.text = self.context.plan.names.links[survivor]
+                    text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
+                    self.context.note(element, kind, text, Severity.INFO)
+                    continue
+            text = f"<{element.name}> of {plugin.title} stays as it is, but {what}"
+            self.context.note(element, kind, text)
+
+    def _renamed(self, name: str) -> str:
+        """The new name of a link or joint; a link goes before a joint of its name."""
+        names = self.context.plan.names
+        is_link = name in names.links and not self.context.plan.is_merged(name)
+        return names.links[name] if is_link else names.joints[name]
+
+    def _move(self, plugin: Element, made: Node, offset: Array) -> None:
+        """Write where the plugin is in the link that is left, 4×4 ``offset`` being the place of its own link."""
+        if np.array_equal(offset, np.eye(4)):
+            return
+        given = {name: plugin.find(name) for name in _ORIGIN}
+        values = {name: _three(one) for name, one in given.items()}
+        for name, one in given.items():
+            if one is not None and values[name] is None:
+                text = f"<{name}> of {plugin.title} is not three numbers and stays as it is, "
+                text += "but the link that it is measured from was merged"
+                self.context.note(one, LossKind.MERGED_LINK, text)
+        position, angles = values.values()
+        if position is None or angles is None:
+            return
+        place = offset @ transform(from_rpy(*angles), position)
+        rows = (tuple(map(float, place[:3, 3])), to_rpy(place[:3, :3]))
+        for (name, one), row in zip(given.items(), rows, strict=True):
+            made.reach(name).text = numbers(row)
+            if one is not None:
+                text = f"<{name}> of {plugin.title} is from the link that is left"
+                self.context.note(one, LossKind.MERGED_LINK, text, Severity.INFO)
+
+
+def _three(element: Element | None) -> tuple[float, ...] | None:
+    """The numbers of an offset, zeros where it is not written; None where it is not three numbers."""
+    found = (0.0, 0.0, 0.0) if element is None else floats(element.content)
+    return found if found is not None and len(found) == len(_AXES) and all(map(isfinite, found)) else None
+
+
+def _pairs(element: Element, node: Node) -> Iterator[tuple[Element, Node]]:
+    """An element and its copy, and those in them, as long as they go together."""
+    yield element, node
+    for child, made in zip(element.children(), node.elements(), strict=False):
+        if child.name != made.name:
+            return
+        yield from _pairs(child, made)
+
+
+# ``<gazebo>`` blocks: what they say of a link, a joint or the model goes where SDFormat has it.
+
+
+_KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
+_PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
+_BOUNDS = frozenset({"lower", "upper", "effort", "velocity", "damping", "friction"})
+_SCRIPTS = "file://media/materials/scripts/gazebo.material"
+
+
+class Extensions:
+    """Applies the blocks of a robot to what was written for its links and joints."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    def apply(self, block: Element, model: Node) -> None:
+        reference = block.attributes.get("reference", "").strip()
+        self.context.ledger.take(block)
+        plan = self.context.plan
+        if not reference:
+            self._each(block, model, self._model_part)
+            return
+        is_joint = reference in self.context.joints or reference in plan.merged_joints
+        if is_joint:
+            # A link of the same name takes what it can have.
+            only = OF_JOINTS if reference in plan.home else None
+            if reference in self.context.joints:
+                self._each(block, self.context.joints[reference], self._joint_part, only)
+            else:
+                self._only_hints(block, reference, only)
+        if reference in plan.home:
+            self._of_link(block, reference, OF_JOINTS if is_joint else frozenset())
+        elif not is_joint:
+            gone = reference in plan.robot.joints
+            called = f"no link or joint is called `{reference}`"
+            self._unknown(block, f"joint `{reference}` has no counterpart" if gone else called)
+
+    def _of_link(self, block: Element, link: str, others: frozenset[str]) -> None:
+        """Put what a block says of a link where the link is now, without the settings that are ``others``'."""
+        survivor, offset = self.context.plan.home[link]
+        if survivor not in self.context.links:
+            self._unknown(block, f"`{link}` is the world")
+            return
+        part = _LinkPart(self.context, link, offset)
+        wanted = {entry.name for entry in block.children()} - others if others else None
+        self._each(block, self.context.links[survivor], part.put, wanted)
+
+    def _each(
+        self,
+        block: Element,
+        node: Node,
+        put: Callable[[Element, Node], None],
+        only: Container[str] | None = None,
+    ) -> None:
+        for entry in block.nodes:
+            if isinstance(entry, Comment):
+                if only is not OF_JOINTS and self.context.ledger.take_comment(entry):
+                    node.children.append(entry)
+            elif isinstance(entry, Element) and (only is None or entry.name in only):
+                put(entry, node)
+
+    def _unknown(self, block: Element, reason: str) -> None:
+        if any(True for _ in block.children()):
+            text = f"a <gazebo> block is left out: {reason}"
+            self.context.lose(block, LossKind.UNKNOWN_REFERENCE, text)
+
+    def _only_hints(self, block: Element, joint: str, only: Container[str] | None) -> None:
+        for entry in block.children():
+            if entry.name in _KEEP_FIXED:
+                self.context.ledger.take(entry, TEXT, "value")
+            elif only is None or entry.name in only:
+                text = f"<{entry.name}> is left out: joint `{joint}` was merged"
+                self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+
+    # The model
+
+    def _model_part(self, entry: Element, model: Node) -> None:
+        setting = extension().children.get(entry.name)
+        if setting is not None and setting.about in {"link", "joint"}:
+            text = f"<{entry.name}> outside a block for a {setting.about} has no effect; it is left out"
+            self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+        elif entry.is_custom or self.context.allows(entry.name):
+            self._native(entry, model)
+        else:
+            self.context.keep(entry, model)
+
+    def _native(self, entry: Element, model: Node) -> None:
+        """Parts that are SDFormat already; their names must differ from those of the robot."""
+        joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
+        if entry.name == "frame" and joint is not None and joint.kind == "floating":
+            # It replaces the joint, in whose place it is, for libsdformat.
+            self.context.ledger.take_whole(entry)
+            return
+        own = entry.attributes.get("name", "")
+        if entry.name == "frame" and ("frame", own) in self.context.vendors.named:
+            # It is there for Drake as well.
+            self.context.ledger.take_whole(entry)
+            return
+        made = copied_entry(self.context, entry, model)
+        model.append(made)
+        if entry.is_custom:
+            self.context.name_anew(entry, made, model)
+        if entry.name not in {"link", "joint", "frame", "model"}:
+            return
+        own = made.attributes.get("name", "")
+        name = made.attributes["name"] = self.context.plan.names.free(own)
+        if entry.name == "link":
+            self.context.own_links.add(name)
+        if name != own:
+            self.context.own_names[own] = name
+            text = f"{entry.title} of a <gazebo> block is named `{name}`"
+            self.context.note(entry, LossKind.RENAMED, text)
+
+    # Joints
+
+    def _joint_part(self, entry: Element, joint: Node) -> None:
+        context, name = self.context, entry.name
+        if (setting := settings("joint").get(name)) is not None:
+            self._joint_setting(entry, setting, joint)
+        elif name == "axis":
+            self._axis(entry, joint)
+        elif name in _KEEP_FIXED:
+            context.ledger.take(entry, TEXT, "value")
+        elif entry.is_custom or (name != "pose" and context.allows(f"joint/{name}")):
+            made = copied_entry(context, entry, joint)
+            if (there := joint.find(name)) is not None and name == "physics":
+                merge(made, there)
+            else:
+                joint.append(made)
+        else:
+            context.keep(entry, joint)
+
+    def _axis(self, entry: Element, joint: Node) -> None:
+        """Limits and dynamics for Gazebo go before those of the joint; where it turns is for the joint to say."""
+        context, axis = self.context, joint.find("axis")
+        if axis is None:
+            text = "<axis> means nothing on a fixed joint and is left out"
+            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+            return
+        context.carry(entry, axis)
+        for part in entry.children():
+            if part.name not in {"limit", "dynamics"}:
+                text = f"<{part.name}> is left out: the joint's own counts"
+                context.lose(part, LossKind.EXTENSION_NOT_CARRIED, text)
+                continue
+            context.ledger.copy(part)
+            merge(copied(part), axis.reach(part.name))
+            for setting in part.children():
+                if setting.name in _BOUNDS and (value := number(setting.content)) is not None:
+                    context.overruled.setdefault(joint.attributes["name"], {})[setting.name] = value
+
+    def _joint_setting(self, entry: Element, setting: UrdfElement, joint: Node) -> None:
+        context, path = self.context, setting.counterparts[0]
+        if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
+            path = (*path[:-1], "cfm_damping")
+        if path[0] == "axis" and joint.find("axis") is None:
+            message = f"<{entry.name}> means nothing on a fixed joint and is left out"
+            context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, message)
+            return
+        context.ledger.take(entry, TEXT, "value")
+        if (text := context.translated(entry, setting)) is not None:
+            joint.reach(*path).text = text
+
+
+class _LinkPart:
+    """Puts what a block says of one link into the link that survives, in which it has a 4×4 pose."""
+
+    def __init__(self, context: Context, reference: str, offset: Array) -> None:
+        self.context = context
+        self.reference = reference
+        self.offset = offset
+
+    def put(self, entry: Element, link: Node) -> None:
+        context, name = self.context, entry.name
+        if (setting := settings("link").get(name)) is not None:
+            self._setting(entry, setting, link)
+        elif name in {"visual", "collision"}:
+            self._of_shapes(entry, link)
+        elif name == "material":
+            self._script(entry, link)
+        elif entry.is_custom or context.allows(f"link/{name}"):
+            self._native(entry, link)
+        else:
+            context.keep(entry, link)
+
+    def _setting(self, entry: Element, setting: UrdfElement, link: Node) -> None:
+        self.context.ledger.take(entry, TEXT, "value")
+        if (text := self.context.translated(entry, setting)) is None:
+            return
+        for path in setting.counterparts:
+            if path[0] == "collision":
+                for collision in self._some_parts(entry, link, "collision"):
+                    collision.reach(*path[1:]).text = text
+            else:
+                link.reach(*path).text = text
+
+    def _of_shapes(self, entry: Element, link: Node) -> None:
+        """The settings of a block for all visuals or collisions."""
+        for part in self._some_parts(entry, link, entry.name):
+            self.context.ledger.copy(entry)
+            merge(copied(entry), part)
+
+    def _some_parts(self, entry: Element, link: Node, role: str) -> list[Node]:
+        """The shapes from the link that the block names, which a setting is about; reported if there are none."""
+        parts = [
+            part for part in link.elements(role) if self.context.came_from.get(id(part)) == self.reference
+        ]
+        if not parts:
+            text = f"<{entry.name}> is left out: link `{self.reference}` has no {role}"
+            self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
+        return parts
+
+    def _script(self, entry: Element, link: Node) -> None:
+        if not text_of_setting(entry):
+            text = "<material> of a block is the name of a script, and this one has none; it is left out"
+            self.context.lose(entry, LossKind.CHANGED_MATERIAL, text)
+            return
+        self.context.ledger.take(entry, TEXT, "value")
+        visuals = self._some_parts(entry, link, "visual")
+        for visual in visuals:
+            material = visual.reach("material")
+            if (script := material.find("script")) is not None:
+                material.children.remove(script)
+            made = Node("script")
+            made.add("name", text_of_setting(entry))
+            made.add("uri", _SCRIPTS)
+            material.children.insert(0, made)
+        if visuals and self.context.once("script"):
+            name = text_of_setting(entry)
+            text = f"material script `{name}` is for classic Gazebo; its successor shows the URDF's color"
+            self.context.note(entry, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
+
+    def _native(self, entry: Element, link: Node) -> None:
+        made = copied_entry(self.context, entry, link)
+        single = entry.name in {"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"}
+        there = link.find(entry.name) if single else None
+        if there is not None:
+            merge(made, there)
+            return
+        if entry.name in _PLACED and not np.array_equal(self.offset, np.eye(4)):
+            self._move(entry, made)
+        link.append(made)
+
+    def _move(self, entry: Element, made: Node) -> None:
+        """Place something in the link that its own link was merged into."""
+        written = entry.find("pose")
+        if written is not None and written.attributes.get("relative_to"):
+            return
+        here = np.eye(4)
+        text = self.context.numbers(written, 6) if written is not None and written.content else None
+        if written is not None and text is not None:
+            values = [float(part) for part in text.split()]
+            if written.attributes.get("degrees", "").lower() in TRUE:
+                values[3:] = [float(np.deg2rad(value)) for value in values[3:]]
+            here = transform(from_rpy(*values[3:]), values[:3])
+        pose = made.find("pose")
+        if pose is None:
+            pose = Node("pose")
+            made.children.insert(0, pose)
+        pose.say(pose_of(self.offset @ here) or "0 0 0 0 0 0")
+
+
+def merge(extra: Node, into: Node) -> None:
+    """Write what is in one element into another: values replace, structures are joined."""
+    into.attributes.update({k: v for k, v in extra.attributes.items() if k != "name"})
+    if extra.text:
+        into.text = extra.text
+    for child in extra.children:
+        if not isinstance(child, Node):
+            into.children.append(child)
+        elif (there := into.find(child.name)) is not None and child.name not in {"plugin", "sensor"}:
+            merge(child, there)
+        else:
+            into.children.append(child)

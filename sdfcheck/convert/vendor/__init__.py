@@ -1,1 +1,0 @@
-"""Vendors' own elements, as the other dialect writes them."""

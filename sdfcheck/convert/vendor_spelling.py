@@ -1,0 +1,196 @@
+"""How one dialect spells a vendor's tag that the other one has: by the table that lint checks the tags with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+import numpy as np
+
+from sdfcheck.convert.writer import Node, declared_prefixes, numbers
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor, value_at
+from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.values import as_read
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.source.document import Comment, Element
+from sdfcheck.source.sniff import Kind
+
+
+class Surroundings(Protocol):
+    """The new names of the parts of the robot that tags refer to."""
+
+    def name(self, text: str, kinds: tuple[str, ...]) -> str:
+        """The new name of what a name calls, which is of one of several kinds (``link``, ``frame``, ``:tag``)."""
+
+    def vector(self, link: str, text: str, *, is_point: bool) -> str:
+        """A point or direction of a link's frame, in the frame that is there now."""
+
+
+_TRUE = frozenset(("1", "true"))
+
+
+class Spelling:
+    """Writes the tags of one vendor as another dialect has them."""
+
+    def __init__(self, source: Vendor, target: Vendor, around: Surroundings) -> None:
+        self.source = source
+        self.target = target
+        self.around = around
+        self.mark = f"{source.prefix}:"
+        self.dropped: list[Element] = []
+        """Tags that were left out: their consumer ignores them where they are, and would not in the other dialect."""
+        self._by_use = {
+            tag.absent.use: name
+            for name, tag in source.tags.items()
+            if tag.absent is not None and tag.absent.use
+        }
+        self._uses = {
+            name: tag.absent.use
+            for name, tag in target.tags.items()
+            if tag.absent is not None and tag.absent.use
+        }
+
+    def knows(self, name: str) -> bool:
+        """Is it a tag of the vendor that the other dialect can say?"""
+        tag = self.target.tags.get(name)
+        return tag is not None and bool(tag.places)
+
+    def must_drop(self, element: Element) -> bool:
+        """Is a tag ignored where it is, and would be read, or refused, where it would be in the other dialect?"""
+        if not (element.name.startswith(self.mark) and self.target.unknown.refused):
+            return False
+        tag, parent = self.source.tags.get(element.name), element.parent
+        places = tag.places if tag is not None else ()
+        return parent is None or not any(place.encloses(parent) and place.holds(parent) for place in places)
+
+    def element(self, element: Element) -> Node:
+        """A tag with all that is in it."""
+        name = element.name
+        tag, other = self.source.tags.get(name), self.target.tags.get(name)
+        node = Node(name)
+        node.attributes.update(declared_prefixes(element))
+        node.attributes.pop(f"xmlns:{self.source.prefix}", None)
+        if tag is None or other is None:
+            return self._plain(element, node)
+        self._attributes(element, node, tag, other)
+        here, there = _place_in(tag, element), _place_like(other, element)
+        if here is not None and here.slot is not None and there is not None and there.slot is not None:
+            value = value_at(element, here.carrier)
+            if value is not None:
+                text = self.value(value.text, here.slot, there.slot)
+                _carry(node, there.carrier, self._seen(tag, element, text))
+        for child in element.nodes:
+            if isinstance(child, Comment):
+                node.children.append(child)
+            elif isinstance(child, Element) and not (here is not None and here.carrier == f"/{child.name}"):
+                self._child(child, node, tag, other)
+        return node
+
+    def value(self, text: str, here: Slot, there: Slot) -> str:
+        """A value in the other dialect's words."""
+        words = " ".join(text.split())
+        if self.source.is_lenient and not self.target.is_lenient:
+            words = as_read(here, words)
+        if there.type == "truth" and here.type == "bool":
+            return "true" if words.lower() in _TRUE else "false"
+        return self.around.name(words, here.references) if here.references else words
+
+    def _seen(self, tag: Tag, element: Element, text: str) -> str:
+        """A point or direction in the frame of a link, where that has moved."""
+        parent = element.parent
+        if parent is None:
+            return text
+        if tag.keys.text("direction-in") == parent.name:
+            return self.around.vector(parent.attributes.get("name", ""), text, is_point=False)
+        sibling = parent.find(tag.keys.text("point-in") or "-")
+        place = _place_in(self.source.tags[sibling.name], sibling) if sibling is not None else None
+        link = value_at(sibling, place.carrier) if sibling is not None and place is not None else None
+        return text if link is None else self.around.vector(link.text.strip(), text, is_point=True)
+
+    def _plain(self, element: Element, node: Node) -> Node:
+        """Elements that the table does not have, as they are."""
+        node.attributes.update(element.attributes)
+        node.text = element.content or None
+        node.children += [self.element(child) for child in element.children()]
+        return node
+
+    def _attributes(self, element: Element, node: Node, tag: Tag, other: Tag) -> None:
+        """Attributes of the tag itself; in the other dialect they may be children, plain or of the vendor."""
+        carriers = {place.carrier for place in tag.places}
+        for name, text in element.attributes.items():
+            slot = tag.attributes.get(name)
+            if f"@{name}" in carriers:
+                continue
+            if slot is not None and name in other.attributes:
+                node.attributes[name] = self.value(text, slot, other.attributes[name])
+            elif slot is not None and name in other.parts:
+                node.add(name, self.value(text, slot, other.parts[name]))
+            elif (own := self._by_use.get(f"{tag.name}/@{name}")) is not None:
+                node.add(own, " ".join(text.split()))
+            else:
+                node.attributes[name] = text
+
+    def _child(self, child: Element, node: Node, tag: Tag, other: Tag) -> None:
+        name = child.name
+        if self.must_drop(child):
+            self.dropped.append(child)
+            return
+        use = self._uses.get(name, "")
+        if use.startswith(f"{tag.name}/@"):
+            node.attributes[use.rpartition("@")[2]] = " ".join(child.content.split())
+        elif (slot := tag.parts.get(name)) is not None and name in other.attributes:
+            node.attributes[name] = self.value(child.content, slot, other.attributes[name])
+        else:
+            node.append(self.element(child))
+
+
+def _place_in(tag: Tag, element: Element) -> Place | None:
+    """The place that a tag is in; what is in no right one is taken for the first."""
+    parent = element.parent
+    fitting = (place for place in tag.places if parent is not None and place.encloses(parent))
+    holding = [place for place in fitting if parent is not None and place.holds(parent)]
+    return next(iter(holding or tag.places), None)
+
+
+def _place_like(tag: Tag, element: Element) -> Place | None:
+    """The place of the other dialect with the same conditions on the parents."""
+    parent = element.parent
+    alike = (place for place in tag.places if parent is not None and place.path[0].holds(parent))
+    return next(alike, None) or next(iter(tag.places), None)
+
+
+def _carry(node: Node, carrier: str, text: str) -> None:
+    """Put a value where the carrier says."""
+    if carrier == "text":
+        node.text = text
+    elif carrier[:1] == "@":
+        node.attributes[carrier[1:]] = text
+    elif carrier:
+        node.add(carrier[1:], text)
+
+
+def uses(root: Element, prefix: str) -> bool:
+    """Is a description written for the consumers of a prefix: does it declare or use it?"""
+    if prefix in root.namespaces:
+        return True
+    return any(name.startswith(f"{prefix}:") for name in root.document.names)
+
+
+def spellings(
+    source: Kind, target: Kind, around: Surroundings, contains: Callable[[str], bool] = lambda _: True
+) -> dict[str, Spelling]:
+    """Prefix → how to write its tags, of all that a table is about and that the source ``contains``."""
+    return {
+        prefix_of(table): Spelling(vendor(table, source.value), vendor(table, target.value), around)
+        for table in BUILT_IN
+        if contains(f"{prefix_of(table)}:")
+    }
+
+
+def moved(text: str, pose: Array, *, is_point: bool) -> str:
+    """A point or direction, given in an inner frame that has a 4×4 pose in the outer one, in the outer."""
+    vector = np.array([float(word) for word in text.split()])
+    if vector.shape != (3,) or np.array_equal(pose, np.eye(4)):
+        return text
+    return numbers(pose[:3, :3] @ vector + (pose[:3, 3] if is_point else 0.0))

@@ -1,0 +1,378 @@
+"""How a new name of a part of a robot spreads through the xacro files that make the robot, and the proof of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import zip_longest
+
+from sdfcheck.lint.fix import TextEdit
+from sdfcheck.lsp.names.expanded import (
+    Expanded,
+    Key,
+    Place,
+    expansions,
+    pieces,
+    place_of,
+    plain,
+    roots_of,
+    rows_of,
+    total,
+)
+from sdfcheck.lsp.names.index import is_made, robots_about
+from sdfcheck.lsp.names.srdf_names import semantics_of
+from sdfcheck.lsp.names.xacro_names import namings
+from sdfcheck.lsp.workspace import LiveExpander, Workspace
+from sdfcheck.robot.naming.occurrences import Occurrence, name_refusal
+from sdfcheck.source.document import Document, Element
+from sdfcheck.source.references import IN_QUOTES, escape
+from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Source, Span, Step
+from sdfcheck.xacro.language import is_literal, matches
+from sdfcheck.xacro.origins import ExpandedDocument
+from sdfcheck.xacro.static.definitions import visible_definitions
+from sdfcheck.xacro.value_sources import giver_of
+
+_NODES = ("link", "joint", "frame", "model")
+_DEEPEST = 8
+
+
+class Refused(Exception):
+    """A name that cannot be given; the message says why."""
+
+
+class Spread:
+    """The robots in which a file takes part, and the semantics about them; what a new name changes in all of them."""
+
+    def __init__(self, workspace: Workspace, document: Document) -> None:
+        self.workspace = workspace
+        self.document = document
+        starts = [document]
+        if document.kind is Kind.SRDF:
+            starts += robots_about(workspace, document)
+        self.roots = _unique(root for start in starts for root in roots_of(start))
+        self.is_needed = document.kind in {Kind.URDF, Kind.XACRO, Kind.SRDF} and (
+            is_made(document) or any(is_made(root) for root in self.roots) or document.kind is Kind.SRDF
+        )
+        self.edits: dict[Place, TextEdit] = {}
+        self.all: list[Expanded] = []
+        self._names: list[dict[Key, str]] = []
+        self._waiting: list[tuple[int, Key]] = []
+
+    def _expand(self) -> None:
+        """Expand the robots, and the semantics that are about them."""
+        others = semantics_of(self.document, self.roots)
+        roots = _unique([*self.roots, *others])
+        self.all = [
+            *(plain(root) for root in roots if not is_made(root)),
+            *expansions(self.workspace, [root for root in roots if is_made(root)]),
+        ]
+        self._names = [{} for _ in self.all]
+
+    # The spread
+
+    def renamed(self, named: Occurrence, text: str) -> list[TextEdit]:
+        """The edits that follow from another text at the place of a name.
+
+        Raises:
+            Refused: the name is taken or cannot be one, or more than the name would change.
+        """
+        self._expand()
+        kind, span = named.symbol.kind, named.span
+        is_open = not named.is_definition and named.symbol.span == span
+        rows = (each for one in self.all for each in self._rows_like(one, named))
+        if is_open and not any(each.is_definition for each in rows):
+            raise Refused(f"no file is known that defines {kind} `{named.symbol.name}`")
+        self._write(span, text)
+        while self._waiting:
+            number, key = self._waiting.pop()
+            self._everywhere_in(number, key)
+        self._unreached(named)
+        edits = [each for each in self.edits.values() if each.span.text != each.text]
+        for edit in edits:
+            if not self._names_any() and (reason := name_refusal(kind, edit.text)) is not None:
+                raise Refused(reason)
+        self.prove(edits)
+        return edits
+
+    def _rows_like(self, one: Expanded, named: Occurrence) -> Iterator[Occurrence]:
+        for each in one.by_place.get(place_of(named.span), ()):
+            yield from one.by_name[each.symbol.kind, each.symbol.name]
+
+    def _names_any(self) -> bool:
+        return any(self._names)
+
+    def _write(self, span: Span, text: str) -> None:
+        """Write another text at a place; each name that the place expands to changes with it."""
+        place = place_of(span)
+        known = self.edits.get(place)
+        if known is not None:
+            if known.text != text:
+                raise Refused(f"{_where(span)} cannot have two names: `{known.text}` and `{text}`")
+            return
+        self.edits[place] = TextEdit(span, text)
+        for number, one in enumerate(self.all):
+            for row in one.by_place.get(place, ()):
+                self._name(number, row, _changed(span.text, text, total(row)))
+
+    def _name(self, number: int, row: Occurrence, after: str | None) -> None:
+        """A place comes to another value: what it names is called so from now on."""
+        key = row.symbol.kind, row.symbol.name
+        fits = after is not None and after.startswith(row.before) and after.endswith(row.after)
+        if after is None or not fits:
+            raise Refused(f"{_where(row.span)} expands to `{total(row)}` in a way that cannot be followed")
+        self._call(number, key, after[len(row.before) : len(after) - len(row.after)])
+
+    def _call(self, number: int, key: Key, name: str) -> None:
+        """Give a name in one expansion, and in those that are about the same robot."""
+        known = self._names[number].get(key)
+        if known == name or (known is None and key[1] == name):
+            return
+        if known is not None:
+            raise Refused(f"{key[0]} `{key[1]}` cannot be called `{known}` and `{name}`")
+        self._check(self.all[number], key, name)
+        self._names[number][key] = name
+        self._waiting.append((number, key))
+        for other in self._linked(number, key[0]):
+            if key in self.all[other].by_name:
+                self._call(other, key, name)
+
+    def _linked(self, number: int, kind: str) -> Iterator[int]:
+        """The other expansions of the same file; the semantics of a robot, the robots of semantics."""
+        own = self.all[number]
+        for other, one in enumerate(self.all):
+            is_other = (one.document.kind is Kind.SRDF) != (own.document.kind is Kind.SRDF)
+            is_about = is_other and one.name == own.name and kind in {"link", "joint"}
+            if other != number and (one.root is own.root or is_about):
+                yield other
+
+    def _check(self, one: Expanded, key: Key, name: str) -> None:
+        kind = key[0]
+        if (reason := name_refusal(kind, name)) is not None:
+            raise Refused(reason)
+        is_urdf = one.document.root is not None and one.document.root.name == "robot"
+        for other in (kind,) if is_urdf or kind not in _NODES else _NODES:
+            taken = one.by_name.get((other, name), ())
+            if any(each.is_definition for each in taken):
+                raise Refused(f"there is a {other} `{name}` already in {one.root.path.name}")
+
+    def _everywhere_in(self, number: int, key: Key) -> None:
+        """Write a new name wherever an expansion has the old one."""
+        name = self._names[number][key]
+        for row in self.all[number].by_name[key]:
+            wanted = f"{row.before}{name}{row.after}"
+            self._come_to(number, row.span, total(row), wanted)
+
+    def _come_to(self, number: int, span: Span, value: str, wanted: str) -> None:
+        """Let a place expand to another value: change what is written there, or what its expressions take."""
+        text = span.text
+        literal = _literal(text, value, wanted)
+        if literal is not None:
+            self._write(span, literal)
+            return
+        origins: tuple[Step, ...] = getattr(span, "origins", ())
+        at = span
+        for _ in range(_DEEPEST):
+            found = _expression(text, value, wanted)
+            given = None if found is None else self._giver(number, found[0], origins)
+            if found is None or given is None:
+                break
+            at, origins = given
+            text, value, wanted = at.text, found[1], found[2]
+            literal = _literal(text, value, wanted)
+            if literal is not None:
+                known = self.edits.setdefault(place_of(at), TextEdit(at, literal))
+                if known.text != literal:
+                    break
+                return
+        raise Refused(f"{_where(span)} makes this name in a way that cannot be followed")
+
+    def _giver(self, number: int, word: str, origins: Sequence[Step]) -> tuple[Span, tuple[Step, ...]] | None:
+        """The place that gives a property, parameter or argument its value, and the calls around that."""
+        found = giver_of(word, tuple(origins), visible_definitions(self.all[number].root))
+        return None if found is None or not found[0].text else (found[0].span, found[1])
+
+    # Where no expansion comes
+
+    def _unreached(self, named: Occurrence) -> None:
+        """Rename in branches that no expansion takes, and in macros that nobody calls, what is the same by its text."""
+        reached = {place for one in self.all for place in one.by_place}
+        before = tuple(self.edits.values())
+        renamed: dict[Key, str] = {}
+        for own in self._names:
+            renamed.update(own)
+        kinds = {named.symbol.kind, *(kind for kind, _ in renamed)}
+        for element, macro in self._elements():
+            for value, own_kinds, _ in namings(element):
+                span = value.span
+                if (
+                    place_of(span) in reached
+                    or place_of(span) in self.edits
+                    or not kinds.intersection(own_kinds)
+                ):
+                    continue
+                text = self._as_elsewhere(span, macro, own_kinds, before, renamed)
+                if text is not None:
+                    self.edits[place_of(span)] = TextEdit(span, text)
+
+    def _elements(self) -> Iterator[tuple[Element, Element | None]]:
+        seen: set[str] = set()
+        for root in _unique([*self.roots, self.document]):
+            for read in visible_definitions(root).readings:
+                if read.document.source.real_path not in seen:
+                    seen.add(read.document.source.real_path)
+                    yield from read.elements
+
+    def _as_elsewhere(
+        self,
+        span: Span,
+        macro: Element | None,
+        kinds: Sequence[str],
+        edits: Iterable[TextEdit],
+        renamed: dict[Key, str],
+    ) -> str | None:
+        """The new text of a place that no expansion reaches; None where it stays."""
+        text = span.text
+        for edit in edits:
+            is_near = not self.all or _is_in(edit.span, macro, span.source)
+            if edit.span.text == text and is_near:
+                return edit.text
+        for kind in kinds:
+            if is_literal(text) and (kind, text.strip()) in renamed:
+                return text.replace(text.strip(), renamed[kind, text.strip()])
+        is_vague = not is_literal(text) and macro is None and any(each.is_literal for each in pieces(text))
+        for kind, name in renamed:
+            if is_vague and kind in kinds and pieces(text, name):
+                raise Refused(f"{_where(span)} may be `{name}`, and no expansion shows whether it is")
+        return None
+
+    # The proof
+
+    def prove(self, edits: Sequence[TextEdit]) -> None:
+        """Expand the changed files: the robots must be the same but for the names.
+
+        Raises:
+            Refused: they are not.
+        """
+        if not self.roots or not edits:
+            return
+        if not self.all:
+            made = [root for root in self.roots if is_made(root)]
+            self.all = expansions(self.workspace, made)
+            self._names = [{} for _ in self.all]
+        texts = _texts(edits)
+        for one, names in zip(self.all, self._names, strict=True):
+            if isinstance(one.document, ExpandedDocument) and not one.is_partial:
+                self._prove(one, one.document, names, texts)
+
+    def _prove(
+        self, one: Expanded, document: ExpandedDocument, names: dict[Key, str], texts: dict[str, str]
+    ) -> None:
+        read = {os.path.abspath(source.path): source.real_path for source in document.provenance.files}
+        changed = {path: texts[real] for path, real in read.items() if real in texts}
+        if not changed:
+            return
+        expander, _ = self.workspace.caches.xacro(self.workspace.settings_for(one.root.path), one.root.path)
+        assert isinstance(expander, LiveExpander)
+        after = expander.tried(one.root, one.arguments, changed).text
+        if after is None:
+            raise Refused(f"{one.root.path.name} could not be expanded any more")
+        wanted = _expected(document, names)
+        if after == wanted:
+            return
+        lines = zip_longest(wanted.splitlines(), after.splitlines(), fillvalue="")
+        line = next(b.strip() for a, b in lines if a != b)
+        raise Refused(f"more than this name would change in {one.root.path.name}: `{line[:80]}`")
+
+
+def _expected(document: ExpandedDocument, names: dict[Key, str]) -> str:
+    """The expanded text with other names."""
+    text = document.source.text
+    if not names:
+        return text
+    flat = Document(Source(document.path, text), document.kind, [])
+    flat.library = document.library
+    places: dict[tuple[int, int], str] = {}
+    for row in rows_of(flat):
+        name = names.get((row.symbol.kind, row.symbol.name))
+        if name is not None and row.span.source is flat.source:
+            places[row.span.start, row.span.end] = escape(f"{row.before}{name}{row.after}", IN_QUOTES)
+    for (start, end), name in sorted(places.items(), reverse=True):
+        text = text[:start] + name + text[end:]
+    return text
+
+
+def _texts(edits: Iterable[TextEdit]) -> dict[str, str]:
+    """Real path → the text after edits."""
+    texts: dict[str, str] = {}
+    for edit in sorted(edits, key=lambda each: -each.span.start):
+        source = edit.span.source
+        text = texts.get(source.real_path, source.text)
+        texts[source.real_path] = text[: edit.span.start] + edit.text + text[edit.span.end :]
+    return texts
+
+
+def _unique(documents: Iterable[Document]) -> list[Document]:
+    return list({each.source.real_path: each for each in documents}.values())
+
+
+def _where(span: Span) -> str:
+    return f"`{span.text}` in {span.source.path.name}, line {span.begin.line},"
+
+
+def _is_in(span: Span, macro: Element | None, source: Source) -> bool:
+    """Is a place in the body of a macro; without one, in the same file outside of macros?"""
+    if macro is None:
+        return span.source.real_path == source.real_path
+    whole = macro.document.spans.whole(macro)
+    return whole.source.real_path == span.source.real_path and whole.start < span.start < whole.end
+
+
+def _differences(before: str, after: str) -> Iterator[tuple[int, int, str]]:
+    """The range of a text that is replaced and by what, as far to the right and to the left as may be."""
+    shortest = min(len(before), len(after))
+    head = next((n for n in range(shortest) if before[n] != after[n]), shortest)
+    tail = next((n for n in range(shortest - head) if before[-1 - n] != after[-1 - n]), shortest - head)
+    yield head, len(before) - tail, after[head : len(after) - tail]
+    tail = next((n for n in range(shortest) if before[-1 - n] != after[-1 - n]), shortest)
+    head = next((n for n in range(shortest - tail) if before[n] != after[n]), shortest - tail)
+    yield head, len(before) - tail, after[head : len(after) - tail]
+
+
+def _literal(text: str, value: str, wanted: str) -> str | None:
+    """The text that expands to another value, changed in one literal piece; None if that is not possible."""
+    for first, last, new in _differences(value, wanted):
+        for piece in pieces(text, value):
+            if piece.is_literal and piece.first <= first and last <= piece.last and "&" not in text:
+                start = piece.start + first - piece.first
+                return f"{text[:start]}{escape(new, IN_QUOTES)}{text[start + last - first :]}"
+    return None
+
+
+def _changed(text: str, new: str, value: str) -> str | None:
+    """The value of a text whose literal pieces change; None if it is not certain."""
+    if is_literal(text):
+        return new.strip() if text.strip() == value else None
+    old, now = list(pieces(text, value)), list(pieces(new))
+    if [each.is_literal for each in old] != [each.is_literal for each in now]:
+        return None
+    return "".join(
+        new[there.start : there.end] if there.is_literal else value[here.first : here.last]
+        for here, there in zip(old, now, strict=True)
+    )
+
+
+def _expression(text: str, value: str, wanted: str) -> tuple[str, str, str] | None:
+    """The one word whose value must change, with its value and the wanted one."""
+    for first, last, new in _differences(value, wanted):
+        for piece in pieces(text, value):
+            if piece.is_literal or not (piece.first <= first and last <= piece.last):
+                continue
+            match = next(matches(text[piece.start : piece.end]), None)
+            word = "" if match is None else (match["code"] or "").strip()
+            if match is not None and match["command"] is not None:
+                word = f"$({' '.join(match['command'].split())})"
+            if word.isidentifier() or word.startswith("$(arg "):
+                own = value[piece.first : piece.last]
+                return word, own, own[: first - piece.first] + new + own[last - piece.first :]
+    return None

@@ -1,0 +1,351 @@
+"""Other files that a description names: resources such as meshes and textures, and includes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from sdfcheck.robot.graph import Part
+from sdfcheck.robot.values import is_true, lazy
+
+if TYPE_CHECKING:
+    from sdfcheck.files.uris import Location
+    from sdfcheck.robot.graph import Model, Node
+    from sdfcheck.robot.includes.included import Included, Obstacle
+    from sdfcheck.robot.includes.uri_spelling import Misspelling, OtherCase
+    from sdfcheck.robot.root import Root
+    from sdfcheck.source.document import Element, Value
+
+
+# Files that a description names by URIs, and where those lead.
+#
+# No simulator refuses a description of SDFormat for a mesh, texture, script or sound that
+# is absent: it is shown without, and collides with nothing. Nothing is fetched, and
+# nothing is read.
+
+
+Index = Mapping[str, Sequence["Element"]]
+
+_MAPS = (
+    "albedo_map", "ambient_occlusion_map", "emissive_map", "environment_map", "glossiness_map", "light_map",
+    "metalness_map", "normal_map", "roughness_map", "specular_map",
+)  # fmt: skip
+_PBR = frozenset({"metal", "specular", "shader"})
+
+_PLACES: dict[str, frozenset[str]] = {
+    "uri": frozenset({"mesh", "heightmap", "image", "script", "audio_source"}),
+    "filename": frozenset({"mesh", "skin", "animation"}),
+    "texture": frozenset({"projector"}),
+    "diffuse": frozenset({"texture"}),
+    "normal": frozenset({"texture"}),
+    "cubemap_uri": frozenset({"sky"}),
+    "color_range_image": frozenset({"particle_emitter"}),
+    **dict.fromkeys(_MAPS, _PBR),
+}
+"""Elements of SDFormat whose text names a file, and the parents below which it does."""
+
+_WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "texture": "texture"}
+_TEXTURED = frozenset({"projector", "sky"})
+_SHIPPED = ("file://media/", "__default__")
+"""What Gazebo Classic brings along, and the word for nothing."""
+_EXPRESSIONS = ("$(", "${")
+_PICTURES = frozenset({"texture", "heightmap", "projector"})
+_TEXTURE_FOLDERS = ("materials/textures", "../materials/textures", "../textures")
+
+
+class FileUse(Part):
+    """Something that names a file by a URI: an include, or a resource."""
+
+    __slots__ = ()
+
+    @property
+    def uri_value(self) -> Value | None:
+        """The URI with its place; None where there is none."""
+        raise NotImplementedError
+
+    @property
+    def uri(self) -> str:
+        """The URI without spaces around it; empty where there is none."""
+        return self.uri_value.text.strip() if self.uri_value is not None else ""
+
+    @property
+    def obstacle(self) -> Obstacle | None:
+        """Why what it names cannot be read; None for what is not read at all."""
+        return None
+
+    @lazy
+    def location(self) -> Location | None:
+        """Where the URI leads; None without a URI, and for a text that is not looked at among other files."""
+        if self.uri_value is None or self.document.library is None:
+            return None
+        from sdfcheck.files.uris import locate
+
+        return locate(self.document, self.uri_value.text)
+
+    @property
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
+        raise NotImplementedError
+
+    @property
+    def is_absolute(self) -> bool:
+        """Is it a path that holds on this computer alone?"""
+        from sdfcheck.robot.includes.uri_spelling import is_absolute
+
+        return self.uri_value is not None and is_absolute(self.uri_value)
+
+    @lazy
+    def misspelling(self) -> Misspelling | None:
+        """The fault of the URI as a text, also where that explains why it leads nowhere."""
+        if self.uri_value is None or self._misspelling is not None:
+            return self._misspelling
+        from sdfcheck.robot.includes.uri_spelling import misplaced_blanks
+
+        return misplaced_blanks(self.uri_value) if self.leads_nowhere else None
+
+    @lazy
+    def _misspelling(self) -> Misspelling | None:
+        from sdfcheck.robot.includes.uri_spelling import misspelling
+
+        return None if self.uri_value is None else misspelling(self.uri_value)
+
+    @lazy
+    def other_case(self) -> OtherCase | None:
+        """The file that the URI would lead to if case did not matter, where it leads nowhere."""
+        if self.uri_value is None or not self.leads_nowhere or self.misspelling is not None:
+            return None
+        from sdfcheck.robot.includes.uri_spelling import other_case
+
+        return None if self.location is None else other_case(self.uri_value, self.location)
+
+    @property
+    def is_missing(self) -> bool:
+        """Is nothing where the URI leads, and is that not the fault of its spelling?"""
+        return self.leads_nowhere and self.misspelling is None and self.other_case is None
+
+
+class Resource(FileUse):
+    """A mesh, texture, script or sound that a file names.
+
+    Its ``element`` is the one that names it: ``uri``, ``albedo_map`` …, in URDF ``mesh`` and ``texture``.
+    """
+
+    __slots__ = ("_value",)
+    kind = "resource"
+
+    def __init__(self, holder: Part, element: Element, value: Value) -> None:
+        super().__init__(holder, element)
+        self._value = value
+
+    @property
+    def uri_value(self) -> Value:
+        """The URI with its place."""
+        return self._value
+
+    @property
+    def what(self) -> str:
+        """Its kind: ``mesh``, ``texture``, ``material script`` …"""
+        if self.is_urdf:
+            return self.element.name
+        holder, name = self.holder.element.name if self.holder is not None else "", self.element.name
+        if name in _MAPS or holder in _TEXTURED:
+            return "texture"
+        return _WHAT.get(holder, holder)
+
+    @lazy
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
+        if self._misspelling is not None or self.is_absolute or self.location is None:
+            return False
+        location = self.location
+        return location.path is None and location.is_local and not self._is_among_textures
+
+    @property
+    def _is_among_textures(self) -> bool:
+        """Gazebo also looks for the bare name of a picture in the folders that models keep theirs in."""
+        if self.what not in _PICTURES or "/" in self.uri:
+            return False
+        folder = self.document.path.parent
+        return any(os.path.exists(folder / place / self.uri) for place in _TEXTURE_FOLDERS)
+
+
+def resources_of(root: Root) -> tuple[Resource, ...]:
+    """The resources that a file names, of the same elements one after the other."""
+    index, found = root.elements, []
+    for value in _named_in_urdf(index) if root.is_urdf else _named_in_sdf(index):
+        text, element = value.text.strip(), value.element
+        if text and not text.startswith(_SHIPPED) and not any(mark in text for mark in _EXPRESSIONS):
+            parent = element.parent
+            assert parent is not None, "the root names no file"
+            found.append(Resource(root.part_of(parent), element, value))
+    return tuple(found)
+
+
+def _named_in_sdf(index: Index) -> Iterator[Value]:
+    for name, parents in _PLACES.items():
+        if name in index and any(parent in index for parent in parents):
+            yield from _named_by(index[name])
+
+
+def _named_in_urdf(index: Index) -> Iterator[Value]:
+    """Meshes and textures; and what is in ``<gazebo>``, which knows where its own pictures are."""
+    for kind in ("mesh", "texture"):
+        for element in index.get(kind, ()):
+            value = element.attribute("filename")
+            if value is not None and not _is_for_gazebo(element):
+                yield value
+    for name in _PLACES:
+        for value in _named_by(index.get(name, ())):
+            if "/" in value.text and _is_for_gazebo(value.element):
+                yield value
+
+
+def _named_by(elements: Iterable[Element]) -> Iterator[Value]:
+    for element in elements:
+        parent = element.parent
+        if parent is not None and parent.name in _PLACES[element.name]:
+            yield element.own_value
+
+
+def _is_for_gazebo(element: Element) -> bool:
+    return any(ancestor.name == "gazebo" for ancestor in element.around)
+
+
+# Includes: other files that become part of a model or world.
+
+
+class Include(FileUse):
+    """An ``include``."""
+
+    __slots__ = ()
+    kind = "include"
+
+    @property
+    def name(self) -> str:
+        """The name that it gives to what it brings; empty where it gives none."""
+        name = self.find("name")
+        return name.content if name is not None else ""
+
+    @lazy
+    def uri_value(self) -> Value | None:
+        """The uri with its place; None where there is none."""
+        uri = self.find("uri")
+        return uri.own_value if uri is not None and uri.content else None
+
+    @lazy
+    def found(self) -> Included:
+        """Its target: file, document, model, or why there is not one."""
+        from sdfcheck.robot.includes.included import included
+
+        return included(self.document, self.element)
+
+    # Where it leads
+
+    @property
+    def obstacle(self) -> Obstacle | None:
+        """Why it brings nothing; None where it brings something, and for a text without other files around it."""
+        return self.found.obstacle if self.document.library is not None else None
+
+    @property
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the uri leads, or nothing that is looked up?"""
+        if self.obstacle is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is Obstacle.NOT_FOUND
+
+    @property
+    def needs_config(self) -> bool:
+        """Does it lead to a folder that has no ``model.config``?"""
+        if self.obstacle is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is Obstacle.NO_CONFIG
+
+    @property
+    def is_read_in_vain(self) -> bool:
+        """Does it lead to a file that cannot be included? A file that is not XML is reported in that file."""
+        if self.obstacle is None or self.found.file is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle not in {Obstacle.BROKEN, Obstacle.OUTSIDE}
+
+    @property
+    def is_searched_for(self) -> bool:
+        """Does it name a model or package that is looked for on search paths? Nothing near by has been found, then.
+
+        To libsdformat a bare word is the name of a model, too.
+        """
+        if self.location is None:
+            return False
+        is_word = not self.location.scheme and not {*self.uri} & {"/", "\\", "."}
+        return is_word or (self.location.is_searched_for and self.location.owner is None)
+
+    @property
+    def is_misconfigured(self) -> bool:
+        """Does it lead to a model folder that has a ``manifest.xml`` of old instead of a ``model.config``?"""
+        config = self.found.config
+        return config is not None and config.path.name == "manifest.xml"
+
+    @lazy
+    def ring(self) -> tuple[Value, ...]:
+        """The uris that lead from it back to its file, outside in; empty if they do not."""
+        if self.document.library is None or self.found.document is None:
+            return ()
+        from sdfcheck.robot.includes.included import ring
+
+        return ring(self.document, self.element)
+
+    # Content
+
+    @property
+    def placement_frame_value(self) -> Value | None:
+        """The name of the frame of the model that its pose places, with its place; None if there is none."""
+        placement = self.find("placement_frame")
+        return placement.own_value if placement is not None and placement.content else None
+
+    @lazy
+    def node(self) -> Node | None:
+        """The model that it brings whole, or the frame of one that it merges; None if neither."""
+        from sdfcheck.robot.graph import Scope
+
+        if not isinstance(self.holder, Scope):
+            return None
+        return next((node for node in self.holder.nodes.values() if node.place is self.element), None)
+
+    @property
+    def model(self) -> Model | None:
+        """The model that it brings whole; None if it brings none, or merges it."""
+        from sdfcheck.robot.graph import Model
+
+        return self.node if isinstance(self.node, Model) else None
+
+    @property
+    def content(self) -> Model | None:
+        """The model that it brings, whole or merged."""
+        from sdfcheck.robot.graph import MergedFrame
+
+        return self.node.model if isinstance(self.node, MergedFrame) else self.model
+
+    @property
+    def brought(self) -> Element | None:
+        """The model, actor or light of the file that it leads to; None if there is none."""
+        return self.found.model
+
+    @property
+    def is_merged(self) -> bool:
+        """Do the parts of the model become parts of the one that includes it?"""
+        return is_true(self._text("merge") or "")
+
+    @property
+    def merged_parts(self) -> tuple[tuple[str, str], ...]:
+        """Kind and name of what moves from the model into the one that includes it, where it is merged."""
+        if not self.is_merged or self.brought is None:
+            return ()
+        from sdfcheck.robot.includes.merges import moved
+
+        return tuple((kind, name) for kind, name, _ in moved(self.found))

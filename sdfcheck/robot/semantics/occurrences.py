@@ -1,0 +1,32 @@
+"""The names in SRDF: its own, of groups, and those of the links and joints of the robot that it is about."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sdfcheck.formats.srdf import GROUPS
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, steps
+from sdfcheck.robot.semantics.semantics import Semantics
+
+
+def semantic_names(semantics: Semantics) -> Iterator[Occurrence]:
+    """Every place that names a group, or a link or joint; those of the robot are symbols without a definition."""
+    for name, group in semantics.groups.items():
+        value = group.attribute("name")
+        assert value is not None
+        span = steps(value)[0][0]
+        yield Occurrence(span, Symbol("group", name, span), True)
+    definitions = {name: group.attribute("name") for name, group in semantics.groups.items()}
+    for part in semantics.parts:
+        attributes = [attribute for element, attribute in GROUPS if element == part.name]
+        if part.name == "group" and part.parent is not semantics.element:
+            attributes = ["name"]
+        for attribute in attributes:
+            value = part.attribute(attribute)
+            defined = None if value is None else definitions.get(value.text.strip())
+            if value is not None and defined is not None:
+                symbol = Symbol("group", value.text.strip(), steps(defined)[0][0])
+                yield Occurrence(steps(value)[0][0], symbol)
+    for kind, value in semantics.named:
+        span = steps(value)[0][0]
+        yield Occurrence(span, Symbol(kind, value.text.strip(), span))

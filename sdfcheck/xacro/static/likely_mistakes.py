@@ -1,0 +1,365 @@
+"""Oversights that xacro accepts, as far as reading a file shows them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from sdfcheck.formats.near_names import nearest
+from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.text import Span
+from sdfcheck.xacro.language import (
+    BUILT_IN,
+    DEPRECATED,
+    KEYWORDS,
+    ONLY_IN_MODULE,
+    PREFIX,
+    Parameter,
+    is_literal,
+    substitutions,
+)
+from sdfcheck.xacro.problems import (
+    ArgumentForParameter,
+    DeprecatedFunction,
+    EmptiedBlock,
+    ForgottenPrefix,
+    NeverEqualText,
+    OddParameter,
+    Oversight,
+    OverwrittenParameter,
+    OverwrittenProperty,
+    ParameterFlaw,
+    PrefixedMacroName,
+    RedefinedMacro,
+    RedefinedSymbol,
+    TruthComparedWithText,
+    UnknownPropertyScope,
+    UnusedArgument,
+    UnusedMacro,
+    UnusualXacroNamespace,
+)
+from sdfcheck.xacro.static.definitions import (
+    Definitions,
+    Macro,
+    Property,
+    Reading,
+    is_conditional,
+    is_outside,
+    knows_all,
+    own_words,
+    place,
+    reading,
+)
+from sdfcheck.xacro.static.prefixes import missing_prefixes
+
+_SYMBOLS = BUILT_IN - ONLY_IN_MODULE
+_SIGN = re.compile(r"\s*(:?=)(\s*)")
+_SCOPES = ("global", "local", "parent")
+_NAMESPACE = "http://www.ros.org/wiki/xacro"
+_CUSTOMARY = re.compile(r"https?://(www\.|wiki\.)?ros\.org/(wiki/)?xacro/?#?$")
+_DEPRECATED = re.compile(rf"(?<![\w.])({'|'.join(sorted(DEPRECATED))})\s*\(")
+_COMPARED = re.compile(
+    r"(['\"])\$\(arg\s+(?P<arg>\w+)\)\1\s*[!=]=\s*(['\"])(?P<text>[^'\"]*)\3"
+    r"|(['\"])(?P<first>[^'\"]*)\5\s*[!=]=\s*(['\"])\$\(arg\s+(?P<last>\w+)\)\7"
+)
+_TRUTH = r"(?P<{}>true|false|True|False)"
+_COMPARED_TRUTH = re.compile(
+    rf"(?<![\w.'\"])(?P<name>[^\W\d]\w*)\s*[!=]=\s*(?P<q>['\"]){_TRUTH.format('text')}(?P=q)"
+    rf"|(?P<r>['\"]){_TRUTH.format('first')}(?P=r)\s*[!=]=\s*(?P<last>[^\W\d]\w*)(?![\w.(\[])"
+)
+_TRUTHS = frozenset(("true", "false", "True", "False"))
+_ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
+_PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<rest>\w+)")
+_ENDS = frozenset((("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")))
+"""Elements and attributes that name a link or joint."""
+
+
+def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
+    """The oversights in a document."""
+    read = reading(document)
+    yield from _symbols(read)
+    yield from _macros(read)
+    yield from _functions(read)
+    yield from _overwritten(read)
+    yield from _scopes(read)
+    yield from _comparisons(read, visible)
+    yield from _compared_truths(read, visible)
+    yield from _arguments_for_parameters(read)
+    yield from _forgotten_prefixes(read, visible)
+    yield from _blocks(read, visible)
+    yield from _namespace(document)
+    if knows_all(document):
+        yield from _unused(document, read, visible)
+
+
+def _symbols(read: Reading) -> Iterator[Oversight]:
+    for found in read.properties:
+        if found.name in _SYMBOLS and "remove" not in found.element.attributes:
+            yield RedefinedSymbol(_named(found.element), found.name)
+    for macro in read.macros:
+        for parameter in macro.parameters:
+            if parameter.name in _SYMBOLS:
+                yield RedefinedSymbol(parameter_place(macro, parameter), parameter.name)
+
+
+def _macros(read: Reading) -> Iterator[Oversight]:
+    first: dict[str, Macro] = {}
+    for macro in read.macros:
+        if macro.element.attributes.get("name", "").startswith(PREFIX):
+            yield PrefixedMacroName(_named(macro.element), macro.name)
+        if macro.name and is_literal(macro.name) and is_outside(macro.element):
+            earlier = first.setdefault(macro.name, macro)
+            if earlier is not macro:
+                yield RedefinedMacro(_named(macro.element), macro.name, _named(earlier.element))
+        yield from _parameters(macro)
+
+
+def _parameters(macro: Macro) -> Iterator[Oversight]:
+    value = macro.element.attribute("params")
+    seen: dict[str, Parameter] = {}
+    has_comma = False
+    for parameter in macro.written if value is not None else ():
+        name = parameter.name.strip(",")
+        if "," in parameter.name or (parameter.default or "").endswith(","):
+            if not has_comma:
+                yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.COMMA)
+            has_comma = True
+        elif parameter.name in seen:
+            place, other = (parameter_place(macro, each) for each in (parameter, seen[parameter.name]))
+            yield OddParameter(place, name, other, flaw=ParameterFlaw.DOUBLED)
+        elif parameter.is_optional and value is not None:
+            sign = _SIGN.match(value.text, parameter.end)
+            if sign and sign[2] and parameter.default is not None:
+                yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.BLANK)
+            elif sign and sign[1] == "=":
+                yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.NO_COLON)
+        seen.setdefault(parameter.name, parameter)
+
+
+def _functions(read: Reading) -> Iterator[Oversight]:
+    seen: set[str] = set()
+    own = {found.name for found in read.properties}
+    for found in read.expressions:
+        for match in _DEPRECATED.finditer(found.code):
+            name = match[1]
+            if name not in own and name not in seen:
+                seen.add(name)
+                span = place(found.element, found.attribute, found.code, name)
+                yield DeprecatedFunction(span, name, near=DEPRECATED[name])
+
+
+def _overwritten(read: Reading) -> Iterator[Oversight]:
+    """Properties that get two values in a row, and parameters that a property replaces."""
+    waiting: dict[str, dict[Element | None, Property]] = {}
+    properties = {found.element: found for found in read.properties}
+    inside: dict[Element | None, _Inside] = {macro.element: _Inside(macro) for macro in read.macros}
+    for element, around in read.elements:
+        found, macro, words = properties.get(element), inside.get(around), own_words(element)
+        if found is None or not _is_plain(found):
+            found = None
+            if element.name.startswith(PREFIX) and element.name[len(PREFIX) :] not in _READING_LITTLE:
+                waiting.clear()
+        for word in words:
+            waiting.pop(word, None)
+        if found is not None:
+            if macro is not None and found.name not in words:
+                yield from macro.replaced_by(found)
+            earlier = waiting.get(found.name, {}).get(around)
+            if earlier is not None and found.name not in words:
+                yield OverwrittenProperty(_named(earlier.element), found.name, _named(element))
+            waiting.setdefault(found.name, {})[around] = found
+        if macro is not None and element is not around:
+            macro.words |= words
+
+
+class _Inside:
+    """A macro that is read from its beginning: its parameters by name, and the words that were read in it."""
+
+    def __init__(self, macro: Macro) -> None:
+        self.macro = macro
+        self.words: set[str] = set()
+        self.parameters: dict[str, list[Parameter]] = {}
+        for parameter in macro.parameters:
+            self.parameters.setdefault(parameter.name, []).append(parameter)
+
+    def replaced_by(self, found: Property) -> Iterator[Oversight]:
+        """The parameters that nobody has read before a property replaces them."""
+        for parameter in self.parameters.get(found.name, ()) if found.name not in self.words else ():
+            place = parameter_place(self.macro, parameter)
+            yield OverwrittenParameter(_named(found.element), found.name, place)
+
+
+_READING_LITTLE = KEYWORDS - {"include", "call", "if", "unless"}
+"""Any other element of xacro, a callee, an include or a block, may read any property."""
+
+
+def _is_plain(found: Property) -> bool:
+    """Does a property get a value of its own, whatever came before?"""
+    given = found.element.attributes
+    is_plain = "value" in given and "scope" not in given and is_literal(found.name)
+    return is_plain and not is_conditional(found.element)
+
+
+def _scopes(read: Reading) -> Iterator[Oversight]:
+    for found in read.properties:
+        value = found.element.attribute("scope")
+        if value is not None and is_literal(value.text) and value.text not in _SCOPES:
+            yield UnknownPropertyScope(value.span, value.text, near=nearest(value.text, _SCOPES))
+
+
+def _comparisons(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    for found in read.expressions:
+        for match in _COMPARED.finditer(found.code):
+            name, text = match["arg"] or match["last"], match["text"] or match["first"] or ""
+            homes = [each for each in visible.readings if name in each.arguments]
+            default = homes[0].arguments[name] if homes else ""
+            if len(homes) == 1 and default != text and default.casefold() == text.casefold():
+                span = place(found.element, found.attribute, match[0])
+                given = homes[0].argument_elements[name]
+                other = given.document.spans.attribute_value(given, "default")
+                yield NeverEqualText(span, text, other, default)
+
+
+def _compared_truths(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """Comparisons of a name that xacro makes a truth value with a text, which it never equals."""
+    for found in read.expressions:
+        for match in _COMPARED_TRUTH.finditer(found.code):
+            name, text = match["name"] or match["last"], match["text"] or match["first"]
+            if name not in visible.parameters and _is_truth(name, visible):
+                yield TruthComparedWithText(place(found.element, found.attribute, match[0]), name, near=text)
+
+
+def _is_truth(name: str, visible: Definitions) -> bool:
+    """Is a property always ``true`` or ``false``, itself or as the default of the argument that it takes?"""
+    values = [found.value for found in visible.given.get(name, ())]
+    for number, value in enumerate(values):
+        asked = re.fullmatch(r"\$\(arg\s+([^\s${}]+)\s*\)", (value or "").strip())
+        if asked:
+            defaults = {read.arguments[asked[1]] for read in visible.readings if asked[1] in read.arguments}
+            values[number] = defaults.pop() if len(defaults) == 1 else None
+    return bool(values) and _TRUTHS.issuperset(str(value).strip() for value in values)
+
+
+def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:
+    """The uses of ``$(arg name)`` in a macro that has a parameter of that name."""
+    macros = {macro.element: macro for macro in read.macros}
+    around = dict(read.elements)
+    for command in read.commands if macros else ():
+        match, element = _ARGUMENT.match(command.text), command.element
+        holder = around.get(element)
+        macro = macros.get(holder) if holder is not None else None
+        if match is None or macro is None or element is macro.element:
+            continue
+        for parameter in macro.parameters:
+            if parameter.name == match[1]:
+                span = place(element, command.attribute, f"$({command.text})")
+                yield ArgumentForParameter(span, match[1], parameter_place(macro, parameter))
+
+
+def _forgotten_prefixes(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The names in a macro that only become those of its links and joints by the prefix of these.
+
+    Where a call gives a prefix, the expansion shows that the name reaches nothing.
+    """
+    macros = {macro.element: macro for macro in read.macros}
+    defined: dict[tuple[Element, str], tuple[str, Element]] = {}
+    for element, macro in read.elements:
+        match = _PREFIXED.fullmatch(element.attributes.get("name", ""))
+        if element.name not in {"link", "joint"} or macro not in macros or match is None:
+            continue
+        if any(match["parameter"] == parameter.name for parameter in macros[macro].parameters):
+            defined.setdefault((macro, match["rest"]), (match["parameter"], element))
+    if not defined:
+        return
+    plain = {
+        e.attributes.get("name")
+        for each in visible.readings
+        for e, _ in each.elements
+        if e.name in {"link", "joint"}
+    }
+    given = {
+        (call.name, parameter)
+        for each in visible.readings
+        for call in each.calls
+        for parameter, text in call.element.attributes.items()
+        if _is_surely_text(text, visible)
+    }
+    for element, macro in read.elements:
+        for value in _references(element):
+            found = defined.get((macro, value.text.strip())) if macro is not None else None
+            if macro is None or found is None or value.text.strip() in plain:
+                continue
+            parameter, home = found
+            if (macros[macro].name, parameter) not in given:
+                yield ForgottenPrefix(
+                    value.span, value.text.strip(), _named(home), f"${{{parameter}}}{value.text.strip()}"
+                )
+
+
+def _is_surely_text(text: str, visible: Definitions) -> bool:
+    """Is a value that a call gives not empty, by itself or by the defaults of the arguments in it?"""
+    asked = {match[1] for _, command in substitutions(text) if (match := _ARGUMENT.match(command))}
+    if asked:
+        return any(read.arguments.get(name) for read in visible.readings for name in asked)
+    return bool(text) and is_literal(text)
+
+
+def _references(element: Element) -> Iterator[Value]:
+    """The names of links and joints that an element writes."""
+    parent = element.parent
+    for name, attribute in _ENDS:
+        if element.name == name and (value := element.attribute(attribute)) is not None:
+            yield value
+    if element.name == "joint" and parent is not None and parent.name in {"ros2_control", "transmission"}:
+        if (value := element.attribute("name")) is not None:
+            yield value
+    elif parent is not None and parent.name == "plugin" and not element.nodes:
+        yield element.own_value
+
+
+def _blocks(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    for call in read.calls:
+        macros = visible.macros.get(call.name, [])
+        children = list(call.element.children())
+        if len(macros) != 1 or any(child.name.startswith(PREFIX) for child in children):
+            continue
+        blocks = [parameter for parameter in macros[0].parameters if parameter.is_block]
+        for parameter, child in zip(blocks, children, strict=False):
+            if parameter.name.startswith("**") and child.attributes and not child.nodes and not child.content:
+                other = parameter_place(macros[0], parameter)
+                yield EmptiedBlock(child.span, child.name, other, parameter.name)
+
+
+def _namespace(document: Document) -> Iterator[Oversight]:
+    assert document.root is not None
+    tag = document.spans.start_tag(document.root)
+    for attribute in tag.attributes:
+        if attribute.name == "xmlns:xacro":
+            span = document.source.span(attribute.value_start, attribute.value_end)
+            if not _CUSTOMARY.match(span.text) and nearest(span.text, (_NAMESPACE,)):
+                yield UnusualXacroNamespace(span, span.text, near=_NAMESPACE)
+
+
+def _unused(document: Document, read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    called = {call.name.rpartition(".")[2] for each in visible.readings for call in each.calls}
+    called.update(each.name for each in missing_prefixes(document))
+    for macro in read.macros:
+        if macro.name and macro.name not in called and macro.name not in visible.words:
+            yield UnusedMacro(_named(macro.element), macro.name)
+    for name, element in read.argument_elements.items():
+        if name and "default" in element.attributes and is_literal(name) and name not in visible.words:
+            yield UnusedArgument(_named(element), name)
+
+
+def parameter_place(macro: Macro, parameter: Parameter) -> Span:
+    """Where a parameter is written."""
+    span = macro.element.document.spans.attribute_value(macro.element, "params")
+    start = span.start + parameter.start
+    is_there = span.source.text.startswith(parameter.name, start)
+    return span.source.span(start, start + len(parameter.name)) if is_there else span
+
+
+def _named(element: Element) -> Span:
+    """The name that an element gives."""
+    spans = element.document.spans
+    return spans.attribute_value(element, "name") if "name" in element.attributes else element.span

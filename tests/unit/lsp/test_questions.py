@@ -1,0 +1,226 @@
+"""The questions of a person at many places of many files, and names that xacro makes of expressions."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from lsprotocol import types
+
+from benchmarks.editor import (
+    DEFINITIONS,
+    REFERENCES,
+    Editor,
+    Tally,
+    chosen,
+    completions,
+    every_character,
+    names,
+    rename_once,
+)
+from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.watch import choices_of
+from sdfcheck.lsp.workspace import Workspace
+
+pytestmark = pytest.mark.xdist_group(__name__)
+
+FILES = chosen([Path(__file__).parents[3] / "fixtures"], 24, 3)
+HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n'
+ARM = """\
+  <xacro:macro name="arm" params="prefix">
+    <link name="${prefix}base"/>
+    <link name="${prefix}tip"/>
+    <joint name="${prefix}elbow" type="continuous">
+      <parent link="${prefix}base"/>
+      <child link="${prefix}tip"/>
+    </joint>
+  </xacro:macro>
+"""
+CONTROL = """\
+  <xacro:macro name="control" params="prefix">
+    <ros2_control name="c" type="system"><joint name="${prefix}elbow"/></ros2_control>
+  </xacro:macro>
+"""
+ROBOT = """\
+  <xacro:include filename="arm.xacro"/>
+  <xacro:include filename="control.xacro"/>
+  <xacro:arm prefix="l_"/>
+  <xacro:control prefix="l_"/>
+"""
+BRANCHES = """\
+  <xacro:arg name="long" default="false"/>
+  <link name="base"/>
+  <xacro:if value="$(arg long)"><link name="tip"/></xacro:if>
+  <xacro:unless value="$(arg long)"><link name="tip"/></xacro:unless>
+  <joint name="j" type="fixed"><parent link="base"/><child link="tip"/></joint>
+"""
+
+
+@pytest.fixture
+def editor() -> Iterator[Editor]:
+    made = Editor()
+    yield made
+    made.workspace.close()
+
+
+def written(folder: Path, **texts: str) -> Path:
+    """A folder with xacro files; the last one's path."""
+    path = folder
+    for name, text in texts.items():
+        path = folder / f"{name}.xacro"
+        path.write_text(f"{HEAD}{text}</robot>\n")
+    return path
+
+
+def renamed(editor: Editor, path: Path, mark: str, skip: int, name: str) -> dict[str, list[str]] | str:
+    """The new texts by files, or the reason for the refusal."""
+    buffer = editor.open(path, path.read_text())
+    place = editor.place(buffer, buffer.source.text.index(mark) + skip)
+    found = editor.answers.rename(buffer, types.RenameParams(new_name=name, **place))
+    if isinstance(found, Refused):
+        return str(found)
+    assert found.changes is not None
+    return {
+        uri.rpartition("/")[2]: sorted(edit.new_text for edit in edits)
+        for uri, edits in found.changes.items()
+    }
+
+
+def test_each_character_of_a_name_is_answered(editor: Editor) -> None:
+    tally = Tally()
+    for path, kind, text in FILES[:5]:
+        every_character(editor, editor.open(path, text), kind, tally)
+    assert sum(tally.asked.values()) > 500
+    for question, asked in tally.asked.items():
+        assert tally.right[question] >= 0.9 * asked, (question, tally.missed[:5])
+
+
+def test_removed_parts_are_suggested(editor: Editor) -> None:
+    tally, chance = Tally(), random.Random(1)
+    for path, kind, text in FILES[:12]:
+        completions(editor, path, kind, text, chance, tally)
+    asked = {what: count for what, count in tally.asked.items() if "anywhere" not in what}
+    assert sum(tally.right[what] for what in asked) >= 0.9 * sum(asked.values()), tally.missed[:20]
+
+
+def test_renaming_makes_no_finding_and_moves_nothing(editor: Editor) -> None:
+    tally, chance = Tally(), random.Random(2)
+    for path, kind, text in FILES[:8]:
+        places = list(names(text, REFERENCES[kind] | DEFINITIONS[kind]))
+        buffer = editor.open(path, text)
+        for name in chance.sample(places, min(1, len(places))):
+            rename_once(editor, {path}, buffer, name.start, chance, tally)
+    assert tally.right["rename is done"] > 2
+    for question in ("rename: no new finding", "rename: same poses"):
+        assert tally.right[question] == tally.asked[question], tally.missed
+
+
+@pytest.mark.parametrize("skip", range(len("${prefix}tip")))
+def test_each_character_of_a_name_with_an_expression(editor: Editor, tmp_path: Path, skip: int) -> None:
+    path = written(tmp_path, arm=f'{ARM}<xacro:arm prefix="l_"/>')
+    buffer = editor.open(path, path.read_text())
+    place = editor.place(buffer, buffer.source.text.index("${prefix}tip") + skip)
+    found = editor.answers.definition(buffer, types.DefinitionParams(**place))
+    assert isinstance(found, types.Location)
+    assert found.range.start.line == (1 if 2 <= skip <= 8 else 3)
+    assert editor.answers.prepared(buffer, types.PrepareRenameParams(**place)) is not None
+
+
+@pytest.mark.parametrize("file", ["arm", "control"])
+def test_renaming_reaches_files_beside_one_another(editor: Editor, tmp_path: Path, file: str) -> None:
+    written(tmp_path, arm=ARM, control=CONTROL, robot=ROBOT)
+    after = renamed(editor, tmp_path / f"{file}.xacro", "${prefix}elbow", 10, "knee")
+    assert after == {"arm.xacro": ["${prefix}knee"], "control.xacro": ["${prefix}knee"]}
+
+
+def test_renaming_where_a_name_is_written_out(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, arm=f'{ARM}<xacro:arm prefix="l_"/><gazebo reference="l_tip"/>')
+    assert renamed(editor, path, '"l_tip"', 2, "l_hand") == {
+        "arm.xacro": ["${prefix}hand", "${prefix}hand", "l_hand"]
+    }
+
+
+def test_renaming_both_of_two_branches(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, robot=BRANCHES)
+    assert renamed(editor, path, '"tip"', 2, "hand") == {"robot.xacro": ["hand"] * 3}
+
+
+def test_renaming_is_refused_where_more_would_change(editor: Editor, tmp_path: Path) -> None:
+    wheel = '<xacro:macro name="w" params="n"><link name="${n}"/><joint name="${n}_joint" type="fixed"/></xacro:macro>'
+    robot = f'{wheel}<xacro:w n="a"/><gazebo reference="a"/>'
+    after = renamed(editor, written(tmp_path, robot=robot), 'reference="a"', 11, "b")
+    assert isinstance(after, str)
+    assert "more than this name would change" in after
+
+
+def test_renaming_is_refused_where_the_name_is_taken(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, arm=f'{ARM}<xacro:arm prefix="l_"/>')
+    assert "already" in renamed(editor, path, "${prefix}tip", 10, "base")
+
+
+def test_semantics_follow_the_robot(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    path = written(tmp_path, arm=f'{ARM}<xacro:arm prefix="l_"/>')
+    group = '<group name="arm"><chain base_link="l_base" tip_link="l_tip"/></group>'
+    (tmp_path / "r.srdf").write_text(f'<robot name="r">{group}<group_state name="h" group="arm"/></robot>')
+    after = renamed(editor, path, "${prefix}tip", 10, "hand")
+    assert after == {"arm.xacro": ["${prefix}hand", "${prefix}hand"], "r.srdf": ["l_hand"]}
+    after = renamed(editor, tmp_path / "r.srdf", '"arm"', 2, "all")
+    assert after == {"r.srdf": ["all", "all"]}
+
+
+@pytest.mark.parametrize(
+    ("text", "mark", "expected"),
+    [
+        ('<xacro:property name="a" value="${2*3}"/>', "${2*3}", "`6`"),
+        ('<xacro:property name="w" value="3"/><link name="${w/2}"/>', "${w/2}", "`1.5`"),
+        ('<xacro:arg name="a" default="1"/>', "arg name", "Declares an argument"),
+        (
+            '<link name="a"/><xacro:if value="1"><joint name="b" type="fixed"/></xacro:if>',
+            "joint",
+            "Connects",
+        ),
+    ],
+)
+def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, expected: str) -> None:
+    path = written(tmp_path, robot=text)
+    buffer = editor.open(path, path.read_text())
+    place = editor.place(buffer, buffer.source.text.index(mark) + 2)
+    found = editor.answers.hover(buffer, types.HoverParams(**place))
+    assert found is not None
+    assert isinstance(found.contents, types.MarkupContent)
+    assert expected in found.contents.value
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ('<gazebo><plugin name="p" filename="x.so"><m>${|}</m></plugin></gazebo>', "mass"),
+        ('<gazebo><plugin name="p" filename="x.so"><m>$(arg |)</m></plugin></gazebo>', "side"),
+        ("<xacro:wheel |/>", "red"),
+        ('<ros2_control name="c" type="system"><xacro:if value="1"><|</xacro:if></ros2_control>', "joint"),
+    ],
+)
+def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expected: str) -> None:
+    around = (
+        '<xacro:arg name="side" default="left"/><xacro:property name="mass" value="2"/>'
+        '<xacro:macro name="wheel" params="red"><link name="${red}"/></xacro:macro>'
+    )
+    path = written(tmp_path, robot=around + text)
+    shown = path.read_text()
+    buffer = editor.open(path, shown.replace("|", ""))
+    place = editor.place(buffer, shown.index("|"))
+    found = editor.answers.completion(buffer, types.CompletionParams(**place))
+    assert expected in [item.label for item in found.items[:5]]
+
+
+def test_a_wrong_setting_is_named_and_the_others_count(tmp_path: Path) -> None:
+    workspace = Workspace()
+    given = {"preview": "yes", "select": ["XML", "NOPE001"], "target": "gazeboo", "ignore": ["ALL"]}
+    workspace.choose(choices_of(given, tmp_path))
+    for setting in ("preview", "select", "target"):
+        assert f"setting `{setting}`" in workspace.fault
+    assert "`ignore`" not in workspace.fault
+    assert workspace.facts(tmp_path / "m.sdf")

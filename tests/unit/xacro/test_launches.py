@@ -1,0 +1,133 @@
+"""Arguments without a default are taken from launch files of the project, which are read and never run."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from sdfcheck.cli.main import main
+
+XACRO = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="tool" default="none"/>
+  <link name="$(arg side)_base"/>
+  <xacro:if value="$(arg gripper)">
+    <link name="gripper"/>
+  </xacro:if>
+</robot>
+"""
+ROS_1 = """<launch>
+  <arg name="s" default="right"/>
+  <param name="robot_description"
+         command="$(find xacro)/xacro '$(find bot)/urdf/bot.urdf.xacro' side:=$(arg s) gripper:=true"/>
+</launch>
+"""
+ROS_2 = """<launch>
+  <arg name="s" default="right"/>
+  <let name="file" value="bot.urdf.xacro"/>
+  <let name="d" value="$(command 'xacro $(find-pkg-share bot)/urdf/$(var file) side:=$(var s) gripper:=true')"/>
+</launch>
+"""
+PYTHON = """
+from launch.substitutions import Command, LaunchConfiguration
+open("ran", "w")
+
+def generate_launch_description():
+    arguments = [DeclareLaunchArgument("gripper", default_value="true"),
+                 DeclareLaunchArgument(name="file", default_value="bot" + ".urdf.xacro")]
+    gripper = LaunchConfiguration("gripper")
+    robot = Command([
+        PathJoinSubstitution([FindExecutable(name="xacro")]), " ",
+        PathJoinSubstitution([FindPackageShare("bot"), "urdf", LaunchConfiguration("file")]), " ",
+        "side:=", "right", " gripper:=", gripper, " tool:=", LaunchConfiguration("tool"),
+    ])
+"""
+MAPPINGS = """
+import os, xacro
+folder = get_package_share_directory("bot")
+path = os.path.join(folder, "urdf", "bot.urdf.xacro")
+robot = xacro.process_file(path, mappings={"side": "right", "gripper": "true", "tool": choose()})
+"""
+
+
+@pytest.fixture
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "package.xml").write_text("<package><name>bot</name></package>\n")
+    (tmp_path / "urdf").mkdir()
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "urdf" / "bot.urdf.xacro").write_text(XACRO)
+    return tmp_path
+
+
+def found(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    main(["lint", "--output-format", "concise", "."])
+    return [line for line in capsys.readouterr().out.splitlines() if line.endswith("]")]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("bot.launch", ROS_1),
+        ("bot.launch.xml", ROS_2),
+        ("bot_launch.xml", ROS_2),
+        ("bot.launch.py", PYTHON),
+        ("view_launch.py", MAPPINGS),
+    ],
+)
+def test_the_robot_is_expanded_as_it_is_launched(
+    package: Path, capsys: pytest.CaptureFixture[str], name: str, text: str
+) -> None:
+    (package / "launch" / name).write_text(text)
+    assert found(capsys) == [
+        "urdf/bot.urdf.xacro:5:6: error: no joint ties link `gripper` to the rest of the robot [URD004]"
+    ]
+    assert not (package / "ran").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("none.txt", ""),
+        ("other.launch", ROS_1.replace("bot.urdf", "cart.urdf")),
+        ("unknown.launch", ROS_1.replace('default="right"', "")),
+        ("unknown.launch.py", PYTHON.replace('"side:=", "right"', '"side:=", choose()')),
+        ("broken.launch.py", PYTHON + "("),
+        ("deep.launch.py", "# xacro\n" + "(" * 5000),
+        ("ring.launch.py", PYTHON.replace('"right"', "side") + "\nside = other\nother = side\n"),
+        ("ring.launch", ROS_1.replace('default="right"', 'default="$(arg s)"')),
+    ],
+)
+def test_without_a_value_the_argument_is_missing(
+    package: Path, capsys: pytest.CaptureFixture[str], name: str, text: str
+) -> None:
+    (package / "launch" / name).write_text(text)
+    (message, *others) = found(capsys)
+    assert message.endswith("argument `side` has no value, so the file is not expanded [XAC001]")
+    assert all("[XAC001]" in other for other in others)
+
+
+_LAUGHS = "".join(f'<arg name="a{n}" default="{f"$(arg a{n + 1})" * 60}"/>' for n in range(20))
+BOMBS = {
+    "references.launch": f'<launch>{_LAUGHS}<param command="xacro bot.urdf.xacro side:=$(arg a0)"/></launch>',
+    "word.launch": f'<launch><param command="xacro bot.urdf.xacro side:= {"a" * 60_000}"/></launch>',
+    "sums.launch.py": "\n".join(f"a{n} = [a{n + 1}, a{n + 1}, a{n + 1}, a{n + 1}]" for n in range(28))
+    + "\na28 = 'x'\nCommand(['xacro bot.urdf.xacro side:=', a0])\n",
+    "long.launch.py": "# xacro\nx" + ".a" * 200_000,
+}
+
+
+@pytest.mark.parametrize("name", BOMBS)
+def test_launch_files_do_not_take_long(package: Path, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    (package / "launch" / name).write_text(BOMBS[name])
+    begin = time.process_time()
+    assert all("[XAC001]" in line for line in found(capsys))
+    assert time.process_time() - begin < 5
+
+
+def test_arguments_of_the_command_line_are_stronger(
+    package: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (package / "launch" / "bot.launch").write_text(ROS_1)
+    assert main(["lint", ".", "gripper:=false"]) == 0
