@@ -421,6 +421,8 @@ class Spans:
 
 _LONG_TAG = re.compile(rf"<[^<]{{{5 * ATTRIBUTE_LIMIT}}}")
 """A tag in which there is room for so many attributes."""
+_LONG_TEXT = re.compile(rf"<(?:[^<]{{{LENGTH_LIMIT}}}|!\[CDATA\[)")
+"""A tag or a text with room for so many characters, or a section, which may have all characters."""
 _DECLARATION = "xmlns"
 _Handlers = tuple[
     Callable[[str, dict[str, str]], None],
@@ -567,7 +569,9 @@ def _is_overloaded(document: Document, text: str) -> bool:
         given = (len(element.attributes) + len(element.declared) for element in document.elements)
         if max(given, default=0) > ATTRIBUTE_LIMIT:
             return True
-    return len(text) > LENGTH_LIMIT and any(map(_is_too_long, document.elements))
+    if len(text) > LENGTH_LIMIT and _LONG_TEXT.search(text) is not None:
+        return any(map(_is_too_long, document.elements))
+    return False
 
 
 def _is_too_long(element: Element) -> bool:
