@@ -30,8 +30,9 @@ class MalformedUri(Rule):
     """A URI is spelt so that consumers do not find what it names.
 
     A slash too few or too many, backslashes, capital letters in the scheme, a scheme
-    that nobody knows, spaces. Consumers differ in what they forgive: libsdformat cuts any
-    scheme off, ROS hands the address to a web client that insists on it.
+    that is not known, spaces. Consumers differ in what they forgive: Gazebo cuts any scheme
+    off and looks for the rest in its resource paths, so that an unknown one is a warning in SDFormat;
+    ROS hands the address to a web client that insists on it, and Drake refuses it.
     """
 
     code = "RES004"
@@ -60,7 +61,7 @@ class MalformedUri(Rule):
             "<include><uri>«modle://arm»</uri></include>",
             fixed="<include><uri>model://arm</uri></include>",
             scaffold=IN_WORLD,
-            says="no consumer knows the scheme `modle`",
+            says="the scheme `modle` is not known",
         ),
         Bad(MESH.format("«model://»"), says="names no model"),
         Bad(
@@ -89,18 +90,21 @@ class MalformedUri(Rule):
         if value is None or misspelling is None:
             return
         text, (fault, meant) = value.text, misspelling
-        affects = {}
-        if named.kind == "include":
-            is_cut = fault in CUT_OFF and "://" in text
-            affects = {Consumer.GAZEBO: accepts("looks for what follows the scheme") if is_cut else REFUSES}
+        affects, severity = {}, None
+        if fault in CUT_OFF and "://" in text:
+            # Gazebo looks for the rest in its resource paths, whatever the scheme.
+            affects = {Consumer.GAZEBO: accepts("looks for what follows the scheme")}
+            severity = None if named.is_urdf else Severity.WARNING
+        elif named.kind == "include":
+            affects = {Consumer.GAZEBO: REFUSES}
         scheme = named.uri.partition(":")[0]
         message = {
             UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
             UriFault.SLASHES: f"`{scheme}:` is not followed by two slashes in `{text}`",
             UriFault.SCHEME_CASE: f"the scheme `{scheme}` should be in lower case",
-            UriFault.UNKNOWN_SCHEME: f"no consumer knows the scheme `{scheme}`",
+            UriFault.UNKNOWN_SCHEME: f"the scheme `{scheme}` is not known",
             UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
             UriFault.BLANK: f"`{text}` has a space that does not belong to it",
         }[fault]
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
-        yield self.diagnostic(value, message, meant=meant, fix=fix, affects=affects)
+        yield self.diagnostic(value, message, meant=meant, fix=fix, affects=affects, severity=severity)

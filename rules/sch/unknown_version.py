@@ -3,8 +3,6 @@ from collections.abc import Iterator
 
 from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, replace
 
-SDF_VERSIONS = ("1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")
-URDF_VERSIONS = ("1.0", "1.1", "1.2")
 _MISSPELLED = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
 """A version of SDFormat, perhaps with spaces around it, a leading zero, a third number or a comma."""
 
@@ -35,13 +33,13 @@ class UnknownVersion(Rule):
     @staticmethod
     def applies(root: Root) -> bool:
         version = root.version
-        if version is None or version in known_versions(root):
+        if version is None or version in root.known_versions:
             return False
         # An SDFormat file with an empty version has none.
         return root.is_urdf or bool(version.strip())
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
-        value, known = root.element.attribute("version"), known_versions(root)
+        value, known = root.element.attribute("version"), root.known_versions
         if value is None:
             return
         message = f"version `{value.text}` is not known"
@@ -52,10 +50,6 @@ class UnknownVersion(Rule):
             return
         fix = replace(value, meant, f"declare version {meant}", unsafe=True)
         yield self.diagnostic(value, message, meant=meant, fix=fix, help=listed)
-
-
-def known_versions(root: Root) -> tuple[str, ...]:
-    return URDF_VERSIONS if root.is_urdf else SDF_VERSIONS
 
 
 def meant_version(text: str, *, is_urdf: bool) -> str:

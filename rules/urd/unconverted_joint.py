@@ -2,13 +2,20 @@ from collections.abc import Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, accepts, refuses
 
+OTHERWISE = (
+    '<robot name="r"><link name="a"/><link name="b"/>'
+    '<joint name="j" type="floating"><parent link="a"/><child link="b"/></joint>'
+    '<gazebo><joint name="j" type="ball"><parent>a</parent><child>b</child></joint></gazebo></robot>'
+)
+
 
 class UnconvertedJoint(Rule):
     """A joint is of a type that SDFormat does not have.
 
     libsdformat drops a floating or planar joint when it converts the robot, but still
-    places the child relative to it, so that Gazebo refuses the result. For a robot that is
-    free in the world, leave the joint out: it is free anyway.
+    places the child relative to it, so that Gazebo refuses the result, unless a `<gazebo>` block
+    gives a joint of that name. For a robot that is free in the world, leave the joint out: it is
+    free anyway.
     """
 
     code = "URD020"
@@ -26,11 +33,15 @@ class UnconvertedJoint(Rule):
         Bad("«planar»", says="joint `j` is planar, which SDFormat has no joint for"),
         Bad("«floating»", says="joint `j` is floating", also=("DRK008",)),
     )
-    good = (Good("continuous", why="a revolute joint without limits"), Good("fixed"))
+    good = (
+        Good("continuous", why="a revolute joint without limits"),
+        Good("fixed"),
+        Good(OTHERWISE, scaffold="{}"),
+    )
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return joint.is_unconverted
+        return joint.is_unconverted and not joint.is_replaced
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         child = joint.child_link

@@ -77,8 +77,7 @@ def with_measured(
                 own[dialect] = affects.get(parser.value, {}).get(dialect, "accept: takes it as it is")
             elif dialect not in own and is_error and not is_about_one:
                 own[dialect] = str(UNKNOWN)
-        if any(not Reaction.of(said).is_harmless for said in own.values()):
-            found[consumer.value] = own
+        found[consumer.value] = own  # also a harmless one, for it may be another in some case
     return found
 
 

@@ -98,10 +98,10 @@ class Diagnostic(NamedTuple):
         return frozenset(consumer for consumer, reaction in self.affects if not reaction.is_harmless)
 
     def for_targets(self, targets: Collection[str]) -> Diagnostic:
-        """The same for those who ask about some consumers: an error if one of them refuses the file."""
+        """The same for those who ask about some consumers: an error if one of them refuses the file, and only then."""
         if any(consumer in targets and reaction.is_refusal for consumer, reaction in self.affects):
             return self._replace(severity=Severity.ERROR)
-        return self
+        return self._replace(severity=Severity.WARNING) if self.severity is Severity.ERROR else self
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:

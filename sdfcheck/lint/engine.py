@@ -182,18 +182,17 @@ def _adapted(
     """A rule's diagnostics after the configuration and the targets."""
     if not diagnostics:
         return diagnostics
-    severity = dispatch.severities.get(facts.code)
-    if severity is not None:
-        diagnostics = [diagnostic._replace(severity=severity) for diagnostic in diagnostics]
+    targets = dispatch.targets
     if facts.affects:
         if dialect == EXTENSION and "gazebo" not in facts.affects:
             return []  # nobody concerned reads it
-        targets = dispatch.targets
         diagnostics = [d._replace(affects=reactions(facts, dialect, d.affects, targets)) for d in diagnostics]
         if targets:
-            concerned = [d for d in diagnostics if targets.intersection(d.concerned)]
-            return concerned if severity is not None else [d.for_targets(targets) for d in concerned]
-    return diagnostics
+            diagnostics = [d for d in diagnostics if targets.intersection(d.concerned)]
+    severity = dispatch.severities.get(facts.code)
+    if severity is not None:
+        return [diagnostic._replace(severity=severity) for diagnostic in diagnostics]
+    return [diagnostic.for_targets(targets) for diagnostic in diagnostics] if targets else diagnostics
 
 
 def _internal_error(facts: RuleFacts, error: BaseException, document: Document) -> Diagnostic:

@@ -8,7 +8,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, VERSIONS, Version
 from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named
 from sdfcheck.robot.reserved import WORLD_FRAME
 from sdfcheck.robot.values import lazy
@@ -79,6 +79,8 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
 
 
 P = TypeVar("P", bound="Part")
+URDF_VERSIONS = ("1.0", "1.1", "1.2")
+"""The versions of URDF that urdfdom takes, the oldest first."""
 
 
 class Root(Part):
@@ -217,6 +219,11 @@ class Root(Part):
                 part = self.scopes[0]
             if isinstance(part, cls):
                 yield part
+
+    @property
+    def known_versions(self) -> tuple[str, ...]:
+        """The versions of the format that consumers know, the oldest first."""
+        return URDF_VERSIONS if self.is_urdf else tuple(map(str, VERSIONS))
 
     def is_older_than(self, version: str) -> bool:
         """Does it declare a version of SDFormat before this one?"""

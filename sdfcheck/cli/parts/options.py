@@ -51,9 +51,9 @@ def formats(context: click.Context, parameter: click.Parameter, begun: str) -> l
 
 
 def versions(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
-    from sdfcheck.formats.sdf.version import NEWEST, OLDEST
+    from sdfcheck.formats.sdf.version import VERSIONS
 
-    names = (f"1.{minor}" for minor in range(NEWEST.minor, OLDEST.minor - 1, -1))
+    names = map(str, reversed(VERSIONS))
     return _items((name, "") for name in names if name.startswith(begun))
 
 

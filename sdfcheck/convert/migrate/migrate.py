@@ -43,7 +43,7 @@ from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
 from sdfcheck.convert.rewrite.tidy import text_of
 from sdfcheck.convert.verify import Correspondence
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.sdf.version import VERSIONS, Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Scope, World
 from sdfcheck.robot.includes.included import included
@@ -321,7 +321,7 @@ def correspondence(migration: Migration, source: Mechanism) -> Correspondence:
 
 LOWEST = Version(1, 4)
 """The oldest version that can be asked for."""
-TARGETS = tuple(Version(1, minor) for minor in range(NEWEST.minor, LOWEST.minor - 1, -1))
+TARGETS = tuple(version for version in reversed(VERSIONS) if version >= LOWEST)
 
 
 def sdf_to_sdf(

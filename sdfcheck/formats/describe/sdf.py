@@ -6,10 +6,10 @@ from sdfcheck.formats.describe.description import Description, Entry, missing, s
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.choices import Choices
 from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.sdf.version import NEWEST, VERSIONS, Version
 from sdfcheck.source.record import NamedTuple
 
-_NEWEST_FIRST = tuple(Version(NEWEST.major, minor) for minor in range(NEWEST.minor, OLDEST.minor - 1, -1))
+_NEWEST_FIRST = VERSIONS[::-1]
 
 
 class _Use(NamedTuple):

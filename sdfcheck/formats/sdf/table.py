@@ -77,11 +77,11 @@ def newest_name(top: Row) -> str:
 
 @cache
 def spans(life: str) -> tuple[tuple[int, int], ...]:
-    """The minor versions of a life such as ``2-6,10``, both ends included."""
+    """The minor versions of a life such as ``2-6,10-``, both ends included."""
     found = []
     for span in life.split(","):
-        first, _, last = span.partition("-")
-        found.append((int(first), int(last or first)))
+        first, is_open, last = span.partition("-")
+        found.append((int(first), int(last or (NEWEST.minor if is_open else first))))
     return tuple(found)
 
 

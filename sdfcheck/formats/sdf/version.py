@@ -23,7 +23,7 @@ class Version(NamedTuple):
         return None
 
 
-_MINORS = frozenset(("2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12"))
-
 OLDEST = Version(1, 2)
 NEWEST = Version(1, 12)
+VERSIONS = tuple(Version(1, minor) for minor in range(OLDEST.minor, NEWEST.minor + 1))
+_MINORS = frozenset(str(version.minor) for version in VERSIONS)

@@ -290,6 +290,12 @@ class Joint(Node):
         return self.is_urdf and self.type in UNCONVERTED
 
     @property
+    def is_replaced(self) -> bool:
+        """In URDF: do ``<gazebo>`` blocks give Gazebo a joint of its name?"""
+        others = self.model.extended.children("joint") if self.model is not None else ()
+        return any(other.get("name") == self.name for other in others)
+
+    @property
     def is_preserved(self) -> bool:
         """Does a ``<gazebo>`` block make libsdformat keep it although it is fixed?"""
         return any(block.is_on(name) for block in self.gazebo_blocks for name in PRESERVING)

@@ -34,7 +34,7 @@ def test_a_fact_is_written_once_as_long_as_it_holds() -> None:
 
 
 def test_a_life_is_written_as_spans() -> None:
-    assert list(ranges([2, 3, 4, 6, 10, 11, 12])) == ["2-4", "6", "10-12"]
+    assert list(ranges([2, 3, 4, 6, 10, 11, 12])) == ["2-4", "6", "10-"]
     assert spans("2-4,6,10-12") == ((2, 4), (6, 6), (10, 12))
     merged = Merged("joint")
     merged.note(2)

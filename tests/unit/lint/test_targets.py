@@ -15,13 +15,21 @@ from sdfcheck.consumers.reaction import (
     Affects,
     Consumer,
     Reaction,
+    Verdict,
     by_dialect,
     lines,
     warns,
 )
+from sdfcheck.lint.call import lint
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.example import fill, unmark
 from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.lint.rulebook.trial import file_name
 from sdfcheck.lint.session import Options, run
+from sdfcheck.lint.targets import matrix
+from sdfcheck.source.sniff import Kind, sniff
+from tests.test_rules import TRIALS
 
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 
@@ -33,6 +41,7 @@ TEXTURED = (
 
 STATED = tuple(consumer for consumer in Consumer if consumer.value not in MEASURED)
 """The consumers whose reactions rules state."""
+EVERYBODY = [consumer.value for consumer in Consumer]
 
 
 def judged(text: str, name: str, folder: Path, *consumers: Consumer) -> dict[str, str]:
@@ -220,3 +229,22 @@ def test_a_value_that_a_target_reads_in_another_way_keeps_its_severity(tmp_path:
         '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>'
     )
     assert severities(text, tmp_path, "drake")["JNT011"] == "warning"
+
+
+@pytest.mark.parametrize("consumer", Consumer)
+def test_an_error_for_a_target_is_a_verdict_of_it(consumer: Consumer, request: pytest.FixtureRequest) -> None:
+    """On the examples of all rules ``lint --target`` and ``targets`` say the same."""
+    step = 1 if request.config.getoption("--all-examples") else 8
+    differing = []
+    for trial in [trial for trial in TRIALS if trial.kind == "bad" and trial.example.files is None][::step]:
+        text = unmark(fill(trial.rule.scaffold, trial.example))[0]
+        path = Path(file_name(text, trial.example))
+        kind = sniff(text.encode(), path)
+        if kind not in (Kind.SDF, Kind.URDF) or kind.value not in READS[consumer]:
+            continue
+        [row] = matrix(lint(text, name=path, isolated=True, target=EVERYBODY), kind, path, [consumer])
+        found = lint(text, name=path, isolated=True, target=[consumer.value]).diagnostics
+        has_error = any(each.severity is Severity.ERROR for each in found)
+        if has_error is not (row.verdict is Verdict.REJECT):
+            differing.append((trial, row.verdict, [each.code for each in found]))
+    assert differing == []
