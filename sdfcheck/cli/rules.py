@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from textwrap import wrap
 
 import click
 
@@ -21,6 +22,7 @@ from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import SILENT, covered
 from sdfcheck.lint.wording import counted
 from sdfcheck.report.manual import facts_record, markdown
+from sdfcheck.source.visible import visible
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
@@ -114,7 +116,7 @@ def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[R
 
 
 def listed(rules: list[RuleFacts], *, width: int | None, color: bool, links: bool = False) -> list[str]:
-    """One line a rule, in columns; on a terminal they fit its width."""
+    """One line a rule, in columns; on a terminal without room for the summaries they come below, folded."""
     from sdfcheck.report.colors import INK_OF
     from sdfcheck.report.table import Cell, Column, table
 
@@ -123,7 +125,7 @@ def listed(rules: list[RuleFacts], *, width: int | None, color: bool, links: boo
         Column("name", gives_way=True),
         Column("severity"),
         Column("fix"),
-        Column("summary", gives_way=True),
+        Column("summary"),
     )
     rows = [
         (
@@ -135,7 +137,16 @@ def listed(rules: list[RuleFacts], *, width: int | None, color: bool, links: boo
         )
         for facts in rules
     ]
-    return table(columns, rows, width=width, color=color)
+    needed = max(map(len, table(columns, rows, width=None, color=False)), default=0)
+    if width is None or width >= needed:
+        return table(columns, rows, width=width, color=color)
+    heading, *lines = table(columns[:-1], [row[:-1] for row in rows], width=width, color=color)
+    found = [heading]
+    for line, row in zip(lines, rows, strict=True):
+        indent = " " * (len(row[0].text) + 2)
+        below = wrap(visible(row[-1].text), max(width, 40), initial_indent=indent, subsequent_indent=indent)
+        found += [line, *below]
+    return found
 
 
 def _traits(facts: RuleFacts) -> str:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from textwrap import wrap
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -13,12 +15,13 @@ from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
 from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
-from sdfcheck.cli.parts.terminal import say
+from sdfcheck.cli.parts.terminal import say, wants_color, width_of
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
+from sdfcheck.report.colors import Ink, painter
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -36,14 +39,16 @@ VERSION = 1
 @targeted("Ask about these consumers only, and exit with 1 if one rejects the file")
 @click.option("--run", is_flag=True, help="Also ask the consumers that are installed, and compare.")
 @limited
+@click.option("--all", "every", is_flag=True, help="Show all reasons, not only the weightiest.")
 @formatted("Lines to read, or JSON.", "text", "json")
 @written()
 @described
-def targets_command(
+def targets_command(  # noqa: PLR0913, PLR0917 - one for each option
     file: Path,
     target: tuple[str, ...] | None,
     run: bool,
     time_limit: float,
+    every: bool,
     form: str,
     output_file: Path | None,
     **given: Any,
@@ -68,7 +73,10 @@ def targets_command(
     if form == "json":
         deliver(_json(file, rows, real), output_file)
     else:
-        deliver_lines(lines(rows, file, real), output_file)
+        painted = output_file is None and wants_color("auto", sys.stdout)
+        width = width_of(sys.stdout) if output_file is None else None
+        shown = lines(rows, file, real, most=None if every else _SHOWN, width=width, color=painted)
+        deliver_lines(shown, output_file, color=painted)
     refusing = [row for row in rows if row.verdict in {Verdict.REJECT, Verdict.UNREAD}]
     return int(bool(target) and bool(refusing or any(map(refuses, real.values()))))
 
@@ -142,31 +150,58 @@ def differs(row: Row, answer: Answer) -> bool:
     return refuses(answer) is not (row.verdict is Verdict.REJECT)
 
 
+_SHOWN = 5
+"""So many reasons for a verdict are shown unasked."""
+_INKS = {Verdict.REJECT: Ink.ERROR, Verdict.WARN: Ink.WARNING, Verdict.UNREAD: Ink.FAINT}
+
+
 def lines(
-    rows: Sequence[Row], file: Path, real: Mapping[Consumer, Answer] = MappingProxyType({})
+    rows: Sequence[Row],
+    file: Path,
+    real: Mapping[Consumer, Answer] = MappingProxyType({}),
+    *,
+    most: int | None = _SHOWN,
+    width: int | None = None,
+    color: bool = False,
 ) -> Iterator[str]:
-    """A line a consumer, and below it the reasons, and what the consumer said itself."""
-    width = max(len(row.consumer.value) for row in rows)
+    """A line a consumer, and below it the reasons, and what the consumer said itself; folded to the width."""
+    paint = painter(color)
+    names = max(len(row.consumer.value) for row in rows)
     for row in rows:
         note = f": {row.note}" if row.note else ""
-        yield f"{row.consumer.value:{width}}  {row.verdict.value}{note}"
+        ink = _INKS.get(row.verdict)
+        verdict = row.verdict.value if ink is None else paint(row.verdict.value, ink)
+        yield f"{row.consumer.value:{names}}  {verdict}{note}"
         own = list(_said(row, real[row.consumer])) if row.consumer in real else []
-        yield from (f"{'':{width}}    {line}" for line in (*_reasons(row, file), *own))
+        for line in (*_reasons(row, file, most), *own):
+            yield from _folded(line, names + 4, width)
 
 
-_SHOWN = 5
+def _folded(line: str, indent: int, width: int | None) -> list[str]:
+    """A line below a verdict; on a terminal that is too narrow for it several."""
+    start = " " * indent
+    if width is None or indent + len(line) <= width:
+        return [start + line]
+    return wrap(
+        line,
+        max(width, indent + 30),
+        initial_indent=start,
+        subsequent_indent=start + " " * 7,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
-def _reasons(row: Row, file: Path) -> list[str]:
+def _reasons(row: Row, file: Path, most: int | None) -> list[str]:
     reasons = []
-    for reason in row.reasons[:_SHOWN]:
+    for reason in row.reasons[:most]:
         diagnostic = reason.diagnostic
         verdict, words = reason.reaction
         reasons.append(
             f"{verdict.value:6} {_place(reason, file)}: {diagnostic.message} [{diagnostic.code}] ({words})"
         )
-    if len(row.reasons) > _SHOWN:
-        reasons.append(f"and {len(row.reasons) - _SHOWN} more")
+    if left := len(row.reasons) - len(reasons):
+        reasons.append(f"and {left} more (--all shows them)")
     return reasons
 
 

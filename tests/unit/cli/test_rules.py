@@ -4,6 +4,9 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
+from sdfcheck.cli.rules import listed, loaded, narrowed
+from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.report.manual import markdown
 
 SHAPE = """
 from sdfcheck import Bad, Good, Rule, Severity
@@ -106,3 +109,13 @@ def test_an_unknown_rule_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> N
     assert main(["rule", "od-flaw", "--trust-config"]) == 2
     assert capsys.readouterr().err == "error: unknown rule `od-flaw`; did you mean `odd-flaw`?\n"
     assert main(["rule"]) == 2
+
+
+@pytest.mark.parametrize("width", [60, 80, 100])
+def test_summaries_are_whole_on_narrow_terminals(width: int) -> None:
+    rules = narrowed(loaded(Configuration(isolated=True))[1], ())
+    lines = listed(rules, width=width, color=False)
+    assert max(map(len, lines)) <= width
+    assert len(lines) >= 1 + 2 * len(rules)
+    text = " ".join(line.strip() for line in lines)
+    assert [facts.code for facts in rules if markdown(facts.summary) not in text] == []
