@@ -124,6 +124,27 @@ class GazeboRobot:
         return {link for link, mass in self.masses.items() if abs(mass) > LEAST}
 
     @lazy
+    def without_center(self) -> dict[Link, Link]:
+        """Link → the one above it, where neither has mass when libsdformat merges them.
+
+        Their center of mass is 0/0 then, and so is that of all that is merged into the same link
+        later. Children are merged in the order of their joints' names, each with what is on it.
+        """
+        found: dict[Link, Link] = {}
+        known: dict[Link, float] = {}
+        for link in reversed(list(self.model.tree.below(*dict.fromkeys(self.tops)))):
+            mass = _mass(link)
+            for joint in sorted(link.child_joints, key=lambda joint: joint.name):
+                child = joint.child_link
+                if joint.is_lumped and child in known:
+                    if mass + known[child] == 0:
+                        found[child] = link
+                    mass += known[child]
+            if link.inertial.is_given or mass:
+                known[link] = mass
+        return {child: link for child, link in found.items() if self.base(link) in self.with_mass}
+
+    @lazy
     def _bases(self) -> dict[Link, Link]:
         """Link → the link into which it is merged, or itself; of what hangs on roots, parents first."""
         bases: dict[Link, Link] = {}
