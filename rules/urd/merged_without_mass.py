@@ -52,5 +52,5 @@ class MergedWithoutMass(Rule):
             f"`{link.name}` and `{other.name}` have no mass when libsdformat merges them: "
             "their center of mass is 0/0"
         )
-        help = "leave its `<inertial>` out, or give it mass"
-        yield self.diagnostic(target or link, message, labels={other: "the link above"}, help=help)
+        advice = "leave its `<inertial>` out, or give it mass"
+        yield self.diagnostic(target or link, message, labels={other: "the link above"}, help=advice)
