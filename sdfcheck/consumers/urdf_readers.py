@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, refuses, warns
-from sdfcheck.formats.urdf.table import extension
+from sdfcheck.formats.urdf.table import extension, urdf
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.sniff import Kind
 
@@ -117,9 +117,15 @@ def _unexpanded(value: Value) -> Mapping[Consumer, Reaction]:
         is_texture = value.element.name == "texture"
         mujoco = _UNREAD if is_texture or is_unread_by_mujoco(value) else REFUSES
         return {Consumer.DRAKE: refuses("does not find the file"), Consumer.MUJOCO: mujoco}
-    if value.attribute is None or value.attribute in _NAMING or _place(value.element) & _FREE:
+    if value.attribute is None or value.attribute in _NAMING or _is_free(value.element):
         return {}
     return unreadable(value)
+
+
+def _is_free(element: Element) -> bool:
+    """May it say anything: what is in it is for plugins, or it is no element of URDF and nobody reads it?"""
+    path = [element.name, *(each.name for each in element.around)]
+    return bool(_FREE.intersection(path)) or urdf().at("/".join(path[-2::-1])) is None
 
 
 def repeating(element: Element) -> Mapping[Consumer, Reaction]:
