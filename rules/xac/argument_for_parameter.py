@@ -10,7 +10,8 @@ class ArgumentForParameter(Rule):
     """A macro reads an argument of the file where it has a parameter of the same name.
 
     `$(arg side)` is the argument that the whole file was given, whatever the call of the macro says; its parameter is
-    `${side}`. Two calls then define the same names, or the parameter has no effect.
+    `${side}`. Two calls then define the same names, or the parameter has no effect. Where all calls give the parameter
+    this very argument, both are the same and nothing is reported.
     """
 
     code = "XAC028"
@@ -34,6 +35,11 @@ class ArgumentForParameter(Rule):
             '<xacro:arg name="kind" default="a"/><xacro:macro name="hand" params="side:=x">'
             '<link name="${side}$(arg kind)"/></xacro:macro><xacro:hand/>',
             why="no parameter has the name",
+            file=FILE,
+        ),
+        Good(
+            HAND.replace("{}", "$(arg side)") + '<xacro:hand side="$(arg side)"/>',
+            why="the call gives that argument",
             file=FILE,
         ),
     )

@@ -51,6 +51,7 @@ from sdfcheck.xacro.static.definitions import (
     reading,
 )
 from sdfcheck.xacro.static.prefixes import missing_prefixes
+from sdfcheck.xacro.static.project import passed
 
 _SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 _SIGN = re.compile(r"\s*(:?=)(\s*)")
@@ -241,7 +242,7 @@ def _is_truth(name: str, visible: Definitions) -> bool:
 
 
 def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:
-    """The uses of ``$(arg name)`` in a macro that has a parameter of that name."""
+    """The uses of ``$(arg name)`` in a macro that has a parameter of that name, if calls may give another value."""
     macros = {macro.element: macro for macro in read.macros}
     around = dict(read.elements)
     for command in read.commands if macros else ():
@@ -251,7 +252,8 @@ def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:
         if match is None or macro is None or element is macro.element:
             continue
         for parameter in macro.parameters:
-            if parameter.name == match[1]:
+            same = {f"$(arg {parameter.name})"}
+            if parameter.name == match[1] and passed(read.document, macro.name, match[1]) != same:
                 span = place(element, command.attribute, f"$({command.text})")
                 yield ArgumentForParameter(span, match[1], parameter_place(macro, parameter))
 

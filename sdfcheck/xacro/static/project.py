@@ -28,6 +28,14 @@ _ARGUMENT = re.compile(
 )
 """An argument or property may hold the name of a file that is included."""
 _GLOB = re.compile(r"[*?\[]")
+_LITERAL = re.compile(r"\w")
+"""A name of which more is written than the ending, so that not every file may be meant."""
+_EXPRESSION = re.compile(r"\$\([^()]*\)|\$\{[^{}]*\}")
+
+
+def _pattern(path: str) -> str:
+    """The name at the end of a path; its expressions may be anything."""
+    return _EXPRESSION.sub("*", path).rpartition("/")[2]
 
 
 class _Filename(NamedTuple):
@@ -51,9 +59,10 @@ class _Project:
         for path in paths:
             text = _text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
-                last = name.rpartition("/")[2]
+                last = _pattern(name)
                 if _GLOB.search(last):
-                    self.patterns.append(_Filename(name, path))
+                    if _LITERAL.search(last.removesuffix(".xacro").removesuffix(".urdf")):
+                        self.patterns.append(_Filename(name, path))
                 else:
                     self.filenames.setdefault(last, []).append(_Filename(name, path))
             names.update(_DEFINED.findall(text))
@@ -63,7 +72,7 @@ class _Project:
 
     def of(self, name: str) -> list[_Filename]:
         """The paths in include elements that may be those of a file of this name."""
-        globs = [each for each in self.patterns if fnmatch(name, each.text.rpartition("/")[2])]
+        globs = [each for each in self.patterns if fnmatch(name, _pattern(each.text))]
         return [*self.filenames.get(name, ()), *globs]
 
 
@@ -105,6 +114,15 @@ def _leads(filename: _Filename, own: str, packages: Packages, library: Library) 
         return library.disk.real(packages.locate(folder / text)) == own
     rest = max(text.rfind("}"), text.rfind(")")) + 1
     return fnmatch(Path(own).as_posix(), f"*{text[rest:]}")
+
+
+def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:
+    """The texts that calls of a macro give a parameter, empty for none: in its file and in those that include it."""
+    call = re.compile(rf"<xacro:{re.escape(macro)}(?=[\s/>])([^<>]*)>")
+    given = re.compile(rf"\s{re.escape(parameter)}\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+    texts = (document.source.text, *map(_text_of, includers(document)))
+    values = (given.search(found[1]) for text in texts for found in call.finditer(text))
+    return frozenset((value[1] or value[2] or "").strip() if value else "" for value in values)
 
 
 def project_names(document: Document) -> frozenset[str]:
