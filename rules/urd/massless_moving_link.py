@@ -31,8 +31,8 @@ class MasslessMovingLink(Rule):
     libsdformat drops the link and all that hangs on it; in Drake its joint makes the mass
     matrix singular, and the simulation fails. A link counts as massless when it and all links that
     fixed joints tie to it from below have no more than 1e-6 kg together. The same holds below a fixed
-    joint that libsdformat has to keep. Where such a link has another one fixed to it, libsdformat
-    17 refuses the file.
+    joint that libsdformat has to keep. Where something is fixed to such a link or to one below it, a
+    frame is left that hangs on nothing, and libsdformat 17 refuses the file.
     """
 
     code = "URD014"
@@ -89,7 +89,7 @@ class MasslessMovingLink(Rule):
 
 def _affects(link: Link) -> dict[Consumer, Reaction]:
     found = in_drake(link)
-    if any(joint.is_lumped for joint in link.child_joints):
+    if any(joint.is_lumped for each in link.below() for joint in each.child_joints):
         found[Consumer.GAZEBO] = refuses(
             "refuses the file; before version 17 drops the link and those below it"
         )
