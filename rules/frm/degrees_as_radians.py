@@ -35,6 +35,12 @@ class DegreesAsRadians(Rule):
     code = "FRM006"
     name = "degrees-as-radians"
     severity = Severity.WARNING
+    remedy = """Write the angle in radians: degrees × π / 180.
+
+    90° is 1.5707963 rad, 45° 0.7853982 and 180° 3.1415927. From SDFormat 1.9 on `<pose degrees="true">`
+    takes degrees as they are, and `sdfcheck print --degrees FILE` writes all poses so. In xacro write
+    `${radians(90)}` or `${pi/2}`.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it for radians"))
     looks_at = (Element,)
     selects = ("sdf:pose", "urdf:origin")

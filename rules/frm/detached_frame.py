@@ -6,14 +6,19 @@ from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, 
 class DetachedFrame(Rule):
     """A joint ends at a frame that moves with no link.
 
-    The own frame of a static model, and what is attached to it, belongs to no link, so there is
-    nothing for a joint to hold. Drake stops at such a joint, and Gazebo's libsdformat
-    refuses some of them. A link of the static model can be named instead.
+    The own frame of a static model, and what is attached to it, belongs to no link, so there
+    is nothing for a joint to hold. Drake stops at such a joint, and Gazebo's libsdformat
+    refuses some of them.
     """
 
     code = "FRM008"
     name = "detached-frame"
     severity = Severity.ERROR
+    remedy = """Name a link of the static model as the end of the joint.
+
+    Where the static model is only a place to hold something, let the parent of the joint be `world` and
+    give the joint the pose of that place. If the model has to move after all, remove its `<static>`.
+    """
     affects = {Consumer.DRAKE: REFUSES, Consumer.GAZEBO: warns("refuses the file in some versions")}
     looks_at = (Joint,)
     scaffold = IN_MODEL

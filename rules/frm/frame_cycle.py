@@ -16,6 +16,14 @@ class FrameCycle(Rule):
     code = "FRM002"
     name = "frame-cycle"
     severity = Severity.ERROR
+    remedy = """Let one member of the ring refer to a link outside of it, or to nothing.
+
+    A frame without `attached_to`, and a pose without `relative_to`, belong to the frame of the model, which
+    ends each ring. Of the members, take the one whose place is known best: mostly the base link, or the
+    link that was there before the frames were added. Joints count as members, because each is placed at its
+    child: a link that is placed relative to its own joint needs the joint to be placed relative to the
+    parent.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = IN_MODEL

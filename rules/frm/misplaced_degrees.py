@@ -30,6 +30,11 @@ class MisplacedDegrees(Rule):
     code = "FRM010"
     name = "misplaced-degrees"
     severity = Severity.ERROR
+    remedy = """Move `degrees` to the `<pose>` whose angles are in degrees.
+
+    It concerns one pose only, so each pose with degrees needs an attribute of its own, and so does the file
+    `version="1.9"` or later. Otherwise write radians; `sdfcheck print --radians FILE` converts.
+    """
     affects = {Consumer.GAZEBO: warns("reads radians"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownAttribute,)
     scaffold = IN_WORLD

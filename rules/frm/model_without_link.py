@@ -13,6 +13,12 @@ class ModelWithoutLink(Rule):
     code = "FRM005"
     name = "model-without-link"
     severity = Severity.ERROR
+    remedy = """Give the model a link, or declare `<static>true</static>`.
+
+    A model that only groups other models needs at least one of them inside. A model that is a mere place in
+    the world is better written as a `<frame>` of the world. If the links were lost, look for a misspelled
+    or wrapped `link`.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Model,)
     scaffold = SDF

@@ -34,6 +34,12 @@ class NonUnitQuaternion(Rule):
     code = "FRM007"
     name = "non-unit-quaternion"
     severity = Severity.WARNING
+    remedy = """Divide the four numbers of the quaternion by its length, √(x² + y² + z² + w²).
+
+    The order is `x y z w`: a quaternion that was copied from a program with `w` first has another length
+    only if digits are missing, but another rotation in any case. No rotation is `0 0 0 1`. Six digits or
+    more keep the length near enough to 1.
+    """
     affects = {
         Consumer.GAZEBO: warns("takes it as it is"),
         Consumer.DRAKE: warns("normalizes it, and refuses zero"),

@@ -25,6 +25,11 @@ class RelativeTopLevelPose(Rule):
     code = "FRM009"
     name = "relative-top-level-pose"
     severity = Severity.ERROR
+    remedy = """Remove `relative_to`: the file that includes the model places it.
+
+    Give the pose where the model is used: as the `<pose>` of the `<include>`, which can be relative to a
+    frame of the world or model there.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (FrameReference,)
     scaffold = SDF

@@ -14,6 +14,12 @@ class UnknownCanonicalLink(Rule):
     code = "FRM003"
     name = "unknown-canonical-link"
     severity = Severity.ERROR
+    remedy = """Name a link of the model, or leave `canonical_link` out: then the first link is taken.
+
+    The canonical link is the one that the frame of the model moves with, so the heaviest one, such as the
+    base, is the usual choice. For a frame name the link that it is attached to; a link of a nested model is
+    `arm::base`.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Model,)
     scaffold = SDF

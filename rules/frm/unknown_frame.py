@@ -33,6 +33,13 @@ class UnknownFrame(Rule):
     code = "FRM001"
     name = "unknown-frame"
     severity = Severity.ERROR
+    remedy = """Name a link, joint, frame or nested model of the same model or world.
+
+    A part of a nested model is reached by its scoped name, `arm::hand`; `sdfcheck graph frames FILE` lists
+    the names. A frame of the model around it is out of reach: write the pose relative to the model, and let
+    the include or the outer model place it with a pose or a joint of its own. A frame of the world cannot
+    be named in a model.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (FrameReference,)
     scaffold = IN_MODEL

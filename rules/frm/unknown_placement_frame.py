@@ -14,6 +14,11 @@ class UnknownPlacementFrame(Rule):
     code = "FRM004"
     name = "unknown-placement-frame"
     severity = Severity.ERROR
+    remedy = """Name a frame, link, joint or nested model of the model that is placed.
+
+    The name is one of the model itself, without the name of the model before it. `sdfcheck graph frames` of
+    the included file lists them. Without `placement_frame` the origin of the model is what gets the pose.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Model, Include)
     scaffold = SDF

@@ -17,6 +17,12 @@ class DenseCollisionMesh(Rule):
     code = "GEO007"
     name = "dense-collision-mesh"
     severity = Severity.INFO
+    remedy = """Replace the collision mesh by its convex hull, or by a few boxes, cylinders and spheres.
+
+    A hull of 50 to 200 faces is enough for most links: MeshLab (Filters, Remeshing, Convex Hull and Quadric
+    Edge Collapse Decimation) and Blender make one. A part that is not convex, such as a gripper, is split
+    into several convex ones. The visual keeps its fine mesh.
+    """
     affects = dict.fromkeys(Consumer, warns("is slow"))
     looks_at = (Collision,)
     needs = ("<mesh", ":mesh")

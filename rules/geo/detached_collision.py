@@ -23,6 +23,12 @@ class DetachedCollision(Rule):
     code = "GEO003"
     name = "detached-collision"
     severity = Severity.WARNING
+    remedy = """Give the collision the pose of the visual, or the visual that of the collision.
+
+    `sdfcheck view FILE` shows both. A mesh keeps the origin that it was exported with: where the visual has
+    an offset that moves its mesh to the link, a collision from the same drawing needs the same, and a box
+    around the part needs the middle of the part.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
     needs = ("<mesh", ":mesh")

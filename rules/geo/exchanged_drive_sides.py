@@ -15,6 +15,12 @@ class ExchangedDriveSides(Rule):
     code = "GEO009"
     name = "exchanged-drive-sides"
     severity = Severity.WARNING
+    remedy = """Exchange the two joints in the parameters of the plugin.
+
+    `left_joint` (or `left_wheel_joint`) is the one with the greater y in a robot that drives along x, as
+    ROS has it. If the names of the joints themselves are wrong, rename the joints instead. A robot that
+    then drives backwards has axes that point to the right: turn both around.
+    """
     affects = {Consumer.GAZEBO: warns("turns the other way")}
     looks_at = (Plugin,)
 

@@ -21,6 +21,11 @@ class MismatchedCollisionSize(Rule):
     code = "GEO004"
     name = "mismatched-collision-size"
     severity = Severity.WARNING
+    remedy = """Give the visual and the collision the same unit: compare their `scale` and sizes.
+
+    The one that agrees with the distances between the joints (`sdfcheck graph poses FILE`) is right.
+    Millimeters need a scale of 0.001, centimeters 0.01, inches 0.0254.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
     needs = ("<mesh", ":mesh")

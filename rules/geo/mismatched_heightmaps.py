@@ -18,6 +18,11 @@ class MismatchedHeightmaps(Rule):
     code = "GEO014"
     name = "mismatched-heightmaps"
     severity = Severity.WARNING
+    remedy = """Write the same `pos`, `size` and image in the heightmap of the visual and of the collision.
+
+    Sizes and positions are in meters, and z of the size is the height between the darkest and the brightest
+    pixel. Copy the ones of the visual if the ground looks right.
+    """
     affects = {Consumer.GAZEBO: warns("shows another ground than it touches")}
     looks_at = (Link,)
     needs = ("<heightmap",)

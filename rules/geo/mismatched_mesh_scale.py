@@ -28,6 +28,11 @@ class MismatchedMeshScale(Rule):
     code = "GEO005"
     name = "mismatched-mesh-scale"
     severity = Severity.WARNING
+    remedy = """Write the same `scale` each time that the link uses the mesh.
+
+    The right one is that which makes the part as long as the real one: 0.001 for a file in millimeters, 1
+    for one in meters. A property of xacro for the scale keeps both from drifting apart.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
     needs = ("<mesh", ":mesh")

@@ -19,6 +19,12 @@ class MismatchedWheelRadius(Rule):
     code = "GEO012"
     name = "mismatched-wheel-radius"
     severity = Severity.WARNING
+    remedy = """Write the radius of the wheels, in meters, in the plugin and in the collisions of both wheels.
+
+    The radius is that of the tread under load, not the diameter. Of several numbers take the measured one;
+    the same number belongs into the visual, the collision and the configuration of the controller, best
+    from one property of xacro.
+    """
     affects = {Consumer.GAZEBO: warns("drives farther, or in a circle")}
     looks_at = (Plugin,)
 

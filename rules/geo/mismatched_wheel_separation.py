@@ -17,6 +17,12 @@ class MismatchedWheelSeparation(Rule):
     code = "GEO011"
     name = "mismatched-wheel-separation"
     severity = Severity.WARNING
+    remedy = """Write the distance between the middles of the wheels as `wheel_separation`, in meters.
+
+    `sdfcheck graph poses FILE` shows where the joints of the wheels are: the separation is the difference
+    of the two y of a robot that drives along x. The distance counts between the middles of the treads, not
+    between the sides of the chassis.
+    """
     affects = {Consumer.GAZEBO: warns("turns by another angle")}
     looks_at = (Plugin,)
 

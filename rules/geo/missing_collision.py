@@ -34,6 +34,11 @@ class MissingCollision(Rule):
     code = "GEO008"
     name = "missing-collision"
     severity = Severity.WARNING
+    remedy = """Give the link a collision: the shape of its visual, or a simple one around it.
+
+    A cylinder or box of the outer measures is faster than the mesh and mostly better in contact. Where the
+    link is meant to touch nothing, say so by a comment that ignores this finding.
+    """
     affects = dict.fromkeys(Consumer, warns("lets it pass through everything"))
     looks_at = (Model,)
 

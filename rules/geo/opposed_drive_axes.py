@@ -14,6 +14,12 @@ class OpposedDriveAxes(Rule):
     code = "GEO010"
     name = "opposed-drive-axes"
     severity = Severity.WARNING
+    remedy = """Turn the axis of one wheel around: `0 1 0` for both in a robot that drives along x.
+
+    The axis is in the frame of the joint, so a wheel that is mounted by `rpy="… … 3.14159"` or turned by
+    its pose needs `0 -1 0`. The speed is positive forwards when the axes point to the left of the robot.
+    Signs in controllers that made up for the difference have to go with it.
+    """
     affects = {Consumer.GAZEBO: warns("spins instead of driving")}
     looks_at = (Plugin,)
 

@@ -23,6 +23,13 @@ class OversizedShape(Rule):
     code = "GEO001"
     name = "oversized-shape"
     severity = Severity.WARNING
+    remedy = """Write its size in meters; a mesh in millimeters gets a scale of `0.001 0.001 0.001`.
+
+    STL and OBJ files have no unit, so the exporter's choice counts: set it to meters in the CAD program, or
+    scale in Blender or MeshLab, or with `scale` of the `<mesh>` in visuals and collisions alike. For a box,
+    cylinder or sphere divide the numbers by 1000. The moments of inertia were likely computed from the same
+    drawing: compare them with `sdfcheck inertia FILE`.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     needs = ("<mesh", ":mesh")
@@ -68,7 +75,6 @@ class OversizedShape(Rule):
             place or shape,
             f"the {what} is {max(box.size):.4g} m long, and {compared}{used(len(shapes))}: is it in millimeters?",
             labels=dict.fromkeys(shapes[1:4], "this one as well"),
-            help='give the mesh a scale of "0.001 0.001 0.001"' if is_mesh else "",
         )
 
 

@@ -24,6 +24,12 @@ class UndersizedShapes(Rule):
     code = "GEO002"
     name = "undersized-shapes"
     severity = Severity.WARNING
+    remedy = """Remove the `scale` of meshes that are in meters, or write the unit that the shapes have.
+
+    Compare the size of one part with the real one: MeshLab shows the bounding box of a mesh. COLLADA files
+    name their unit in `<unit meter="…">`, which Gazebo applies before `scale`; STL and OBJ have none. If
+    the joints are in millimeters and the shapes in meters, correct the joints instead.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     needs = ("<mesh", ":mesh")

@@ -10,14 +10,20 @@ READ = {"STL": ("stl",), "OBJ": ("obj",), "COLLADA": ("dae",), "glTF": ("gltf",)
 class UnreadableMesh(Rule):
     """The file of a mesh is empty, broken, or of another format than its ending says.
 
-    Consumers choose the program that reads a mesh by the ending of its name, and draw and touch nothing where
-    that fails; MuJoCo and Drake refuse the robot. A file that begins with `version https://git-lfs` was not
-    fetched: `git lfs pull` does that.
+    Consumers choose the program that reads a mesh by the ending of its name, and draw and
+    touch nothing where that fails; MuJoCo and Drake refuse the robot.
     """
 
     code = "GEO006"
     name = "unreadable-mesh"
     severity = Severity.WARNING
+    remedy = """Export the mesh again, or name it by the ending that its content has.
+
+    Look at the beginning of the file: `version https://git-lfs` is a pointer for which `git lfs pull`
+    fetches the mesh, `<html` the page of a download that failed, `solid` a text STL file, `v ` lines are an
+    OBJ file. A file of another format can be renamed with its true ending, or converted in MeshLab or
+    Blender.
+    """
     affects = dict.fromkeys(Consumer, warns("has no shape there, or refuses the file"))
     looks_at = (Geometry,)
     needs = ("<mesh", ":mesh")

@@ -24,6 +24,12 @@ class WheelAcrossAxis(Rule):
     code = "GEO013"
     name = "wheel-across-axis"
     severity = Severity.WARNING
+    remedy = """Turn the cylinder into the axis of its joint: `rpy="1.5708 0 0"` for an axis along y.
+
+    The rotation belongs into the `<origin>` (URDF) or `<pose>` (SDFormat) of both the visual and the
+    collision. For an axis along x it is `0 1.5708 0`. The moments of inertia turn with it: the axle has the
+    moment m r² / 2.
+    """
     affects = dict.fromkeys(Consumer, warns("tumbles on its edges"))
     looks_at = (Joint,)
 

@@ -23,6 +23,12 @@ class CenterAtOrigin(Rule):
     code = "INR014"
     name = "center-at-origin"
     severity = Severity.WARNING
+    remedy = """Write where the center of mass is: the middle of the shapes, if nothing better is known.
+
+    In SDFormat it is the `<pose>` of the `<inertial>`, in URDF its `<origin xyz="…"/>`, in meters from the
+    origin of the link. The moments stay as they are if they were computed about the center of mass; those
+    about the origin of the link have to be converted (`sdfcheck rule inertia-about-wrong-point`).
+    """
     affects = dict.fromkeys(Consumer, warns("takes the origin of the link"))
     looks_at = (Inertial,)
     scaffold = IN_LINK

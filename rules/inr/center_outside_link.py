@@ -22,6 +22,13 @@ class CenterOutsideLink(Rule):
     code = "INR013"
     name = "center-outside-link"
     severity = Severity.WARNING
+    remedy = """Move the center of mass into the shapes, in the frame of the link and in meters.
+
+    CAD programs print it in the frame of the assembly unless another coordinate system is chosen: subtract
+    the position of the link, and mind its rotation. If the mass is right, the shapes are displaced: compare
+    both with `sdfcheck view FILE`. A counterweight without a shape is a good reason to keep it; say so in a
+    comment that ignores this.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)
     scaffold = IN_LINK

@@ -18,6 +18,12 @@ class DistantCenterOfMass(Rule):
     code = "INR011"
     name = "distant-center-of-mass"
     severity = Severity.WARNING
+    remedy = """Write the center of mass in meters and in the frame of the link.
+
+    Divide by 1000 what a CAD program gave in millimeters. If the number is in meters, it was likely
+    measured from the origin of the whole assembly: subtract the position of the link, or export the part in
+    its own coordinate system.
+    """
     preview = True
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)

@@ -26,6 +26,12 @@ class ExcessDensity(Rule):
     code = "INR016"
     name = "excess-density"
     severity = Severity.WARNING
+    remedy = """Write the mass in kg, or correct the size of the shapes.
+
+    Grams are divided by 1000. Where the mass is right, the shapes lack a scale: compare them with the
+    distances between the joints (`sdfcheck graph poses FILE`). The moments of inertia most likely have the
+    same mistake.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)
     scaffold = IN_LINK

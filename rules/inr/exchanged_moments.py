@@ -50,6 +50,13 @@ class ExchangedMoments(Rule):
     code = "INR015"
     name = "exchanged-moments"
     severity = Severity.WARNING
+    remedy = """Exchange the two moments, or turn the inertial as the shape is turned.
+
+    The moment about an axis is large where the body extends across that axis: a rod along x has the small
+    moment `ixx`, a wheel that turns about y the large one `iyy`. Where the shape has a rotation of its own,
+    give the `<pose>` or `<origin>` of the inertial the same rotation, and keep the moments of the unturned
+    shape.
+    """
     affects = dict.fromkeys(Consumer, warns("turns it as another body"))
     looks_at = (Inertial,)
     scaffold = IN_LINK

@@ -16,6 +16,12 @@ class ImplausibleInertia(Rule):
     code = "INR006"
     name = "implausible-inertia"
     severity = Severity.WARNING
+    remedy = """Check the units of the moments (kg·m²) and compute them again for the mass and the shapes.
+
+    1 kg·mm² is 1e-6 kg·m², 1 g·cm² is 1e-7, 1 g·mm² is 1e-9. MeshLab prints volume × length², in the unit
+    of the file: multiply it by mass / volume, and for millimeters by 1e-6. If the link was copied, its
+    inertia is still that of the other one. `sdfcheck inertia FILE` shows them side by side.
+    """
     looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: warns("has a link that turns too easily or hardly at all"),

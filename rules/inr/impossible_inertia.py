@@ -24,6 +24,13 @@ class ImpossibleInertia(Rule):
     code = "INR003"
     name = "impossible-inertia"
     severity = Severity.ERROR
+    remedy = """Compute the moments again for one body: each at most the sum of the other two.
+
+    For a box of x × y × z meters `ixx = m/12 · (y² + z²)`, and so on around the axes; for a cylinder along
+    z `izz = m r²/2` and `ixx = iyy = m/12 · (3 r² + h²)`; for a sphere `2/5 · m r²`. A thin plate or rod is
+    at the edge, and numbers that were rounded to few digits fall over it: write at least six digits.
+    Moments that were typed in the wrong order or unit break the rule as well.
+    """
     looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: REFUSES,

@@ -28,6 +28,13 @@ class IndefiniteInertia(Rule):
     code = "INR002"
     name = "indefinite-inertia"
     severity = Severity.ERROR
+    remedy = """Write the six numbers of a real body: positive moments, and products smaller than them.
+
+    Compute them anew for the mass and the shape (`sdfcheck rule missing-inertial` says how), or export them
+    again. CAD programs differ in the sign of the products: SDFormat and URDF want `ixy = -∫ x y dm`, which
+    some programs print with the opposite sign. Make sure that the numbers are about the center of mass, and
+    that none lost its exponent.
+    """
     looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: REFUSES,

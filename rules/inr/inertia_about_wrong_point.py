@@ -16,6 +16,12 @@ class InertiaAboutWrongPoint(Rule):
     code = "INR007"
     name = "inertia-about-wrong-point"
     severity = Severity.WARNING
+    remedy = """Write the moments about the center of mass instead of the origin of the link.
+
+    Most CAD programs print both: take the block "at the center of mass" (`Lxx` in SolidWorks, not `Ixx`).
+    To convert, subtract what the parallel axes add: `ixx - m (y² + z²)`, `ixy + m x y` and so on, with the
+    center of mass x y z in the frame of the link.
+    """
     looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: warns("has a link that turns too slowly"),

@@ -6,14 +6,30 @@ from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Link, Rule, Seve
 class MissingInertial(Rule):
     """A link that moves has a shape and no `<inertial>`.
 
-    libsdformat gives it 1 kg and moments of 1 kg·m² each, whatever its size; Drake takes
-    the same. A cup of that inertia turns like a barrel. For a part of the scenery, say
-    `<static>true</static>`; from 1.11 on `<inertial auto="true"/>` computes it.
+    libsdformat gives it 1 kg and moments of 1 kg·m² each, whatever its size; Drake takes the
+    same. A cup of that inertia turns like a barrel.
     """
 
     code = "INR004"
     name = "missing-inertial"
     severity = Severity.WARNING
+    remedy = """Give the link an `<inertial>` with its mass, center of mass and moments of inertia.
+
+    Mass is in kg, the center of mass in meters in the frame of the link, moments in kg·m² about the center
+    of mass. Ways to get them:
+
+    - CAD programs print them as mass properties: choose SI units, the axes of the link, and the moments at
+      the center of mass; check the sign of the products.
+    - For a box of x × y × z `ixx = m/12 · (y² + z²)` and so on; for a cylinder along z `izz = m r²/2`,
+      `ixx = iyy = m/12 · (3 r² + h²)`; for a sphere `2/5 · m r²`.
+    - MeshLab (Compute Geometric Measures) prints volume, center of mass and tensor of a closed mesh for a
+      density of 1: multiply the tensor by mass / volume, and scale a mesh in millimeters to meters first.
+    - In SDFormat 1.11 `<inertial auto="true"/>` and a `<density>` let the simulator compute them from the
+      collisions; `sdfcheck print --expand-auto-inertials FILE` writes the numbers.
+
+    `sdfcheck inertia FILE` shows the result for each link and for the whole robot. A part that never moves
+    is better made static.
+    """
     looks_at = (Link,)
     affects = {
         Consumer.GAZEBO: warns("takes 1 kg and unit inertia"),

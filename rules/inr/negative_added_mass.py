@@ -21,6 +21,12 @@ class NegativeAddedMass(Rule):
     code = "INR012"
     name = "negative-added-mass"
     severity = Severity.WARNING
+    remedy = """Change the sign of the added mass: the diagonal is positive.
+
+    `xx` is `-Xudot`, `yy` is `-Yvdot`, `zz` is `-Zwdot`, `pp` is `-Kpdot` and so on, of the hydrodynamic
+    derivatives that papers print. For a sphere the added mass is half of that of the water that it
+    displaces.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("takes it as it is")}
     looks_at = (Inertial,)

@@ -20,6 +20,11 @@ class OversizedInertia(Rule):
     code = "INR010"
     name = "oversized-inertia"
     severity = Severity.WARNING
+    remedy = """Convert the moments to kg·m²: 1 kg·mm² is 1e-6, 1 g·cm² is 1e-7, 1 g·mm² is 1e-9.
+
+    Set the unit system to SI (m, kg) in the CAD program before the export. As a check, √(I/m) is the radius
+    of gyration in meters: it has to be less than the size of the part.
+    """
     preview = True
     affects = dict.fromkeys(Consumer, warns("can hardly turn the link"))
     looks_at = (Inertial,)

@@ -16,6 +16,12 @@ class PlaceholderInertia(Rule):
     code = "INR005"
     name = "placeholder-inertia"
     severity = Severity.WARNING
+    remedy = """Replace the moments by those of the real body: mass × (size in m)² / 6 is near for a cube.
+
+    `sdfcheck rule missing-inertial` lists the ways to compute them. As a check, the radius of gyration
+    √(I/m) of a body is a third to a half of its size: for 0.1 kg within 10 cm the moments are about 1e-4
+    kg·m², not 1.
+    """
     looks_at = (Inertial,)
     affects = {
         Consumer.GAZEBO: warns("has a link that hardly turns"),

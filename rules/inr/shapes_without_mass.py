@@ -22,6 +22,12 @@ class ShapesWithoutMass(Rule):
     code = "INR017"
     name = "shapes-without-mass"
     severity = Severity.WARNING
+    remedy = """Give the link an `<inertial>` of its own, with the mass of its own shapes.
+
+    The links that are fixed to it keep theirs: consumers add them up. If the one inertial was measured for
+    the whole, move it to the link that moves, and remove it from the fixed one.
+    `sdfcheck rule missing-inertial` says how to get the numbers.
+    """
     affects = dict.fromkeys(Consumer, warns("takes the mass of the other link for both"))
     looks_at = (Link,)
     selects = ("urdf:robot/link",)

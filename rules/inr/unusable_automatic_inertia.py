@@ -29,6 +29,12 @@ class UnusableAutomaticInertia(Rule):
     code = "INR008"
     name = "unusable-automatic-inertia"
     severity = Severity.ERROR
+    remedy = """Give the link a collision with a volume and a positive `<density>`, or write the numbers.
+
+    Box, capsule, cone, cylinder, ellipsoid, sphere and closed meshes have a volume; planes, heightmaps and
+    `<empty/>` have none. The density is in kg/m³ (water 1000, aluminum 2700) and can be in each collision
+    or in the `<inertial auto="true">`. A link without collision needs a written `<inertial>`.
+    """
     looks_at = (Inertial,)
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     scaffold = IN_LINK

@@ -46,6 +46,12 @@ class ZeroInertia(Rule):
     code = "INR009"
     name = "zero-inertia"
     severity = Severity.WARNING
+    remedy = """Write the moments of inertia that the mass has in the link's shapes.
+
+    For a compact body of size d they are about m d² / 6 to m d² / 10; `sdfcheck rule missing-inertial` has
+    the formulas. Numbers that look like 0 may have been rounded by the exporter: let it write nine
+    decimals. A tiny placeholder such as 1e-9 makes simulations unstable where a heavy link hangs on it.
+    """
     looks_at = (Inertial,)
     affects = {Consumer.DRAKE: warns("cannot simulate it"), Consumer.MUJOCO: refuses("refuses it on a joint")}
     scaffold = IN_LINK

@@ -25,6 +25,11 @@ class AsymmetricJoint(Rule):
     code = "JNT020"
     name = "asymmetric-joint"
     severity = Severity.WARNING
+    remedy = """Place the joint where its counterpart is, mirrored: the same numbers with y negated.
+
+    That is so for a robot that looks along x. Check both against the drawing, for either may be the wrong
+    one. A macro of xacro with a `reflect` of 1 and -1 writes both sides from one set of numbers.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     selects = ("urdf:robot",)

@@ -31,6 +31,11 @@ class InvertedLimits(Rule):
     code = "JNT005"
     name = "inverted-limits"
     severity = Severity.ERROR
+    remedy = """Exchange the two limits, or correct the sign that was lost.
+
+    Lower is the smaller number. When an axis is turned around, both limits change their signs and their
+    places: -0.5 to 2 becomes -2 to 0.5.
+    """
     affects = {
         Consumer.GAZEBO: {"sdf": warns("takes them as they are"), "urdf": warns("exchanges them")},
         Consumer.DRAKE: REFUSES,

@@ -32,6 +32,11 @@ class JointLoop(Rule):
     code = "JNT008"
     name = "joint-loop"
     severity = Severity.WARNING
+    remedy = """Turn the joint around or remove it, so that one link of the ring has no parent.
+
+    That link is the root, mostly the base. `sdfcheck graph joints FILE` shows which joint carries which
+    link. A real loop of a mechanism is cut at one joint, and closed by a constraint of the simulator.
+    """
     affects = {
         Consumer.GAZEBO: {"urdf": REFUSES},
         Consumer.DRAKE: REFUSES,

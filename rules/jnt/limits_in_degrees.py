@@ -35,6 +35,12 @@ class LimitsInDegrees(Rule):
     code = "JNT014"
     name = "limits-in-degrees"
     severity = Severity.WARNING
+    remedy = """Write the limits in radians: degrees × π / 180.
+
+    ±90° is ±1.5707963, ±180° is ±3.1415927. In xacro `${radians(90)}` keeps the number of the data sheet in
+    sight. SDFormat has a unit for the angles of poses only, not for limits. `velocity` of the same joint is
+    in rad/s, too: 1 rpm is 0.1047 rad/s.
+    """
     affects = dict.fromkeys(Consumer, warns("reads them as radians"))
     looks_at = (Limit,)
     scaffold = IN_JOINT

@@ -16,6 +16,11 @@ class LockedJoint(Rule):
     code = "JNT023"
     name = "locked-joint"
     severity = Severity.WARNING
+    remedy = """Give the joint the range that it has, or make it fixed.
+
+    A fixed joint keeps the position in its pose: turn the `<origin>` or `<pose>` by the locked angle. If a
+    sign was lost, the limits are mostly symmetric: -0.035 and 0.035.
+    """
     affects = dict.fromkeys(
         (Consumer.GAZEBO, Consumer.DRAKE, Consumer.URDFDOM), warns("has a joint that cannot move")
     )
@@ -57,5 +62,4 @@ class LockedJoint(Rule):
             lower,
             f"lower limit {lower.text} equals the upper one: {limit.joint.title} cannot move",
             labels={upper: "the upper limit"},
-            help="give it the range that it has, or make it a joint of type fixed",
         )

@@ -23,6 +23,12 @@ class MimicBeyondLimits(Rule):
     code = "JNT022"
     name = "mimic-beyond-limits"
     severity = Severity.WARNING
+    remedy = """Widen the limits of the follower to what its leader makes it do.
+
+    They are multiplier × limit + offset for both limits of the leader, the smaller one first. If the real
+    follower has the narrower range, narrow the limits of the leader instead. With a negative multiplier
+    lower and upper change places.
+    """
     preview = True
     affects = dict.fromkeys(Consumer, warns("moves it beyond its limits, or holds it back"))
     looks_at = (Mimic,)

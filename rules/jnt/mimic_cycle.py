@@ -30,6 +30,11 @@ class MimicCycle(Rule):
     code = "JNT012"
     name = "mimic-cycle"
     severity = Severity.ERROR
+    remedy = """Let one joint of the ring lead: remove its `mimic`.
+
+    That is the one with the motor. All others follow it directly: for a follower of a follower multiply the
+    multipliers.
+    """
     affects = {
         Consumer.GAZEBO: refuses("refuses a joint that mimics itself"),
         Consumer.DRAKE: refuses("refuses a joint that mimics itself"),

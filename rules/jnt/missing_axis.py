@@ -15,6 +15,12 @@ class MissingAxis(Rule):
     code = "JNT004"
     name = "missing-axis"
     severity = Severity.ERROR
+    remedy = """Write the axis that the joint moves about or along, such as `<xyz>0 0 1</xyz>`.
+
+    The axis is in the frame of the joint, of length 1, and points where a positive motion goes: along the
+    axis for prismatic joints, by the rule of the right hand for those that turn. Universal and revolute2
+    joints need `axis` and `axis2`. A joint without motion is of type fixed.
+    """
     affects = {Consumer.GAZEBO: warns("takes a default"), Consumer.DRAKE: REFUSES}
     looks_at = (Joint,)
     scaffold = IN_MODEL
@@ -45,5 +51,4 @@ class MissingAxis(Rule):
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False):
             if not axis.is_given and not joint.misspells(name):
-                message = f"{joint.title} of type {joint.type} has no `{name}`"
-                yield self.diagnostic(joint, message, help="some consumers take 0 0 1 instead")
+                yield self.diagnostic(joint, f"{joint.title} of type {joint.type} has no `{name}`")

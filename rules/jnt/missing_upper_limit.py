@@ -15,6 +15,11 @@ class MissingUpperLimit(Rule):
     code = "JNT015"
     name = "missing-upper-limit"
     severity = Severity.WARNING
+    remedy = """Write the upper limit as well, or leave the lower one out.
+
+    Radians for joints that turn, meters for those that slide. A joint that has no end on that side is rare:
+    a continuous one has no limits at all.
+    """
     preview = True
     affects = {
         Consumer.GAZEBO: {"sdf": warns("sets no limit"), "urdf": warns("takes 0")},

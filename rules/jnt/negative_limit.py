@@ -32,6 +32,12 @@ class NegativeLimit(Rule):
     code = "JNT010"
     name = "negative-limit"
     severity = Severity.WARNING
+    remedy = """Write a positive number, or leave the setting out.
+
+    Effort is in N or Nm, velocity in m/s or rad/s, damping in N·s/m or Nm·s/rad, friction in N or Nm. The
+    limits are magnitudes that hold in both directions. In SDFormat no limit is `-1`, or no element at all;
+    in URDF both are required, and a large number has to do.
+    """
     affects = {
         Consumer.GAZEBO: warns("takes it as no limit, or as it is"),
         Consumer.DRAKE: refuses("refuses negative damping"),

@@ -17,6 +17,11 @@ class NonUnitAxis(Rule):
     code = "JNT013"
     name = "non-unit-axis"
     severity = Severity.INFO
+    remedy = """Divide the three numbers by the length of the axis, √(x² + y² + z²).
+
+    A diagonal is `0.7071068 0.7071068 0`, not `1 1 0`. The length has no meaning; a ratio or a sign belongs
+    into the transmission or the `multiplier` of a mimic.
+    """
     looks_at = (Axis,)
     scaffold = IN_JOINT
 

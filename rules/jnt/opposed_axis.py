@@ -27,6 +27,12 @@ class OpposedAxis(Rule):
     code = "JNT021"
     name = "opposed-axis"
     severity = Severity.WARNING
+    remedy = """Turn the axis around, or the sign of the counterparts, so that all of them agree.
+
+    Watch the frame: a joint that is mounted with half a turn in its `rpy` needs the opposite axis to turn
+    the same way. With the axis, the limits change: exchange and negate them. If the drive is really mounted
+    the other way, say so in a comment that ignores this.
+    """
     affects = dict.fromkeys(Consumer, warns("turns it the other way"))
     looks_at = (Joint,)
     selects = ("urdf:robot/joint",)

@@ -13,6 +13,11 @@ class SelfJoint(Rule):
     code = "JNT002"
     name = "self-joint"
     severity = Severity.ERROR
+    remedy = """Name the link that the joint moves as its child, and another one as its parent.
+
+    Mostly a line was copied and one of the two names was not changed. Where two frames of one link are
+    named, the joint holds nothing and can be removed.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Joint,)
     scaffold = IN_MODEL

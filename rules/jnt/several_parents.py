@@ -30,6 +30,13 @@ class SeveralParents(Rule):
     code = "JNT007"
     name = "several-parents"
     severity = Severity.WARNING
+    remedy = """Remove all but one of the joints, or give each a link of its own.
+
+    A copy and paste that kept the old child is the common reason. A real closed chain (a four-bar linkage)
+    does not fit a tree: cut it at one joint. In SDFormat Gazebo closes it by a second joint; for MuJoCo use
+    an equality constraint, for Drake a `drake:ball_constraint`, and in URDF a `mimic` for a linkage that is
+    near to a parallelogram.
+    """
     affects = {
         Consumer.GAZEBO: {"urdf": refuses("refuses the file; version 12 does not")},
         Consumer.DRAKE: refuses("refuses the loop"),

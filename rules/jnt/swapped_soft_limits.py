@@ -17,6 +17,11 @@ class SwappedSoftLimits(Rule):
     code = "JNT017"
     name = "swapped-soft-limits"
     severity = Severity.WARNING
+    remedy = """Put the soft limits between the limits of the joint, the lower below the upper.
+
+    A margin of 0.05 to 0.1 rad (or some millimeters) to each stop is usual. A joint with no need of them
+    does without `safety_controller`.
+    """
     looks_at = (Element,)
     selects = ("urdf:joint/safety_controller",)
     scaffold = IN_URDF_JOINT.replace("{}", '<limit lower="-2" upper="2" effort="5" velocity="2"/>{}')

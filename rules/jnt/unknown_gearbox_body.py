@@ -19,6 +19,10 @@ class UnknownGearboxBody(Rule):
     code = "JNT018"
     name = "unknown-gearbox-body"
     severity = Severity.ERROR
+    remedy = """Name a link of the same model as `gearbox_reference_body`.
+
+    It is the body that carries both of the coupled joints: mostly the housing, the parent of both.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("couples nothing")}
     looks_at = (Joint,)

@@ -35,6 +35,12 @@ class UnknownJointEnd(Rule):
     code = "JNT001"
     name = "unknown-joint-end"
     severity = Severity.ERROR
+    remedy = """Name a link of this model as the end of the joint, as it is spelled there.
+
+    In SDFormat a frame, a joint or a nested model can be named too, and `arm::hand` for a link in a nested
+    model; `world` can be the parent. Links around the model cannot be reached: write the joint into the
+    outer model instead. In URDF a link `world` has to be there for a joint to name it.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Joint,)
     scaffold = IN_MODEL

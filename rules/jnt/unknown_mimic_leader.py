@@ -27,6 +27,11 @@ class UnknownMimicLeader(Rule):
     code = "JNT009"
     name = "unknown-mimic-leader"
     severity = Severity.ERROR
+    remedy = """Name a joint of the same model, and an axis that it has.
+
+    The leader is a joint that moves, not a link. In SDFormat the axis is `axis`, or `axis2` for joints that
+    have two. If the leader gets a prefix by a macro, the name here needs the same prefix.
+    """
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: REFUSES,

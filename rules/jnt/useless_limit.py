@@ -16,13 +16,17 @@ UNLIMITED = 1e15
 class UselessLimit(Rule):
     """A joint has position limits that its type does not know.
 
-    A continuous joint turns without end; only Drake limits it in URDF anyway. A joint that is
-    meant to stop somewhere is of type revolute.
+    A continuous joint turns without end; only Drake limits it in URDF anyway.
     """
 
     code = "JNT011"
     name = "useless-limit"
     severity = Severity.WARNING
+    remedy = """Make the joint revolute, or leave its `lower` and `upper` out.
+
+    A revolute joint takes both in radians. A wheel or a propeller turns without end: keep it continuous
+    with `effort` and `velocity` only.
+    """
     affects = {
         Consumer.GAZEBO: warns("ignores them"),
         Consumer.DRAKE: {"sdf": warns("ignores them"), "urdf": warns("limits the joint")},

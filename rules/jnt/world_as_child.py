@@ -6,13 +6,19 @@ from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Jo
 class WorldAsChild(Rule):
     """The child of a joint is the world.
 
-    A joint moves its child, and the world does not move. libsdformat refuses the file, in URDF from
-    version 17 on; Drake refuses it in SDFormat. Swap the ends: the world can be a parent.
+    A joint moves its child, and the world does not move. libsdformat refuses the file, in
+    URDF from version 17 on; Drake refuses it in SDFormat.
     """
 
     code = "JNT003"
     name = "world-as-child"
     severity = Severity.ERROR
+    remedy = """Swap the ends: make the world the parent and the link the child.
+
+    The position of the joint then has the opposite sign: exchange the limits and negate them, or turn the
+    axis around. In SDFormat the joint is placed at its child, so the joint may need a pose to stay where it
+    was.
+    """
     affects = {
         Consumer.GAZEBO: {"sdf": REFUSES, "urdf": refuses("refuses the file; version 12 does not")},
         Consumer.DRAKE: {"sdf": REFUSES},

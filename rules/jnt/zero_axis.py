@@ -25,6 +25,11 @@ class ZeroAxis(Rule):
     code = "JNT006"
     name = "zero-axis"
     severity = Severity.ERROR
+    remedy = """Write a direction of length 1, such as `0 0 1`, in the frame of the joint.
+
+    A positive position turns about it by the rule of the right hand, or slides along it. If the joint is
+    not to move, make its type `fixed` and leave the axis out.
+    """
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: REFUSES,

@@ -26,6 +26,13 @@ class ZeroLimit(Rule):
     code = "JNT016"
     name = "zero-limit"
     severity = Severity.INFO
+    remedy = """Write the greatest effort and velocity of the drive, or leave the joint without controllers.
+
+    Effort is in Nm (N for prismatic joints) at the joint, after the gear: motor torque × ratio ×
+    efficiency. Velocity is in rad/s (m/s): the speed of the motor divided by the ratio, 1 rpm = 0.1047
+    rad/s. Both are in the data sheet of the servo. Without one, take a generous guess such as 100 and 10,
+    which lets controllers work.
+    """
     preview = True
     affects = {
         Consumer.GAZEBO: warns("cannot drive the joint"),

@@ -21,6 +21,12 @@ class ZeroRatio(Rule):
     code = "JNT019"
     name = "zero-ratio"
     severity = Severity.WARNING
+    remedy = """Write the ratio or the pitch of the mechanism: not 0.
+
+    `gearbox_ratio` is the speed of one side by that of the other. `screw_thread_pitch` is the travel in
+    meters per turn (SDFormat 1.10 on); the old `thread_pitch` is in radians per meter with the opposite
+    sign. For a joint without coupling choose another type.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("couples nothing"), Consumer.DRAKE: warns("couples nothing")}
     looks_at = (Joint,)

@@ -13,6 +13,10 @@ class BlankAroundName(Rule):
     code = "NAM007"
     name = "blank-around-name"
     severity = Severity.WARNING
+    remedy = """Remove the space from the name.
+
+    If it comes from an expression of xacro, remove it in the property or argument that the name is made of.
+    """
     affects = {
         Consumer.GAZEBO: warns("takes the name without it"),
         Consumer.DRAKE: {"sdf": warns("takes the name without it")},

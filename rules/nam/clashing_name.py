@@ -37,6 +37,11 @@ class ClashingName(Rule):
     code = "NAM002"
     name = "clashing-name"
     severity = Severity.ERROR
+    remedy = """Rename the later one, with a suffix that says what it is: `_joint`, `_frame`, `_visual`.
+
+    Links, joints, frames and nested models share one space of names, so `arm` and `arm_joint` live in
+    peace. Change the references, too: before 1.7 they meant the first of the two.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL

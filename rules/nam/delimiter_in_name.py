@@ -27,6 +27,12 @@ class DelimiterInName(Rule):
     code = "NAM004"
     name = "delimiter-in-name"
     severity = Severity.ERROR
+    remedy = """Replace `::` in the name, for example by an underscore, and in all references.
+
+    For a part that is in a nested model, write the nested model itself: `::` is then how to refer to it
+    from outside. Files that were converted from old merged models get their nested models back by an
+    `<include>`.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL

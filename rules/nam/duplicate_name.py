@@ -30,6 +30,12 @@ class DuplicateName(Rule):
     code = "NAM001"
     name = "duplicate-name"
     severity = Severity.ERROR
+    remedy = """Rename one of them, and the references that mean it.
+
+    Editors with the language server of sdfcheck rename both at once. If they are copies of one thing,
+    remove one. For two copies of a part use a prefix in a macro of xacro, or a nested model for each, which
+    has a scope of its own.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Root,)
     scaffold = IN_MODEL

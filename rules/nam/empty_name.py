@@ -13,6 +13,11 @@ class EmptyName(Rule):
     code = "NAM006"
     name = "empty-name"
     severity = Severity.ERROR
+    remedy = """Give it a name that its siblings do not have.
+
+    It may be short: `base`, `visual`, `camera`. Names of links become frames of tf2, names of joints those
+    of controllers. In xacro, a property that is empty leaves such a name.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.EmptyName,)
     scaffold = IN_MODEL

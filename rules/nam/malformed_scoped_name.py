@@ -17,6 +17,11 @@ class MalformedScopedName(Rule):
     code = "NAM005"
     name = "malformed-scoped-name"
     severity = Severity.ERROR
+    remedy = """Write one name after the other with `::` between them, from the nearest model down.
+
+    Something in the same model has no `::` at all. A model around it cannot be reached; move the reference
+    outwards instead.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = IN_MODEL

@@ -23,6 +23,12 @@ class ReservedName(Rule):
     code = "NAM003"
     name = "reserved-name"
     severity = Severity.ERROR
+    remedy = """Choose another name.
+
+    To fix something to the world, name `world` as the parent of a joint; to be a root that does not move, a
+    link of a URDF may be called `world`. `__model__` and the like can be referred to in poses, but not
+    given to anything.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL

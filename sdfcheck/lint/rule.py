@@ -40,6 +40,8 @@ class Rule:
     code: ClassVar[str]
     name: ClassVar[str]
     severity: ClassVar[Severity]
+    remedy: ClassVar[str] = ""
+    """The way to correct it, in Markdown: an imperative that findings without other advice show, then the reasons."""
     looks_at: ClassVar[tuple[type, ...]] = ()
     """Classes of the robot; :class:`Element` may be named with ``selects``."""
     selects: ClassVar[tuple[str, ...]] = ()
@@ -93,6 +95,7 @@ class Rule:
 
         ``meant`` is the name that was probably meant at the target: the message asks whether it was,
         and an unsafe fix writes it, if no other ``fix`` is given.
+        Without a ``fix`` or a ``help``, the first sentence of ``remedy`` says how to correct it.
         ``severity`` is given only where it depends on the case; so is what consumers do in
         ``affects``, for some of those that the rule names. ``missing`` and ``cause``: see :class:`Diagnostic`.
         """
@@ -107,12 +110,18 @@ class Rule:
             span_of(target),
             tuple(Label(span_of(place), text) for place, text in (labels or {}).items()),
             fix,
-            help,
+            advice(self.remedy) if help is None and fix is None else help,
             origins,
             tuple((consumer.value, reaction) for consumer, reaction in (affects or {}).items()),
             missing,
             cause,
         )
+
+
+def advice(remedy: str) -> str | None:
+    """The first sentence of a rule's ``remedy`` as a finding shows it; None if there is not one."""
+    text = " ".join(remedy.split()).partition(". ")[0].removesuffix(".")
+    return text[:1].lower() + text[1:] or None
 
 
 def span_of(target: Target) -> Span:

@@ -119,6 +119,12 @@ _OWN = (UnusedSuppression, MalformedSuppression)
 _LONGEST = 1500
 _PREVIEW = "preview: off unless selected by its code or name, or with `--preview`"
 """Characters that are shown of either end of a long example."""
+_REPORT_IT = (
+    "Report it with the file and the line that names the error, and leave the rule out meanwhile.\n\n"
+    'The message names the rule: `ignore = ["name-of-the-rule"]` in `sdfcheck.toml` leaves it out, and\n'
+    "`SDFCHECK_DEBUG=1` before the command shows the whole traceback. For a rule of your own pack, the message\n"
+    "names the line that failed: correct it there, and try it with `sdfcheck rules --test PACK`."
+)
 _DIALECTS = {"sdf": "SDFormat", "urdf": "URDF"}
 
 
@@ -144,6 +150,8 @@ class Manual(NamedTuple):
     facts: RuleFacts
     documentation: str
     """The rule's documentation, in Markdown."""
+    remedy: str
+    """The way to correct a finding, in Markdown; may be empty."""
     bad: tuple[Shown, ...]
     good: tuple[Shown, ...]
     sources: tuple[str, ...] = ()
@@ -165,12 +173,13 @@ class Manuals:
         """The manual of a rule, imported from where the rule is; its examples are linted."""
         own = next((rule for rule in _OWN if rule.code == facts.code), None)
         if own is None and facts not in self._index.facts:
-            return Manual(facts, markdown(facts.summary), (), (), is_own=True)
+            return Manual(facts, markdown(facts.summary), _REPORT_IT, (), (), is_own=True)
         rule = own or type(self._index.rule(facts))
         runners = self._runners(() if own else (facts,), facts.affects)
         return Manual(
             facts,
             markdown(rule.__doc__),
+            markdown(rule.remedy),
             tuple(_bad(example, rule.scaffold, facts.code, runners) for example in rule.bad),
             tuple(_good(example, rule.scaffold) for example in rule.good),
             _sources(rule),
@@ -239,6 +248,7 @@ def record(page: Manual) -> Mapping[str, Any]:
     return {
         **facts_record(page.facts),
         "documentation": page.documentation,
+        "remedy": page.remedy,
         "sources": list(page.sources),
         "bad": [_record(bad, "report", "fixed") for bad in page.bad],
         "good": [_record(good, "why") for good in page.good],
@@ -279,6 +289,9 @@ def _sections(page: Manual) -> Iterator[str]:
     level = f"up to {facts.severity.value}, by case" if facts.code in VARYING else facts.severity.value
     yield f"**{level}** · {when} · {fix}{since}"
     yield page.documentation
+    if page.remedy:
+        yield "## How to fix it"
+        yield page.remedy
     if facts.affects:
         yield "## What consumers do"
         yield _consumers(facts.affects)

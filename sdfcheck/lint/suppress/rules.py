@@ -20,6 +20,11 @@ class UnusedSuppression:
     code = "SUP001"
     name = "unused-suppression"
     severity = Severity.WARNING
+    remedy = """Remove the comment, or the one name in its brackets that silences nothing.
+
+    The defect was fixed, or the comment is not at its place: `ignore[…]` concerns the next element and
+    what is in it, so it has to be directly before the element that the finding marked.
+    """
     scaffold = IN_URDF_JOINT
     bad = (
         Bad(
@@ -41,6 +46,12 @@ class MalformedSuppression:
     code = "SUP002"
     name = "malformed-suppression"
     severity = Severity.WARNING
+    remedy = """Write it as `<!-- sdfcheck: ignore[name-of-the-rule] reason -->`, directly before the element.
+
+    The name of the rule is in the first line of the finding, and `sdfcheck rules` lists all of them. A reason
+    after the bracket is optional, and helps the next person. A comment that is not meant for sdfcheck has to
+    begin with another word.
+    """
     scaffold = IN_URDF_JOINT
     bad = (
         Bad(
@@ -67,7 +78,10 @@ def report(
     rule: OwnRule, span: Span, message: str, *, fix: Fix | None = None, help: str | None = None
 ) -> Diagnostic:
     """A diagnostic of one of these."""
-    return Diagnostic(rule.code, rule.name, rule.severity, message, span, fix=fix, help=help)
+    from sdfcheck.lint.rule import advice
+
+    own = advice(rule.remedy) if fix is None else None
+    return Diagnostic(rule.code, rule.name, rule.severity, message, span, fix=fix, help=help or own)
 
 
 def _facts(rule: OwnRule, fixable: str) -> RuleFacts:

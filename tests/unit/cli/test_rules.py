@@ -83,6 +83,7 @@ def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) 
     assert "```xml\n<model odd/>\n```\n\n" in text
     assert "Even:\n\n```xml" in text
     assert "<!-- sdfcheck: ignore[odd-flaw] reason -->" in text
+    assert "How to fix it" not in text
 
 
 def test_an_explanation_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,6 +103,7 @@ def test_the_engines_own_rules_are_explained(capsys: pytest.CaptureFixture[str])
     text = output(capsys, "rule", "SUP001", "INT001")
     assert "# unused-suppression (SUP001)" in text
     assert "# internal-error (INT001)" in text
+    assert text.count("## How to fix it\n\n") == 2
     assert "Turn it off" not in text
 
 

@@ -104,6 +104,7 @@ def line_of(text: str, part: str) -> int:
         ("explains = (str,)", "explains = (str,)", "`explains` has `str`, which is not a kind of problem"),
         ("affects = {'gazebo': 5}", "affects = {", "`affects` should say what consumers do"),
         ("default = 'off'", "default = 'off'", "`default` should be True or False"),
+        ("remedy = 1", "remedy = 1", "`remedy` should be a text in Markdown"),
         ("__doc__ = ''", "class Faulty", "has no docstring"),
         ("check = Rule.check", "class Faulty", "has no `check`"),
         ("code = 'TST001'", "code = 'TST001'\n    x", "TST001 is taken by checks/rules.py:"),

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from functools import cache
 
 import pytest
 
+from sdfcheck.cli.main import COMMANDS, main
 from sdfcheck.lint.rulebook.packs import load_index
-from sdfcheck.report.manual import Manual, Manuals, render
+from sdfcheck.report.manual import Manual, Manuals, record, render
 
+COMMAND = re.compile(r"`sdfcheck ([^`]+)`")
 INDEX = load_index()
 MANUALS = Manuals(INDEX)
 BY_CODE = {facts.code: facts for facts in INDEX.facts}
@@ -49,6 +52,34 @@ def test_no_two_pages_have_one_example() -> None:
         for example in page.bad:
             pages[example.text, tuple(example.files.items())].add(page.facts.name)
     assert [names for names in pages.values() if len(names) > 1] == []
+
+
+def test_the_way_to_fix_it_follows_the_description() -> None:
+    page = named("missing-inertial")
+    assert page.remedy.startswith("Give the link an `<inertial>` with its mass")
+    text = render(page)
+    headings = [line for line in text.splitlines() if line.startswith("## ")]
+    assert headings[:2] == ["## How to fix it", "## What consumers do"]
+    assert f"## How to fix it\n\n{page.remedy}\n" in text
+    assert "## How to fix it" not in render(page._replace(remedy=""))
+    assert record(page)["remedy"] == page.remedy
+
+
+REMEDIES = "\n".join(INDEX.rule(facts).remedy for facts in INDEX.facts)
+COMMANDS_IN_USE = sorted({tuple(line.split()) for line in COMMAND.findall(REMEDIES)})
+
+
+@pytest.mark.parametrize("command", COMMANDS_IN_USE, ids=" ".join)
+def test_a_remedy_names_commands_that_exist(
+    command: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    name, *rest = command
+    assert name in COMMANDS
+    options = [option for option in rest if option.startswith("--")]
+    main([*command[: 1 + (name == "convert")], "--help"])
+    assert all(option in capsys.readouterr().out for option in options)
+    if name in {"describe", "rule"} and not rest[0].endswith(("NAME", "ELEMENT")):
+        assert main(list(command)) == 0
 
 
 def test_consumers_are_a_table() -> None:

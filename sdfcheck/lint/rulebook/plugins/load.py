@@ -188,6 +188,7 @@ _EXAMINED: dict[str, Callable[[Any], str | None]] = {
     "affects": _affects,
     "default": _instance("default", bool, "True or False"),
     "preview": _instance("preview", bool, "True or False"),
+    "remedy": _instance("remedy", str, "a text in Markdown"),
     "scaffold": _instance("scaffold", str, "a text with {} where the examples go"),
     "bad": _examples("bad", Bad),
     "good": _examples("good", Good),
