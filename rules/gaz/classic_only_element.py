@@ -48,6 +48,14 @@ class ClassicOnlyElement(Rule):
     code = "GAZ002"
     name = "classic-only-element"
     severity = Severity.WARNING
+    remedy = """Replace it with the system of new Gazebo that does the same, or remove it.
+
+    Most plugins of Classic have a successor: `gz-sim-diff-drive-system` for the drives,
+    `gz-sim-joint-state-publisher-system` for joint states, sensors without any plugin, but with their
+    system in the world (`gz-sim-sensors-system`, `gz-sim-imu-system` …), and the bridge `ros_gz_bridge` for
+    topics of ROS. `gazebo_ros2_control` is `gz_ros2_control`. In a file for both, conditions of xacro
+    choose one of them.
+    """
     default = False
     affects = {Consumer.GAZEBO: warns("ignores it")}
     looks_at = (Root,)

@@ -41,6 +41,12 @@ class ContestedTopic(Rule):
     code = "GAZ015"
     name = "contested-topic"
     severity = Severity.WARNING
+    remedy = """Give each sensor a topic and each motor a number of its own.
+
+    In a macro of xacro, make the topic from the prefix: `<topic>${prefix}imu</topic>`. Without `<topic>`,
+    Gazebo makes one from world, model, link and sensor. The numbers of motors are the places in the list of
+    speeds, from 0 on.
+    """
     affects = {Consumer.GAZEBO: warns("mixes them")}
     looks_at = (Root,)
     scaffold = IN_LINK

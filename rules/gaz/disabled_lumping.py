@@ -20,6 +20,11 @@ class DisabledLumping(Rule):
     code = "GAZ005"
     name = "disabled-lumping"
     severity = Severity.WARNING
+    remedy = """Rename it to `preserveFixedJoint`.
+
+    A fixed joint that is kept needs a link with mass on each side. Where only a sensor needs the frame, the
+    name of the link survives as a frame without either setting.
+    """
     affects = {Consumer.GAZEBO: warns("makes a revolute joint")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT

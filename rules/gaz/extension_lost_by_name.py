@@ -35,6 +35,11 @@ class ExtensionLostByName(Rule):
     code = "GAZ004"
     name = "extension-lost-by-name"
     severity = Severity.WARNING
+    remedy = """Remove the name of the collision or visual, or let it begin with the name of the link.
+
+    Nothing refers to such names in a URDF but contact sensors, so removing them costs little. In SDFormat,
+    write friction and material directly into the `<collision>` and the `<visual>`.
+    """
     affects = {Consumer.GAZEBO: warns("drops the settings")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT

@@ -41,6 +41,11 @@ class FrameIdSpelling(Rule):
     code = "GAZ007"
     name = "frame-id-spelling"
     severity = Severity.WARNING
+    remedy = """Rename it as the version of the file spells it: `gz_frame_id`, and `frame_id` from SDFormat 1.12 on.
+
+    The value is the link of the robot that tf2 knows, such as `laser_link`, without a slash. For Drake,
+    which refuses `gz_frame_id`, declare version 1.12 and write `frame_id`.
+    """
     affects = {Consumer.GAZEBO: warns("warns, and may ignore it"), Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = SENSOR

@@ -40,6 +40,11 @@ class IgnitionName(Rule):
     code = "GAZ001"
     name = "ignition-name"
     severity = Severity.WARNING
+    remedy = """Rename it as Gazebo calls it since Garden: `ignition` is `gz` there.
+
+    The library of a system is `gz-sim-…-system`, its class `gz::sim::systems::…`. Keep the old name only if
+    the file has to run in Ignition Citadel or Edifice; Fortress takes the new names of plugins.
+    """
     affects = {Consumer.GAZEBO: warns("does not find it, from Harmonic on")}
     looks_at = (Plugin, Root)
     scaffold = IN_MODEL

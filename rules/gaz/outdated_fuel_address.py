@@ -34,6 +34,10 @@ class OutdatedFuelAddress(Rule):
     code = "GAZ017"
     name = "outdated-fuel-address"
     severity = Severity.WARNING
+    remedy = """Write `https://fuel.gazebosim.org` for the former address.
+
+    The paths stay the same. Models in the cache of the old host are fetched once more.
+    """
     affects = {Consumer.GAZEBO: warns("fetches it by a redirect")}
     looks_at = (Root,)
     needs = (MARK,)

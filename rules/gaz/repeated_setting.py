@@ -15,6 +15,11 @@ class RepeatedSetting(Rule):
     code = "GAZ013"
     name = "repeated-setting"
     severity = Severity.WARNING
+    remedy = """Remove one of the two, and keep the value that is meant.
+
+    Blocks of all files that are included add up, so look in the macros of the parts, too. The last one is
+    in effect now.
+    """
     affects = {Consumer.GAZEBO: warns("takes the last")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT

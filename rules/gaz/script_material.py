@@ -37,6 +37,12 @@ class ScriptMaterial(Rule):
     code = "GAZ006"
     name = "script-material"
     severity = Severity.WARNING
+    remedy = """Give the material `<ambient>` and `<diffuse>` colors, or a `<pbr>` with textures.
+
+    Colors are four numbers from 0 to 1: red, green, blue, opacity. For a texture write
+    `<pbr><metal><albedo_map>` with the path of the image. The script can stay for Gazebo Classic beside
+    them.
+    """
     affects = {
         Consumer.GAZEBO: warns("shows the default color"),
         Consumer.DRAKE: {"sdf": warns("shows the default color")},
@@ -83,7 +89,6 @@ class ScriptMaterial(Rule):
             yield self.diagnostic(
                 targets[0],
                 f"new Gazebo does not read {script}{used(len(targets))}, and no color is beside it",
-                help="give the material `ambient` and `diffuse`",
                 severity=Severity.INFO if name.startswith(PALETTE) else None,
             )
 

@@ -13,14 +13,19 @@ ROBOT = (
 class SensorOnMergedJoint(Rule):
     """A sensor is on a fixed joint, which libsdformat merges away together with the sensor.
 
-    When it converts URDF, libsdformat merges the links that fixed joints tie together. The content of a
-    `gazebo` block for the child link moves to the link that is left; that of a block for the joint is lost in silence,
-    and the sensor never publishes. `preserveFixedJoint` keeps the joint.
+    When it converts URDF, libsdformat merges the links that fixed joints tie together. The
+    content of a `gazebo` block for the child link moves to the link that is left; that of a
+    block for the joint is lost in silence, and the sensor never publishes.
     """
 
     code = "GAZ011"
     name = "sensor-on-merged-joint"
     severity = Severity.ERROR
+    remedy = """Keep the joint: `<preserveFixedJoint>true</preserveFixedJoint>` in its `gazebo` block.
+
+    Force and torque sensors need it. Cameras, lidars and IMUs belong in a block for the child link:
+    libsdformat moves them along when it merges it.
+    """
     affects = {Consumer.GAZEBO: warns("drops the sensor")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT
@@ -61,5 +66,4 @@ class SensorOnMergedJoint(Rule):
                 sensor,
                 f"{sensor.title} is lost: {joint.title} is fixed, and libsdformat merges it away",
                 labels={joint.type_value or joint: "merged away"},
-                help="keep the joint: `<preserveFixedJoint>true</preserveFixedJoint>` in this block",
             )

@@ -46,6 +46,11 @@ class UnknownPaletteColor(Rule):
     code = "GAZ010"
     name = "unknown-palette-color"
     severity = Severity.WARNING
+    remedy = """Write the name as the palette spells it, such as `Gazebo/Grey` or `Gazebo/DarkGrey`.
+
+    A color that every release shows is written out: `<ambient>` and `<diffuse>` in SDFormat, the
+    `<color rgba="…"/>` of a `<material>` in URDF.
+    """
     affects = {Consumer.GAZEBO: warns("shows the default color")}
     looks_at = (GazeboBlock, Material)
     needs = ("<script", "<gazebo")

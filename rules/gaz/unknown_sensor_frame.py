@@ -25,6 +25,12 @@ class UnknownSensorFrame(Rule):
     code = "GAZ012"
     name = "unknown-sensor-frame"
     severity = Severity.WARNING
+    remedy = """Name a link of the robot, without a slash, as it is in the tree of tf2.
+
+    robot_state_publisher publishes the names of the links of the URDF, with its `frame_prefix` before them.
+    A camera that ROS processes wants an optical frame: a link turned by `rpy="-1.5708 0 -1.5708"`. If
+    another program publishes the frame, ignore this with a comment that names it.
+    """
     affects = {Consumer.GAZEBO: warns("writes the name into each message")}
     looks_at = (Sensor,)
     scaffold = SENSOR

@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from sdfcheck import (
     IN_WORLD,
@@ -15,6 +15,11 @@ from sdfcheck import (
     warns,
 )
 
+ADVICE: Mapping[type, str] = {
+    Sensor: "add `<spherical_coordinates>` to the world",
+    Plugin: "add `gz-sim-buoyancy-system` to the plugins of the world",
+}
+"""The help by what has the need; the rule's own is that of heightmaps."""
 GZ_SIM = "gz-sim"
 PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
 GPS = '<model name="m"><link name="l"><inertial><mass>1</mass></inertial><{} name="s" type="navsat"/></link></model>'
@@ -42,6 +47,14 @@ class UnmetNeed(Rule):
     code = "GAZ014"
     name = "unmet-need"
     severity = Severity.WARNING
+    remedy = """Choose the collision detector `bullet` in the `<physics>` of the world, or add what it lacks.
+
+    - A navsat sensor: `<spherical_coordinates>` with `surface_model`, `latitude_deg`, `longitude_deg`,
+      `elevation` and `heading_deg`.
+    - Hydrodynamics: a plugin `gz-sim-buoyancy-system` with
+      `<uniform_fluid_density>1000</uniform_fluid_density>` or graded layers.
+    - A heightmap: `<physics><dart><collision_detector>bullet</collision_detector></dart></physics>`.
+    """
     affects = {Consumer.GAZEBO: warns("simulates without it")}
     looks_at = (World,)
     scaffold = IN_WORLD
@@ -77,7 +90,7 @@ class UnmetNeed(Rule):
 
     def check(self, world: World) -> Iterator[Diagnostic]:
         for target, words in needs(world):
-            yield self.diagnostic(target, words)
+            yield self.diagnostic(target, words, help=ADVICE.get(type(target)))
 
 
 def is_of_gz_sim(world: World) -> bool:

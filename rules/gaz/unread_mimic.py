@@ -25,6 +25,11 @@ class UnreadMimic(Rule):
     code = "GAZ016"
     name = "unread-mimic"
     severity = Severity.WARNING
+    remedy = """Add a plugin for mimic joints to the `<gazebo>` block, or simulate it with a later Gazebo.
+
+    For Gazebo Classic that is `libroboticsgroup_gazebo_mimic_joint_plugin.so` or one of its kind, which is
+    built apart.
+    """
     affects = {Consumer.GAZEBO: accepts("follows it, or not, by its engine")}
     looks_at = (Model,)
     selects = ("urdf:robot",)
@@ -56,8 +61,7 @@ class UnreadMimic(Rule):
         assert mimic is not None
         more = f" (and {len(others)} more)" if others else ""
         what = f"{first.title} does not follow `{mimic.element.get('joint')}` in Gazebo Classic{more}"
-        advice = "add a plugin for mimic joints to the `<gazebo>` block"
-        yield self.diagnostic(mimic, f"{what}, for which `{CONTROL}` is", help=advice)
+        yield self.diagnostic(mimic, f"{what}, for which `{CONTROL}` is")
 
 
 def followers(robot: Model) -> list[Joint]:

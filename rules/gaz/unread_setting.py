@@ -17,6 +17,12 @@ class UnreadSetting(Rule):
     code = "GAZ009"
     name = "unread-setting"
     severity = Severity.WARNING
+    remedy = """Move the setting to a block whose `reference` is a link or joint that has it, or remove it.
+
+    Write one block for each link: `<gazebo reference="left_wheel"><mu1>1.0</mu1></gazebo>`; a macro of
+    xacro saves the repetition. Friction, contact and materials belong to links, `stopCfm`, `stopErp`,
+    `implicitSpringDamper` and `provideFeedback` to joints.
+    """
     affects = {Consumer.GAZEBO: warns("drops the setting")}
     looks_at = (GazeboBlock,)
     scaffold = IN_ROBOT

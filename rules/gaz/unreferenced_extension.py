@@ -17,6 +17,11 @@ class UnreferencedExtension(Rule):
     code = "GAZ003"
     name = "unreferenced-extension"
     severity = Severity.ERROR
+    remedy = """Name a link or joint of the robot in `reference`, or leave `reference` out for the robot itself.
+
+    With xacro the prefix of the link belongs into the reference as well: `reference="${prefix}base"`. A
+    block for a link that another file brings can stay there if that file is included.
+    """
     affects = {Consumer.GAZEBO: warns("drops the block")}
     looks_at = (GazeboBlock,)
     scaffold = IN_ROBOT

@@ -12,12 +12,17 @@ class UnsetScriptUri(Rule):
     """The URI of a material script is empty or `__default__`.
 
     libsdformat takes both for a URI that is missing and refuses the file, and so do Gazebo
-    and Drake. Name the script's file, or leave the `script` out and give the material colors.
+    and Drake.
     """
 
     code = "GAZ008"
     name = "unset-script-uri"
     severity = Severity.ERROR
+    remedy = """Name the script's file in `<uri>`, or remove `<script>` and give the material colors.
+
+    `file://media/materials/scripts/gazebo.material` is the palette of Gazebo Classic. New Gazebo loads no
+    scripts: for it `<ambient>` and `<diffuse>` are what counts.
+    """
     affects = {Consumer.GAZEBO: {"sdf": REFUSES}, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Material,)
     needs = ("<script",)

@@ -33,6 +33,12 @@ class AbsolutePath(Rule):
     code = "RES006"
     name = "absolute-path"
     severity = Severity.WARNING
+    remedy = """Write it relative to the file, or as `package://PACKAGE/…` or `model://MODEL/…`.
+
+    ROS programs want `package://`, Gazebo takes all three. The model has to be below a folder that
+    `GZ_SIM_RESOURCE_PATH` lists, the package has to be installed with its meshes
+    (`install(DIRECTORY meshes …)`).
+    """
     affects = {
         Consumer.GAZEBO: warns("does not find the file on another computer"),
         Consumer.DRAKE: warns("refuses the file on another computer"),

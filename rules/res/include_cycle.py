@@ -19,6 +19,11 @@ class IncludeCycle(Rule):
     code = "RES003"
     name = "include-cycle"
     severity = Severity.ERROR
+    remedy = """Remove the include that leads back, or move the shared part to a file of its own.
+
+    The labels show the way around. A file that wants to be used twice is included by a third one, not by
+    itself.
+    """
     affects = {Consumer.GAZEBO: refuses("crashes"), Consumer.DRAKE: refuses("crashes")}
     looks_at = (Include,)
 

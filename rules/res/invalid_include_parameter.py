@@ -22,6 +22,20 @@ ARM = {
     "arm.sdf": '<sdf version="1.12"><model name="arm"><link name="base"><visual name="skin"><geometry>'
     "<box><size>1 1 1</size></box></geometry></visual></link></model></sdf>"
 }
+ADVICE = {
+    ParameterFault.UNKNOWN_ACTION: "write `add`, `modify`, `remove` or `replace`",
+    ParameterFault.NO_NAME: "give the new element a `name`",
+    ParameterFault.EMPTY_NAME: "give the new element a `name`",
+    ParameterFault.TAKEN: "choose another name, or the action `modify` or `replace`",
+    ParameterFault.UNKNOWN_ENTRY: "name the link, joint, frame or other named element that it is in",
+    ParameterFault.NO_CHILD_ACTION: "write an `action` here, or in the element around it",
+    ParameterFault.ABSENT_CHILD: "add it instead, with the action `add`",
+    ParameterFault.UNKNOWN_CHILD: "remove it, or move it to an element that may hold it",
+    ParameterFault.UNKNOWN_ATTRIBUTE: "remove the attribute",
+    ParameterFault.NAME_ASSUMED: "write the `name` of the one that is meant",
+    ParameterFault.NO_CHANGE: "write what is to change, or remove it",
+}
+"""The help where the rule's own would not fit."""
 DOUBTS = {ParameterFault.NAME_ASSUMED, ParameterFault.NO_CHANGE}
 
 
@@ -38,6 +52,12 @@ class InvalidIncludeParameter(Rule):
     code = "RES010"
     name = "invalid-include-parameter"
     severity = Severity.ERROR
+    remedy = """Let `element_id` lead to an element of the included model, and name an action for it.
+
+    Actions are add, modify, remove and replace. `<visual element_id="base::skin" action="modify">` is an
+    example: the names of the link and of its visual, with `::` between them. For `add` a `name` is needed
+    as well, that of the new element. `sdfcheck print --expand-includes FILE` shows the result.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.InvalidParameter,)
     scaffold = (
@@ -94,13 +114,15 @@ class InvalidIncludeParameter(Rule):
         affects = doubtful if problem.fault is ParameterFault.NO_CHANGE else {}
         if problem.fault is ParameterFault.NAME_ASSUMED:
             affects = {Consumer.GAZEBO: warns("takes the first one")}
-        fix = rename if isinstance(place, Element) else write_instead
+        write = rename if isinstance(place, Element) else write_instead
+        fix = write(problem.suggestion, place)  # type: ignore[arg-type]
         yield self.diagnostic(
             place,
             message,
             severity=severity,
             affects=affects,
-            fix=fix(problem.suggestion, place),  # type: ignore[arg-type]
+            fix=fix,
+            help=ADVICE.get(problem.fault) if fix is None else None,
         )
 
     def message(self, problem: problems.InvalidParameter) -> str:

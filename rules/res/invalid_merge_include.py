@@ -31,6 +31,11 @@ class InvalidMergeInclude(Rule):
     code = "RES009"
     name = "invalid-merge-include"
     severity = Severity.ERROR
+    remedy = """Leave out `merge="true"`, or include a model that holds only what can be merged.
+
+    A world takes nested models, frames and joints from a merged model; put its links into a model inside of
+    it. For a light or actor, an ordinary include is right.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Include,)
     scaffold = IN_WORLD

@@ -33,6 +33,17 @@ MESSAGES = {
     ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
     ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
 }
+ADVICE = {
+    ConfigFault.NO_MODEL: "write `<model>` as the root element",
+    ConfigFault.NO_NAME: "give the model its `<name>`",
+    ConfigFault.NO_VERSION: 'write the version that the file declares: `<sdf version="1.9">`',
+    ConfigFault.EMPTY_VERSION: 'write the version that the file declares: `<sdf version="1.9">`',
+    ConfigFault.BAD_VERSION: 'write the version that the file declares: `<sdf version="1.9">`',
+    ConfigFault.TOO_NEW: 'write the version that the file declares: `<sdf version="1.9">`',
+    ConfigFault.MISSING_FILE: "name a file of this folder",
+    ConfigFault.UNMADE_FILE: "run the build that makes it",
+}
+"""The help where the rule's own would not fit."""
 SEVERITIES = {
     ConfigFault.NO_NAME: Severity.WARNING,
     ConfigFault.EMPTY_VERSION: Severity.WARNING,
@@ -68,6 +79,20 @@ class InvalidModelConfig(Rule):
     code = "RES007"
     name = "invalid-model-config"
     severity = Severity.ERROR
+    remedy = """Name the model's file in `<sdf version="…">`, with the version of SDFormat that it is written in.
+
+    A whole `model.config` is
+
+    ```xml
+    <model>
+      <name>arm</name>
+      <sdf version="1.9">model.sdf</sdf>
+    </model>
+    ```
+
+    Several `<sdf>` lines offer several versions; the highest that the consumer knows is taken. For a file
+    that a build makes, run the build first.
+    """
     affects = {Consumer.GAZEBO: refuses("refuses the model"), Consumer.DRAKE: refuses("refuses the model")}
     looks_at = (ModelConfig, Include)
     scaffold = "<model><name>arm</name>{}</model>"
@@ -133,7 +158,8 @@ class InvalidModelConfig(Rule):
             yield from self.misconfigured(subject)
         elif subject.uri_value is not None:
             message = f"`{subject.uri}` has only a manifest.xml, and consumers look for a model.config"
-            yield self.diagnostic(subject.uri_value, message)
+            advice = "rename manifest.xml to model.config, or write one"
+            yield self.diagnostic(subject.uri_value, message, help=advice)
 
     def misconfigured(self, config: ModelConfig) -> Iterator[Diagnostic]:
         crashes = not config.element.has("name") and not NAMING_MODEL.isdisjoint(
@@ -145,10 +171,12 @@ class InvalidModelConfig(Rule):
             if near is not None and fault is not ConfigFault.UNMADE_FILE:
                 message += f", did you mean `{near}`?"
             is_fatal = fault is ConfigFault.NO_NAME and crashes
+            fix = write_instead(near, place) if fault is ConfigFault.MISSING_FILE else None
             yield self.diagnostic(
                 place,
                 message,
-                fix=write_instead(near, place) if fault is ConfigFault.MISSING_FILE else None,
+                fix=fix,
+                help=ADVICE.get(fault) if fix is None else None,
                 severity=Severity.ERROR if is_fatal else SEVERITIES.get(fault, Severity.ERROR),
                 affects=dict.fromkeys(READ, refuses("crashes")) if is_fatal else REACTIONS.get(fault, {}),
             )

@@ -38,6 +38,12 @@ class MalformedUri(Rule):
     code = "RES004"
     name = "malformed-uri"
     severity = Severity.ERROR
+    remedy = """Write the URI as `scheme://folder/file`, with two slashes, in lower case and without spaces.
+
+    For a mesh in a package of ROS it is `package://PACKAGE/meshes/arm.stl`, for a model of Gazebo
+    `model://MODEL/meshes/arm.dae`, for an absolute path `file:///…` with three slashes. Paths on Windows
+    take slashes as well.
+    """
     affects = {Consumer.GAZEBO: warns("does not find the file"), Consumer.DRAKE: REFUSES}
     looks_at = (Include, Resource)
     scaffold = IN_VISUAL

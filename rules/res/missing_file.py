@@ -42,6 +42,13 @@ class MissingFile(Rule):
     code = "RES001"
     name = "missing-file"
     severity = Severity.ERROR
+    remedy = """Put the file where the URI leads, correct the URI, or say in the configuration where its package is.
+
+    The help line lists the places that were looked at. `package://NAME/…` wants a folder with a
+    `package.xml` of that name, `model://NAME/…` a folder of that name on the search path: `package-paths`,
+    `packages` and `model-paths` in `sdfcheck.toml`, or `--package NAME=PATH`. If a build makes the file or
+    git-lfs fetches it, do that first.
+    """
     affects = {
         Consumer.GAZEBO: warns("shows nothing in its place"),
         Consumer.DRAKE: REFUSES,

@@ -29,6 +29,11 @@ class MissingPluginAttribute(Rule):
     code = "RES008"
     name = "missing-plugin-attribute"
     severity = Severity.ERROR
+    remedy = """Name the plugin's library in `filename`, such as `gz-sim-diff-drive-system`, and its class in `name`.
+
+    `sdfcheck describe plugin` shows what the format asks for. The library is found without `lib` and `.so`
+    by new Gazebo; Classic wants the whole `libgazebo_ros_….so`.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Plugin,)
     scaffold = IN_MODEL

@@ -19,6 +19,11 @@ class MissingPluginParameter(Rule):
     code = "RES021"
     name = "missing-plugin-parameter"
     severity = Severity.ERROR
+    remedy = """Give the plugin the parameter that the message names, as a child element.
+
+    Names of joints and links are those of the model that the plugin is in:
+    `<left_joint>left_wheel_joint</left_joint>`. If the plugin is not used, remove it.
+    """
     affects = {Consumer.GAZEBO: warns("does not run the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL

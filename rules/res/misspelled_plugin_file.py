@@ -13,6 +13,11 @@ class MisspelledPluginFile(Rule):
     code = "RES015"
     name = "misspelled-plugin-file"
     severity = Severity.WARNING
+    remedy = """Write the library as this release of Gazebo calls it, or remove the plugin.
+
+    For a system of your own that has nearly the name of one of Gazebo's, ignore this. A system that is gone
+    mostly became a part of another one.
+    """
     affects = {Consumer.GAZEBO: warns("does not find the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD

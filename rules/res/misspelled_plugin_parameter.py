@@ -15,6 +15,11 @@ class MisspelledPluginParameter(Rule):
     code = "RES019"
     name = "misspelled-plugin-parameter"
     severity = Severity.WARNING
+    remedy = """Write the parameter as the plugin reads it.
+
+    Its page in the documentation of Gazebo, or the header of the system, lists the parameters. For a
+    parameter that is your own, ignore this.
+    """
     affects = {Consumer.GAZEBO: warns("takes the default of the parameter")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL

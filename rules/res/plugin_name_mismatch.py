@@ -16,6 +16,11 @@ class PluginNameMismatch(Rule):
     code = "RES016"
     name = "plugin-name-mismatch"
     severity = Severity.ERROR
+    remedy = """Write the name of the class that the message lists.
+
+    For the systems of gz-sim it is `gz::sim::systems::` and the name of the system:
+    `gz::sim::systems::Physics` in `gz-sim-physics-system`.
+    """
     affects = {Consumer.GAZEBO: warns("does not load the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD

@@ -19,6 +19,10 @@ class RepeatedPluginParameter(Rule):
     code = "RES022"
     name = "repeated-plugin-parameter"
     severity = Severity.WARNING
+    remedy = """Remove the value that is not meant; the first one counts.
+
+    If two things are to be controlled, write the plugin twice: one for each joint.
+    """
     affects = {Consumer.GAZEBO: warns("reads the first")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL

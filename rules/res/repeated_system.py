@@ -16,6 +16,11 @@ class RepeatedSystem(Rule):
     code = "RES017"
     name = "repeated-system"
     severity = Severity.WARNING
+    remedy = """Remove one of the two plugins.
+
+    Often a launch file or an included file brings the other one. Settings that differ have to be put
+    together first.
+    """
     affects = {Consumer.GAZEBO: warns("runs it twice")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD

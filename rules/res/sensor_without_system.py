@@ -20,6 +20,18 @@ class SensorWithoutSystem(Rule):
     code = "RES018"
     name = "sensor-without-system"
     severity = Severity.INFO
+    remedy = """Add the system for this type of sensor to the plugins of the world.
+
+    - cameras, depth cameras and lidars: `gz-sim-sensors-system`, with
+      `<render_engine>ogre2</render_engine>`
+    - `imu`: `gz-sim-imu-system`; `contact`: `gz-sim-contact-system`; `force_torque`:
+      `gz-sim-forcetorque-system`
+    - `navsat`: `gz-sim-navsat-system`; `magnetometer`: `gz-sim-magnetometer-system`; `altimeter`:
+      `gz-sim-altimeter-system`; `air_pressure`: `gz-sim-air-pressure-system`
+
+    Once a world lists any plugin, the ones that Gazebo loads by default (physics, user commands, scene
+    broadcaster) have to be listed as well.
+    """
     preview = True
     looks_at = (World,)
     scaffold = SDF

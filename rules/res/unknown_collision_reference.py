@@ -46,6 +46,12 @@ class UnknownCollisionReference(Rule):
     code = "RES011"
     name = "unknown-collision-reference"
     severity = Severity.WARNING
+    remedy = """Name a collision, link or model that is there, as the simulator will call it.
+
+    In SDFormat it is the `name` of the `<collision>`. For a URDF, `gz sdf -p FILE` shows the names that
+    libsdformat makes: mostly `LINK_collision`, and `PARENT_fixed_joint_lump__LINK_collision` for links that
+    were merged.
+    """
     affects = {Consumer.GAZEBO: warns("senses nothing")}
     looks_at = (Contact, Gripper, State)
     scaffold = IN_LINK

@@ -19,6 +19,10 @@ class UnknownPerformer(Rule):
     code = "RES020"
     name = "unknown-performer"
     severity = Severity.WARNING
+    remedy = """Name a model or actor of the world, as its `name` says.
+
+    For a model that is included, that is the `<name>` of the include, if it has one.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("does not load levels around it")}
     looks_at = (Plugin,)

@@ -45,6 +45,13 @@ class UnknownPluginReference(Rule):
     code = "RES014"
     name = "unknown-plugin-reference"
     severity = Severity.ERROR
+    remedy = """Name a joint or link that the model has, of the kind that the plugin asks for.
+
+    Use the name alone, without that of the model. Where libsdformat merges the link, name the link that is
+    left, or keep the joint with
+    `<gazebo reference="JOINT"><preserveFixedJoint>true</preserveFixedJoint></gazebo>`. In a macro, the
+    prefix of the joint belongs here too.
+    """
     affects = {Consumer.GAZEBO: warns("runs the plugin without it, or not at all")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL
@@ -93,14 +100,16 @@ class UnknownPluginReference(Rule):
             name = value.text.strip()
             parameter = value.attribute or value.element.name
             message = f"`{parameter}` of {plugin.title} names {kind} `{name}`, which is not in {model.title}"
-            meant = None
+            meant: str | None = None
+            instead: str | None = None
             if node is not None and node.kind == kind:
                 message = f"{kind} `{name}` is fixed, and libsdformat merges it away"
+                instead = "name a joint that moves, or keep this one with `<preserveFixedJoint>`"
             elif node is not None:
                 message = f"`{name}` is a {node.kind}, not a {kind}, for `{parameter}` of {plugin.title}"
             else:
                 meant = model.guess(name, kind=kind).meant
-            yield self.diagnostic(value, message, meant=meant)
+            yield self.diagnostic(value, message, meant=meant, help=instead)
 
 
 def merged(plugin: Plugin) -> Iterator[tuple[Value, Link, Link]]:

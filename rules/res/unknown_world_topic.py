@@ -20,6 +20,11 @@ class UnknownWorldTopic(Rule):
     code = "RES023"
     name = "unknown-world-topic"
     severity = Severity.WARNING
+    remedy = """Write the name of this world in the topic.
+
+    A world that is renamed changes all its topics. A launch file that passes the name on, or a topic
+    without `/world/NAME`, avoids the coupling.
+    """
     affects = {Consumer.GAZEBO: warns("waits for ever")}
     looks_at = (Plugin,)
     needs = ("world/",)

@@ -30,6 +30,12 @@ class UnportableMeshUri(Rule):
     code = "RES013"
     name = "unportable-mesh-uri"
     severity = Severity.INFO
+    remedy = """Write it as `package://PACKAGE/meshes/…`, which most consumers of URDF resolve.
+
+    RViz and the like find the package where it is installed; Gazebo translates it to `model://` and looks
+    in the folders of `GZ_SIM_RESOURCE_PATH`. For Drake and sdfcheck the package has to be known by its
+    `package.xml`. MuJoCo wants relative paths: see `sdfcheck rule unopened-mesh`.
+    """
     affects = {Consumer.URDFDOM: warns("hands the address on to programs that do not resolve it")}
     looks_at = (Root,)
     scaffold = IN_URDF_LINK
@@ -54,8 +60,7 @@ class UnportableMeshUri(Rule):
             if uses:
                 what = f"`{kind}://`" if kind else "a relative path"
                 message = f"{what}{used(len(uses))} is not resolved by ROS programs"
-                advice = "`package://` is understood more widely"
-                yield self.diagnostic(uses[0].uri_value, message, help=advice)
+                yield self.diagnostic(uses[0].uri_value, message)
 
 
 def scheme(resource: Resource) -> str | None:

@@ -34,6 +34,12 @@ class UnresolvedInclude(Rule):
     code = "RES002"
     name = "unresolved-include"
     severity = Severity.ERROR
+    remedy = """Put the model where the uri leads, or name its folder in `model-paths` of the configuration.
+
+    A folder needs a `model.config` that names the file; a uri may also name the file itself,
+    `arm/model.sdf`. For a model on Fuel, `gz fuel download -u URL` fetches it into the cache; Gazebo does
+    so by itself, Drake does not.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = IN_WORLD
@@ -114,11 +120,13 @@ class UnresolvedInclude(Rule):
         advice: str | None = where
         lacked: Missing | None = None
         if location.is_remote:
-            severity, advice = Severity.INFO, None
+            severity = Severity.INFO
+            advice = "download it, and name the folder of its models in `model-paths` of the configuration"
             message = f"`{text}` is not fetched, so what it brings is not known{times}"
             lacked = Missing(MissingKind.REMOTE, text, count)
         elif not location.is_local:
-            advice, message = None, f"no consumer knows the scheme `{location.scheme}`"
+            advice = "write `model://`, `package://`, `file://` or a path"
+            message = f"no consumer knows the scheme `{location.scheme}`"
         elif location.owner is not None:
             missing = text.partition(f"{location.name}/")[2]
             message = f"there is no `{missing}` in {location.scheme} `{location.name}`"

@@ -15,6 +15,7 @@ from sdfcheck import (
     warns,
 )
 
+EMPTY = "remove the element, or give it a value"
 SETTINGS = ("name", "static", "placement_frame")
 ARM = {"arm.sdf": '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'}
 
@@ -31,6 +32,12 @@ class UnusableInclude(Rule):
     code = "RES012"
     name = "unusable-include"
     severity = Severity.ERROR
+    remedy = """Include a file that holds one model, light or actor, and is SDFormat or URDF.
+
+    Expand a xacro file first (`sdfcheck expand arm.urdf.xacro -o arm.urdf`). To use the models of a world,
+    move each of them to a file of its own. A mesh is named by the `<mesh>` of a visual, not by an include.
+    An empty `<name>` is best removed.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Include,)
     scaffold = IN_WORLD
@@ -81,11 +88,12 @@ class UnusableInclude(Rule):
 
     def check(self, include: Include) -> Iterator[Diagnostic]:
         for setting in empty_settings(include):
-            yield self.diagnostic(setting, f"`{setting.name}` of this include is empty")
+            yield self.diagnostic(setting, f"`{setting.name}` of this include is empty", help=EMPTY)
         if include.is_read_in_vain and include.uri_value is not None:
             is_foreign = include.obstacle is Obstacle.FOREIGN
             affects = {Consumer.DRAKE: warns("loads nothing in its place")} if is_foreign else {}
-            yield self.diagnostic(include.uri_value, self.reason(include), affects=affects)
+            advice = "expand it with `sdfcheck expand`" if include.obstacle is Obstacle.XACRO else None
+            yield self.diagnostic(include.uri_value, self.reason(include), affects=affects, help=advice)
 
     def reason(self, include: Include) -> str:
         file, document = include.found.file, include.found.document

@@ -34,6 +34,11 @@ class WrongCasePath(Rule):
     code = "RES005"
     name = "wrong-case-path"
     severity = Severity.WARNING
+    remedy = """Write the path as it is spelt on disk.
+
+    Or rename the file; git on Windows and macOS needs `git mv` for a change of case alone. Lower case
+    throughout avoids the question.
+    """
     affects = {
         Consumer.GAZEBO: warns("does not find the file where the case of letters counts"),
         Consumer.DRAKE: warns("refuses the file where the case of letters counts"),

@@ -15,6 +15,10 @@ class BlankInTopic(Rule):
     code = "SCH030"
     name = "blank-in-topic"
     severity = Severity.WARNING
+    remedy = """Write the topic without spaces and quotation marks, such as `imu/data`.
+
+    Letters, digits, `_` and `/` work in Gazebo and in ROS; for ROS no part begins with a digit.
+    """
     affects = {Consumer.GAZEBO: warns("does not publish on it")}
     looks_at = (Sensor,)
     scaffold = IN_LINK

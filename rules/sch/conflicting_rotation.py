@@ -13,6 +13,11 @@ class ConflictingRotation(Rule):
     code = "SCH017"
     name = "conflicting-rotation"
     severity = Severity.ERROR
+    remedy = """Remove `degrees`, or write the rotation as three angles.
+
+    A quaternion has the order `x y z w` and is not an angle. For angles in degrees remove
+    `rotation_format`.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.ConflictingRotation,)
     scaffold = IN_LINK

@@ -37,6 +37,10 @@ class DeprecatedElement(Rule):
     code = "SCH009"
     name = "deprecated-element"
     severity = Severity.WARNING
+    remedy = """Use the successor that the message names.
+
+    Files for Gazebo Classic keep the old names of sensors: ignore this for them in `sdfcheck.toml`.
+    """
     affects = {Consumer.GAZEBO: warns("warns"), Consumer.DRAKE: warns("warns")}
     explains = (problems.DeprecatedElement,)
     scaffold = IN_LINK

@@ -33,6 +33,11 @@ class DroppedByUpdate(Rule):
     code = "SCH031"
     name = "dropped-by-update"
     severity = Severity.WARNING
+    remedy = """Remove it, and write its effect in another way.
+
+    A start position is set by a controller, or by the pose of the joint; for the pose of an inertial write
+    the numbers in the frame of the link, which is what it is relative to.
+    """
     affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = JOINT

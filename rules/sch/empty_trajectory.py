@@ -18,6 +18,10 @@ class EmptyTrajectory(Rule):
     code = "SCH029"
     name = "empty-trajectory"
     severity = Severity.WARNING
+    remedy = """Add waypoints, or remove the trajectory.
+
+    Each has a `<time>` in seconds and a `<pose>`; at least two make a way.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("leaves the actor where it is")}
     looks_at = (Actor,)

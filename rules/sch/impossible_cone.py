@@ -19,6 +19,10 @@ class ImpossibleCone(Rule):
     code = "SCH021"
     name = "impossible-cone"
     severity = Severity.WARNING
+    remedy = """Write both angles in radians, and the inner one not wider than the outer one.
+
+    60° is 1.0472 rad. The light fades between the two; `falloff` says how.
+    """
     affects = {Consumer.GAZEBO: warns("shows another light")}
     looks_at = (Light,)
     scaffold = IN_WORLD

@@ -16,6 +16,11 @@ class LongStep(Rule):
     code = "SCH026"
     name = "long-step"
     severity = Severity.WARNING
+    remedy = """Write the step in seconds: `0.001` is usual, `0.004` if speed counts.
+
+    `real_time_update_rate` × step is how fast the simulation may run: 1000 × 0.001 is real time. Steps
+    above 0.01 s make contacts and fast joints unstable.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("takes steps in which things pass through each other")}
     looks_at = (Physics,)

@@ -68,6 +68,12 @@ class MalformedValue(Rule):
     code = "SCH011"
     name = "malformed-value"
     severity = Severity.ERROR
+    remedy = """Write what the place takes: plain numbers, separated by spaces, or `true` or `false`.
+
+    Numbers have a decimal point, no unit, and are separated by spaces. Truth values are `true`, `false`,
+    `1` or `0`. Expressions of xacro need `sdfcheck expand` or xacro first, those of other templates their
+    own program. `sdfcheck describe ELEMENT` shows type and unit.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MalformedValue,)
     scaffold = IN_LINK
@@ -128,7 +134,16 @@ class MalformedValue(Rule):
         meant = MEANT.get(reading.cause.name, _nothing)(part, reading.expected)
         affects = unreadable(value)
         severity = Severity.WARNING if is_harmless(affects) else None
-        yield self.diagnostic(problem.span, message, meant=meant, affects=affects, severity=severity)
+        is_template = reading.cause.name == "EXPRESSION"
+        advice = "expand the file first, with `sdfcheck expand` or the program that it is for"
+        yield self.diagnostic(
+            problem.span,
+            message,
+            meant=meant,
+            help=advice if is_template else None,
+            affects=affects,
+            severity=severity,
+        )
 
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""

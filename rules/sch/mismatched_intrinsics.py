@@ -23,6 +23,12 @@ class MismatchedIntrinsics(Rule):
     code = "SCH033"
     name = "mismatched-intrinsics"
     severity = Severity.WARNING
+    remedy = """Compute the focal length for this image: width / 2 / tan(horizontal_fov / 2), in pixels.
+
+    `cx` and `cy` are half of the width and of the height. Without `<intrinsics>` Gazebo takes exactly
+    these. Numbers of a calibration belong to the size of image that it was made at: scale all four with the
+    image.
+    """
     affects = {Consumer.GAZEBO: warns("renders another field of view")}
     looks_at = (Sensor,)
     needs = ("<intrinsics",)

@@ -20,6 +20,12 @@ class MismatchedSensor(Rule):
     code = "SCH018"
     name = "mismatched-sensor"
     severity = Severity.WARNING
+    remedy = """Give the sensor the element of its type, or the type of its element.
+
+    `camera`, `depth_camera` and the like read `<camera>`; `lidar` and `gpu_lidar` `<lidar>` (or `<ray>`);
+    `imu` `<imu>`; `navsat` `<navsat>`; `force_torque` `<force_torque>`. If the defaults are meant, write
+    the element empty: a camera then has 320 × 240 pixels and 60°.
+    """
     affects = {Consumer.GAZEBO: warns("takes defaults")}
     looks_at = (Sensor,)
     scaffold = IN_LINK

@@ -29,6 +29,11 @@ class MisplacedElement(Rule):
     code = "SCH003"
     name = "misplaced-element"
     severity = Severity.ERROR
+    remedy = """Move it into the element that the message names.
+
+    `sdfcheck describe link/inertial` and the like say what an element holds. For an element of your own,
+    use a declared prefix.
+    """
     affects = {
         Consumer.GAZEBO: warns("ignores the element"),
         Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores the element")},
@@ -81,6 +86,5 @@ class MisplacedElement(Rule):
         if problem.ignored:
             yield self.diagnostic(element, message, fix=fix)
             return
-        yield self.diagnostic(
-            element, message, severity=Severity.WARNING, help="libsdformat follows it anyway"
-        )
+        message += "; libsdformat follows it anyway"
+        yield self.diagnostic(element, message, severity=Severity.WARNING)

@@ -37,6 +37,11 @@ class MisreadValue(Rule):
     code = "SCH012"
     name = "misread-value"
     severity = Severity.ERROR
+    remedy = """Write one plain number: with a decimal point, without unit, and with no comment in it.
+
+    The units are fixed: meters, kilograms, seconds, radians. Convert the number and drop the unit; put a
+    comment before or after the element.
+    """
     affects = {
         Consumer.GAZEBO: warns("reads another value"),
         Consumer.DRAKE: warns("reads another value"),
@@ -92,5 +97,4 @@ class MisreadValue(Rule):
             f"`{part}` is read as {reading.read_as}",
             severity=Severity.WARNING if as_meant else None,
             affects=affects,
-            help="numbers have a decimal point and are separated by spaces" if cause == "COMMA" else None,
         )

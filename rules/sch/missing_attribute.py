@@ -30,6 +30,11 @@ class MissingAttribute(Rule):
     code = "SCH005"
     name = "missing-attribute"
     severity = Severity.ERROR
+    remedy = """Write the attribute with the value that is meant.
+
+    Names are free but unique among siblings; `sdfcheck describe joint/@type` and the like list the values
+    of types. In a macro of xacro look at the property that it is made of.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MissingAttribute,)
     scaffold = IN_LINK

@@ -38,6 +38,10 @@ class MissingElement(Rule):
     code = "SCH004"
     name = "missing-element"
     severity = Severity.ERROR
+    remedy = """Write the element, with the value that is meant, also where that is the default.
+
+    `sdfcheck describe box` and the like say what is required and what the default is, with its unit.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MissingElement,)
     scaffold = IN_COLLISION

@@ -18,13 +18,18 @@ from sdfcheck import (
 class MissingShape(Rule):
     """A geometry has no shape, or a visual or collision no geometry.
 
-    libsdformat makes an empty geometry of it and says nothing: nothing is seen and
-    nothing is touched. If that is what is wanted, `<empty/>` says so.
+    libsdformat makes an empty geometry of it and says nothing: nothing is seen and nothing is
+    touched.
     """
 
     code = "SCH016"
     name = "missing-shape"
     severity = Severity.ERROR
+    remedy = """Give it a geometry with a shape, or `<empty/>` if nothing is to be seen or touched.
+
+    The shape is one of box, capsule, cone, cylinder, ellipsoid, sphere, plane, mesh, heightmap and
+    polyline. A collision that is not wanted can be removed.
+    """
     affects = {
         Consumer.GAZEBO: warns("shows and collides with nothing"),
         Consumer.DRAKE: warns("leaves it out"),

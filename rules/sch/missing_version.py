@@ -13,6 +13,12 @@ class MissingVersion(Rule):
     code = "SCH001"
     name = "missing-version"
     severity = Severity.ERROR
+    remedy = """Declare the version that the file is written in: `<sdf version="1.9">`.
+
+    1.9 suits Gazebo Fortress and later, 1.6 Gazebo Classic. The lowest version that has all elements of the
+    file serves the most consumers; `sdfcheck lint` reports elements that are newer than the version
+    declared.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
 

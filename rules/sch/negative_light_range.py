@@ -14,6 +14,11 @@ class NegativeLightRange(Rule):
     code = "SCH024"
     name = "negative-light-range"
     severity = Severity.WARNING
+    remedy = """Write how far the light reaches, in meters: a positive number.
+
+    Together with `constant`, `linear` and `quadratic` it is the attenuation of a point or spot light. 10 to
+    20 m suits a room.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("lights nothing")}
     looks_at = (Light,)

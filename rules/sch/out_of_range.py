@@ -39,6 +39,11 @@ class OutOfRange(Rule):
     code = "SCH014"
     name = "out-of-range"
     severity = Severity.WARNING
+    remedy = """Write a number within the range, in the unit of the format.
+
+    Angles are in radians: a camera that sees 90° has a `horizontal_fov` of 1.5708. Sizes are in meters and
+    above 0; of two bounds the lower one comes first. `sdfcheck describe ELEMENT` shows range and unit.
+    """
     affects = {
         Consumer.GAZEBO: warns("takes another value, or refuses the file"),
         Consumer.DRAKE: {

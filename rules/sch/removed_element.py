@@ -28,6 +28,11 @@ class RemovedElement(Rule):
     code = "SCH008"
     name = "removed-element"
     severity = Severity.WARNING
+    remedy = """Write its successor, or declare the version that the file was written in.
+
+    `sdfcheck convert sdf-to-sdf` translates a file of an older version as a whole: declare the version that
+    the file was written in first, then convert.
+    """
     affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.DRAKE: REFUSES}
     explains = (problems.RemovedElement,)
     scaffold = IN_JOINT.replace("1.12", "1.7")

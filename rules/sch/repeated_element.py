@@ -30,6 +30,11 @@ class RepeatedElement(Rule):
     code = "SCH006"
     name = "repeated-element"
     severity = Severity.WARNING
+    remedy = """Remove one of them, or put them together in one.
+
+    The first one is in effect now, so that removing the later ones changes nothing. For a second model in a
+    file, use a file each, or a `<world>` around both.
+    """
     affects = {
         Consumer.GAZEBO: warns("reads the first only"),
         Consumer.DRAKE: warns("reads the first only"),
@@ -84,6 +89,7 @@ class RepeatedElement(Rule):
                 element,
                 f"{element.title} cannot be beside {first.title}: a file holds one model, light or actor",
                 labels={first: "the first one"},
+                help="put each into a file of its own, or both into a `<world>`",
                 severity=Severity.ERROR,
                 affects=dict.fromkeys(Consumer, REFUSES),
             )

@@ -23,6 +23,10 @@ class ResolutionOfScan(Rule):
     code = "SCH032"
     name = "resolution-of-scan"
     severity = Severity.WARNING
+    remedy = """Write `<resolution>1</resolution>`, and the number of beams in `<samples>`.
+
+    The number of samples is (max_angle - min_angle) / angle between two beams + 1: 1° over 270° makes 271.
+    """
     affects = {Consumer.GAZEBO: warns("measures few points")}
     looks_at = (Sensor,)
     needs = ("<resolution",)

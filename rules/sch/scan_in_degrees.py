@@ -23,6 +23,11 @@ class ScanInDegrees(Rule):
     code = "SCH025"
     name = "scan-in-degrees"
     severity = Severity.WARNING
+    remedy = """Write the angles of the scan in radians: degrees × π / 180.
+
+    A full turn is from -3.1415927 to 3.1415927. Beams at both ends fall together then, so use one sample
+    less of the turn if that matters.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("scans over several turns")}
     looks_at = (Sensor,)

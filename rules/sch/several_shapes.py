@@ -8,15 +8,18 @@ POLYLINE = "<polyline><height>1</height><point>0 0</point><point>0 1</point><poi
 class SeveralShapes(Rule):
     """A geometry has more than one shape.
 
-    libsdformat takes one of them, not the first in the file but the first in an order
-    of its own (box, capsule, cone, cylinder, ellipsoid, plane, sphere, mesh, heightmap,
-    polyline), and drops the others in silence. Each shape needs a visual or
-    collision of its own.
+    libsdformat takes one of them, not the first in the file but the first in an order of its
+    own (box, capsule, cone, cylinder, ellipsoid, plane, sphere, mesh, heightmap, polyline),
+    and drops the others in silence.
     """
 
     code = "SCH020"
     name = "several-shapes"
     severity = Severity.ERROR
+    remedy = """Give each shape a visual or collision of its own.
+
+    A link may have any number of both; names differ, and each has its own `<pose>`.
+    """
     affects = dict.fromkeys(Consumer, warns("drops all but one"))
     explains = (problems.SeveralShapes,)
     scaffold = IN_COLLISION

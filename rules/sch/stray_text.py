@@ -16,6 +16,10 @@ class StrayText(Rule):
     code = "SCH010"
     name = "stray-text"
     severity = Severity.WARNING
+    remedy = """Remove the text, or put it into the element that it belongs to.
+
+    A number in `inertial` is mostly a mass that lost its tags. Notes belong in comments: `<!-- … -->`.
+    """
     explains = (problems.StrayText,)
     scaffold = IN_MODEL
 

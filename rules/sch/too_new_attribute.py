@@ -15,6 +15,12 @@ class TooNewAttribute(Rule):
     code = "SCH019"
     name = "too-new-attribute"
     severity = Severity.WARNING
+    remedy = """Declare the version that has the attribute, or do without it.
+
+    `relative_to` needs version 1.7, `degrees` 1.9. `sdfcheck convert sdf-to-sdf --sdf-version VERSION`
+    raises the version of the file; for an older one, write poses relative to the default, which
+    `sdfcheck graph poses FILE` helps with.
+    """
     affects = {
         Consumer.GAZEBO: warns("ignores it in older releases"),
         Consumer.DRAKE: warns("ignores it in older releases"),

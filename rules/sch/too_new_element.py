@@ -15,6 +15,12 @@ class TooNewElement(Rule):
     code = "SCH007"
     name = "too-new-element"
     severity = Severity.WARNING
+    remedy = """Declare the version that has the element, or do without it.
+
+    Raise the version with `sdfcheck convert sdf-to-sdf --sdf-version VERSION`, which carries over what
+    changed in between. If the file must run in an older simulator, use what was there: a cylinder for a
+    capsule, for example.
+    """
     affects = {
         Consumer.GAZEBO: warns("ignores it in older releases"),
         Consumer.DRAKE: warns("ignores it in older releases"),

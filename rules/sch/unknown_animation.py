@@ -33,6 +33,11 @@ class UnknownAnimation(Rule):
     code = "SCH027"
     name = "unknown-animation"
     severity = Severity.WARNING
+    remedy = """Let `type` name an animation of the actor.
+
+    It is the `name` of one of its `<animation>` elements; if there is none, add one with the file of the
+    movement.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("plays no animation")}
     looks_at = (Actor,)

@@ -40,6 +40,11 @@ class UnknownChoice(Rule):
     code = "SCH015"
     name = "unknown-choice"
     severity = Severity.ERROR
+    remedy = """Write one of the values that the format knows, letter by letter.
+
+    `sdfcheck describe joint/@type` and the like list them. Case counts. For an engine or a lens of your
+    own, ignore this.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnknownChoice,)
     scaffold = IN_LINK

@@ -18,6 +18,11 @@ class UnknownVersion(Rule):
     code = "SCH002"
     name = "unknown-version"
     severity = Severity.ERROR
+    remedy = """Declare a version of SDFormat: two numbers, from 1.2 to 1.12.
+
+    It is the version of the format, not that of libsdformat or Gazebo: libsdformat 14 reads 1.11,
+    libsdformat 12 reads 1.9.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}, Consumer.URDFDOM: REFUSES}
     looks_at = (Root,)
     selects = ("sdf:sdf", "urdf:robot")

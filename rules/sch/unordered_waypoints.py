@@ -21,6 +21,11 @@ class UnorderedWaypoints(Rule):
     code = "SCH028"
     name = "unordered-waypoints"
     severity = Severity.WARNING
+    remedy = """Write the times in the order of the waypoints, each after the one before.
+
+    They are seconds from the beginning of the trajectory, not durations. To wait somewhere, repeat the pose
+    with a later time.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("takes another way")}
     looks_at = (Actor,)

@@ -28,6 +28,11 @@ class WrongComponentCount(Rule):
     code = "SCH013"
     name = "wrong-component-count"
     severity = Severity.ERROR
+    remedy = """Write as many numbers as the type has, separated by spaces.
+
+    A pose has six: `x y z roll pitch yaw`; a vector three, a color three or four, a time two (seconds and
+    nanoseconds). A pose that is only moved ends in `0 0 0`.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.WrongComponentCount,)
     scaffold = IN_LINK

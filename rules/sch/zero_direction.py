@@ -26,6 +26,10 @@ class ZeroDirection(Rule):
     code = "SCH022"
     name = "zero-direction"
     severity = Severity.WARNING
+    remedy = """Write a direction: `0 0 1` for a floor, `0 0 -1` for a light from above.
+
+    Its length does not matter, as long as it is not 0.
+    """
     affects = {Consumer.GAZEBO: warns("takes another direction, or none")}
     looks_at = (Root,)
     needs = ("<normal", "<direction")

@@ -30,6 +30,10 @@ class ZeroMeshScale(Rule):
     code = "SCH023"
     name = "zero-mesh-scale"
     severity = Severity.WARNING
+    remedy = """Write a scale other than 0 for each of the three axes: `1 1 1` if the mesh is in meters.
+
+    A mesh in millimeters has `0.001 0.001 0.001`. For a flat thing, use a thin box or a plane.
+    """
     affects = {
         Consumer.GAZEBO: warns("flattens the mesh"),
         Consumer.DRAKE: REFUSES,

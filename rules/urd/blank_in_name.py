@@ -13,6 +13,10 @@ class BlankInName(Rule):
     code = "URD022"
     name = "blank-in-name"
     severity = Severity.INFO
+    remedy = """Replace the space by an underscore, in the name and in all that refers to it.
+
+    Editors with the language server of sdfcheck rename both at once.
+    """
     sources = ("https://design.ros2.org/articles/topic_and_service_names.html",)
     looks_at = (Link, Joint)
     selects = ("urdf:robot/link", "urdf:robot/joint")

@@ -21,16 +21,20 @@ COLON = re.compile(r":(?=\s)")
 class ColonInComment(Rule):
     """A comment holds a colon with a space after it.
 
-    A ROS 2 launch file that passes the description on as a parameter, and does not say
-    that it is text, has it read as YAML. There such a colon begins a mapping: the launch
-    fails with `mapping values are not allowed here`, and nothing points to the comment.
-    The fix on the other side is `ParameterValue(…, value_type=str)`. In a file that describes no robot of its own, and
-    in one that shows nothing of ROS, this is a hint.
+    A ROS 2 launch file that passes the description on as a parameter, and does not say that
+    it is text, has it read as YAML. There such a colon begins a mapping: the launch fails
+    with `mapping values are not allowed here`, and nothing points to the comment. In a file
+    that describes no robot of its own, and in one that shows nothing of ROS, this is a hint.
     """
 
     code = "URD015"
     name = "colon-in-comment"
     severity = Severity.WARNING
+    remedy = """Write a dash for the colon, or no space after it.
+
+    In the launch file, `ParameterValue(Command(["xacro ", path]), value_type=str)` keeps ROS from taking
+    the text for YAML; then colons are free.
+    """
     looks_at = (Root,)
     scaffold = IN_ROBOT
 

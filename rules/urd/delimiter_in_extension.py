@@ -26,6 +26,10 @@ class DelimiterInExtension(Rule):
     code = "URD017"
     name = "delimiter-in-extension"
     severity = Severity.WARNING
+    remedy = """Rename it without `::`, for example with an underscore.
+
+    Topics that contain the name change with it. A scope is not needed: names in a robot are unique.
+    """
     affects = {Consumer.GAZEBO: refuses("refuses the robot")}
     looks_at = (GazeboBlock,)
     selects = ("urdf:robot/gazebo",)

@@ -13,6 +13,11 @@ class DisconnectedLink(Rule):
     code = "URD004"
     name = "disconnected-link"
     severity = Severity.ERROR
+    remedy = """Add a joint that has this link as its child, or remove the link.
+
+    If another joint names a link that does not exist, the name is likely misspelled on one of the two
+    sides. A root that is left over from an edit can be removed.
+    """
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: warns("makes a free body of it"),

@@ -18,6 +18,11 @@ class FeatureAboveVersion(Rule):
     code = "URD019"
     name = "feature-above-version"
     severity = Severity.ERROR
+    remedy = """Declare the version: `<robot name="…" version="1.1">`, or 1.2 for acceleration and jerk.
+
+    For programs with an older urdfdom, do without: a cylinder and two spheres for a capsule, `rpy` for a
+    quaternion.
+    """
     affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.URDFDOM: warns("ignores it")}
     explains = (problems.FeatureAboveVersion,)
     scaffold = ROBOT.format("")

@@ -28,6 +28,12 @@ class IncompleteInertia(Rule):
     code = "URD010"
     name = "incomplete-inertia"
     severity = Severity.ERROR
+    remedy = """Give the inertial a `<mass value="…"/>` and an `<inertia>` with all six numbers.
+
+    Products that are zero are written as 0: `<inertia ixx="…" ixy="0" ixz="0" iyy="…" iyz="0" izz="…"/>`,
+    in kg·m². `sdfcheck rule missing-inertial` has the ways to get them. A link that is a mere frame has no
+    `<inertial>` at all.
+    """
     affects = {
         Consumer.GAZEBO: warns("drops the rest of the link"),
         Consumer.DRAKE: warns("takes zero"),

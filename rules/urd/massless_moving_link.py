@@ -38,6 +38,12 @@ class MasslessMovingLink(Rule):
     code = "URD014"
     name = "massless-moving-link"
     severity = Severity.WARNING
+    remedy = """Give the link an `<inertial>` with its mass and moments.
+
+    `sdfcheck rule missing-inertial` says how to get the numbers. A link between two joints that only splits
+    one motion in two (a universal joint, a virtual axis) needs a small mass too: about a hundredth of the
+    next link, with moments to match. A link that does not move after all is tied by a fixed joint.
+    """
     affects = {
         Consumer.GAZEBO: warns("drops the link and those below it"),
         Consumer.DRAKE: warns("cannot simulate it"),

@@ -14,6 +14,10 @@ class MaterialInCollision(Rule):
     code = "URD025"
     name = "material-in-collision"
     severity = Severity.INFO
+    remedy = """Move the material to the visual of the link, or remove it.
+
+    A collision is never drawn. Friction is set by a `<gazebo>` block for the link.
+    """
     looks_at = (Element,)
     selects = ("urdf:collision/material",)
     scaffold = IN_URDF_LINK

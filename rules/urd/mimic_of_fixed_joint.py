@@ -21,6 +21,11 @@ class MimicOfFixedJoint(Rule):
     code = "URD018"
     name = "mimic-of-fixed-joint"
     severity = Severity.ERROR
+    remedy = """Let it follow a joint that moves, or remove the `mimic`.
+
+    If the leader was made fixed for a simpler robot, make the follower fixed as well. Its position is then
+    in its `<origin>`.
+    """
     affects = {
         Consumer.GAZEBO: refuses("refuses the robot"),
         Consumer.DRAKE: REFUSES,

@@ -35,6 +35,11 @@ class MissingGeometry(Rule):
     code = "URD007"
     name = "missing-geometry"
     severity = Severity.ERROR
+    remedy = """Give it a `<geometry>` with one shape: box, cylinder, sphere, or a mesh with its `filename`.
+
+    Capsules are for URDF 1.1. A visual or collision that is not wanted is removed as a whole. In xacro,
+    look at the condition that left the shape out.
+    """
     affects = {
         Consumer.GAZEBO: warns("drops the rest of the link"),
         Consumer.DRAKE: REFUSES,

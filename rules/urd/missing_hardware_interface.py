@@ -21,6 +21,12 @@ class MissingHardwareInterface(Rule):
     code = "URD024"
     name = "missing-hardware-interface"
     severity = Severity.WARNING
+    remedy = """Write `<hardwareInterface>` into the `<joint>` of the transmission.
+
+    It is one of `hardware_interface/EffortJointInterface`, `hardware_interface/VelocityJointInterface` and
+    `hardware_interface/PositionJointInterface`: the one that the controller of the joint asks for. ROS 2
+    reads no transmissions of this kind: write a `ros2_control` block for it.
+    """
     looks_at = (Transmission,)
     scaffold = IN_ROBOT
 

@@ -32,6 +32,12 @@ class MissingLimit(Rule):
     code = "URD005"
     name = "missing-limit"
     severity = Severity.ERROR
+    remedy = """Give the joint `<limit lower="…" upper="…" effort="…" velocity="…"/>`.
+
+    Positions are in rad or m, effort in Nm or N, velocity in rad/s or m/s: the data sheet of the drive has
+    them. A joint that turns without end is of type continuous, and needs no `lower` and `upper`. Where
+    nothing is known, an effort of 100 and a velocity of 10 do no harm in most simulators.
+    """
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: warns("takes no limits"),

@@ -10,15 +10,26 @@ JOINT = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></
 class RootWithInertia(Rule):
     """The root link has mass, which KDL drops.
 
-    robot_state_publisher and other users of KDL print a warning at every start, and what they compute is without that
-    mass. For simulators the robot is correct. An empty root link, with a fixed joint to the old one, avoids the
-    warning. Taking the mass away breaks it for simulators. In a robot that does not
-    move, or shows nothing of ROS, this is a hint.
+    robot_state_publisher and other users of KDL print a warning at every start, and what they
+    compute is without that mass. For simulators the robot is correct. In a robot that does
+    not move, or shows nothing of ROS, this is a hint.
     """
 
     code = "URD008"
     name = "root-with-inertia"
     severity = Severity.WARNING
+    remedy = """Put an empty link above the root, with a fixed joint between them.
+
+    ```xml
+    <link name="base_footprint"/>
+    <joint name="base_footprint_joint" type="fixed">
+      <parent link="base_footprint"/>
+      <child link="base_link"/>
+    </joint>
+    ```
+
+    A robot that is never used with KDL needs nothing. Do not take the mass away: simulators need it.
+    """
     looks_at = (Link,)
     selects = ("urdf:robot/link",)
 
@@ -43,9 +54,6 @@ class RootWithInertia(Rule):
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         message = f"root {link.title} has mass, which KDL drops"
-        advice = "put an empty link above it, with a fixed joint"
         moves = any(joint.moves for joint in link.model.joints)
         severity = None if moves and is_description(link.root) else Severity.INFO
-        yield self.diagnostic(
-            link.inertial, message, labels={link: "the root"}, help=advice, severity=severity
-        )
+        yield self.diagnostic(link.inertial, message, labels={link: "the root"}, severity=severity)

@@ -19,6 +19,12 @@ class SeveralRoots(Rule):
     code = "URD003"
     name = "several-roots"
     severity = Severity.ERROR
+    remedy = """Add the joint that ties the root of this tree to the rest of the robot.
+
+    A fixed joint is enough for parts that do not move:
+    `<joint name="d_joint" type="fixed"><parent link="base"/><child link="d"/></joint>`.
+    `sdfcheck graph joints FILE` shows the trees. Two robots belong in two files, or below one root link.
+    """
     affects = {
         Consumer.GAZEBO: REFUSES,
         Consumer.DRAKE: warns("makes free bodies of them"),

@@ -22,6 +22,11 @@ class SingularPitch(Rule):
     code = "URD016"
     name = "singular-pitch"
     severity = Severity.INFO
+    remedy = """Write the right angle with more digits, `1.5707963`, or turn the shape in another way.
+
+    In xacro `${pi/2}` has all the digits. If the small difference is meant, put it into the roll or yaw of
+    a frame above, or into the mesh.
+    """
     affects = {Consumer.GAZEBO: warns("turns the shape to 90°")}
     looks_at = (Placement,)
     selects = ("urdf:visual/origin", "urdf:collision/origin")

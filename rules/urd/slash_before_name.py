@@ -13,6 +13,11 @@ class SlashBeforeName(Rule):
     code = "URD021"
     name = "slash-before-name"
     severity = Severity.WARNING
+    remedy = """Remove the slash from the name, and from the joints that name it.
+
+    A namespace for a robot is the `frame_prefix` of robot_state_publisher, or a prefix in the macros of
+    xacro.
+    """
     sources = ("https://wiki.ros.org/tf2/Migration",)
     looks_at = (Link,)
     selects = ("urdf:robot/link",)

@@ -14,13 +14,17 @@ class UnconvertedJoint(Rule):
 
     libsdformat drops a floating or planar joint when it converts the robot, but still
     places the child relative to it, so that Gazebo refuses the result, unless a `<gazebo>` block
-    gives a joint of that name. For a robot that is free in the world, leave the joint out: it is
-    free anyway.
+    gives a joint of that name.
     """
 
     code = "URD020"
     name = "unconverted-joint"
     severity = Severity.WARNING
+    remedy = """Write a planar joint as two prismatic joints and a continuous one; remove a floating joint.
+
+    The two links between them need a small mass and no shape. A robot whose root has no joint above it is
+    free in Gazebo, which is what a floating joint says.
+    """
     affects = {Consumer.GAZEBO: refuses("refuses the robot")}
     looks_at = (Joint,)
     selects = ("urdf:robot/joint",)

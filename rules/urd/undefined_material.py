@@ -31,6 +31,11 @@ class UndefinedMaterial(Rule):
     code = "URD006"
     name = "undefined-material"
     severity = Severity.ERROR
+    remedy = """Define the material once, with a color, directly in the robot and before the first link.
+
+    `<material name="red"><color rgba="0.8 0 0 1"/></material>`: red, green, blue and opacity from 0 to 1.
+    Visuals then name it alone, `<material name="red"/>`. Two looks need two names.
+    """
     affects = {
         Consumer.GAZEBO: warns("leaves out the material"),
         Consumer.DRAKE: REFUSES,

@@ -17,14 +17,19 @@ from sdfcheck import (
 class UnexpandedExpression(Rule):
     """An expression of xacro is left in a plain URDF file.
 
-    No simulator knows `${…}` and `$(…)`: they end up in names and paths as they are, a file of such a
-    name is not found, and where a number is wanted the file is refused or a part of the link
-    dropped. Run xacro on the source, or call the file `.xacro` if this is the source.
+    No simulator knows `${…}` and `$(…)`: they end up in names and paths as they are, a file
+    of such a name is not found, and where a number is wanted the file is refused or a part of
+    the link dropped.
     """
 
     code = "URD009"
     name = "unexpanded-expression"
     severity = Severity.ERROR
+    remedy = """Expand the file with `sdfcheck expand` or xacro, or name it `.xacro` if it is the source.
+
+    `sdfcheck expand robot.urdf.xacro -o robot.urdf` writes the plain file. A generated file with such rests
+    was expanded with a macro or an argument that did not reach this place.
+    """
     affects = dict.fromkeys(Consumer, warns("keeps it as it is written"))
     explains = (problems.UnexpandedExpression,)
     scaffold = IN_URDF_LINK

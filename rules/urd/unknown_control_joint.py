@@ -21,6 +21,11 @@ class UnknownControlJoint(Rule):
     code = "URD012"
     name = "unknown-control-joint"
     severity = Severity.ERROR
+    remedy = """Name a joint of the robot, with its prefix.
+
+    Signals of the hardware that are not joints, such as relays, belong in a `<gpio>`. Where the joint was
+    removed, remove it from the block.
+    """
     affects = {Consumer.GAZEBO: warns("does not drive the joint")}
     looks_at = (Ros2Control,)
     selects = ("urdf:robot/ros2_control",)

@@ -31,6 +31,10 @@ class UnknownTransmissionJoint(Rule):
     code = "URD011"
     name = "unknown-transmission-joint"
     severity = Severity.ERROR
+    remedy = """Name a joint of the robot in the transmission, with its prefix.
+
+    Where the joint was removed, remove the transmission.
+    """
     affects = {Consumer.GAZEBO: warns("does not drive the joint"), Consumer.DRAKE: REFUSES}
     looks_at = (Transmission,)
     selects = ("urdf:robot/transmission",)

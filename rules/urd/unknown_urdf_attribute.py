@@ -29,6 +29,10 @@ class UnknownUrdfAttribute(Rule):
     code = "URD002"
     name = "unknown-urdf-attribute"
     severity = Severity.WARNING
+    remedy = """Write the attribute as URDF knows it, remove it, or give it a prefix.
+
+    `sdfcheck describe urdf:joint/limit` and the like list the attributes. Notes belong in comments.
+    """
     affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.UnknownUrdfAttribute,)
     scaffold = IN_URDF_LINK

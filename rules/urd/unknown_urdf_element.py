@@ -33,6 +33,12 @@ class UnknownUrdfElement(Rule):
     code = "URD001"
     name = "unknown-urdf-element"
     severity = Severity.WARNING
+    remedy = """Write the element as URDF knows it and where it is read, or give it a prefix.
+
+    `sdfcheck describe urdf:link` and the like list what an element holds. An element of your own keeps out
+    of the way with a prefix that is declared at the root, and settings for Gazebo belong in a `<gazebo>`
+    block.
+    """
     affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.UnknownUrdfElement,)
     scaffold = IN_URDF_LINK

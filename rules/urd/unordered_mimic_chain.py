@@ -20,6 +20,11 @@ class UnorderedMimicChain(Rule):
     code = "URD023"
     name = "unordered-mimic-chain"
     severity = Severity.WARNING
+    remedy = """Let it mimic the first leader directly.
+
+    Multiply the multipliers of the chain; the offset is multiplier × offset of the middle joint + its own
+    offset. Then nothing depends on the order of names.
+    """
     default = False
     sources = ("https://github.com/ros/robot_state_publisher",)
     looks_at = (Mimic,)

@@ -38,6 +38,7 @@ class UnprefixedHardwareInterface(Rule):
     code = "URD026"
     name = "unprefixed-hardware-interface"
     severity = Severity.WARNING
+    remedy = "Write `hardware_interface/` before the name of the interface."
     affects = {Consumer.GAZEBO: warns("warns that the name is deprecated")}
     looks_at = (Element,)
     selects = ("urdf:transmission",)

@@ -20,6 +20,12 @@ class VanishingRoot(Rule):
     code = "URD013"
     name = "vanishing-root"
     severity = Severity.WARNING
+    remedy = """Give the root an `<inertial>`, or a link that a fixed joint ties to it.
+
+    For a robot that is bolted to the floor, call the root `world`: the joint that follows then holds the
+    robot in place. `sdfcheck rule missing-inertial` says how to get the numbers. To look at the robot in
+    RViz, no mass is needed.
+    """
     affects = {
         Consumer.GAZEBO: refuses("refuses the file, for nothing is left"),
         Consumer.DRAKE: accepts("asks for mass below joints that move"),
