@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -9,12 +10,13 @@ import pytest
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.conditions import is_current, render
-from sdfcheck.lint.rulebook.pack import CONDITIONS
+from sdfcheck.lint.rulebook.pack import CONDITIONS, summary
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.trial import Bench, Trial
 from sdfcheck.lint.run import BUILT_IN
 from sdfcheck.lint.subjects import Subjects
+from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.source.document import Document
 
 # A rule that reports an omission would report it in every snippet that shows something else.
@@ -22,6 +24,14 @@ OF_ABSENCE = {"INR004"}
 INDEX = load_index()
 STRICT = {facts.code for facts in INDEX.facts if facts.default} - OF_ABSENCE
 BENCH = Bench(BUILT_IN, strict=STRICT)
+LONGEST_ADVICE = 101
+IMPERATIVES = frozenset(
+    (
+        "Add Ask Bind Call Change Check Choose Close Compare Complete Compute Convert Correct Declare Define "
+        "Divide Download Exchange Expand Export Give Include Keep Leave Let List Make Move Name Place Put "
+        "Read Remove Rename Replace Save Say Separate Swap Turn Use Widen Write"
+    ).split()
+)
 RULES = BENCH.rules
 TRIALS = BENCH.trials
 
@@ -60,6 +70,26 @@ def test_messages_are_in_house_style(trial: Trial) -> None:
     (message,) = (d.message for d in BENCH.lint(text, example) if d.code == trial.rule.code)
     assert message[:1] != message[:1].upper() or not message[0].isalpha(), message
     assert not message.endswith(".")
+
+
+@pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
+def test_a_finding_says_what_to_do(trial: Trial, tmp_path: Path) -> None:
+    example = trial.example
+    assert isinstance(example, Bad)
+    text, _, _ = unmark(fill(trial.rule.scaffold, example))
+    found = [d for d in BENCH.lint(text, example, tmp_path) if d.code == trial.rule.code]
+    assert found
+    assert [d.message for d in found if d.fix is None and not d.help] == []
+
+
+@pytest.mark.parametrize("rule", [*RULES, UnusedSuppression, MalformedSuppression], ids=lambda r: r.code)
+def test_the_first_sentence_of_a_remedy_is_an_imperative(rule: type[Rule]) -> None:
+    sentence = re.split(r"(?<=\.)\s", rule.remedy, maxsplit=1)[0]
+    assert sentence.endswith(".")
+    assert len(sentence) <= LONGEST_ADVICE
+    assert sentence.split()[0] in IMPERATIVES
+    advice, defect = (set(re.findall(r"\w+", text.lower())) for text in (sentence, summary(rule)))
+    assert len(advice & defect) < len(advice | defect) / 2, "it repeats the defect"
 
 
 @pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import inspect
 import re
 import tokenize
 from collections.abc import Iterator
@@ -94,7 +95,12 @@ def test_help_uses_plain_words(name: str, capsys: pytest.CaptureFixture[str]) ->
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
 def test_manuals_use_plain_words(rule: type) -> None:
-    found = [*complaints(_CODE.sub("`…`", " ".join((rule.__doc__ or "").split())), rule.__name__)]
+    texts = (rule.__doc__ or "", _FENCE.sub("", inspect.cleandoc(getattr(rule, "remedy", ""))))
+    found = [
+        complaint
+        for text in texts
+        for complaint in complaints(_CODE.sub("`…`", " ".join(text.split())), rule.__name__)
+    ]
     assert not found, "\n".join(found)
 
 

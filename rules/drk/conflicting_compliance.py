@@ -17,6 +17,12 @@ class ConflictingCompliance(VendorRule):
     code = "DRK005"
     name = "conflicting-compliance"
     severity = Severity.ERROR
+    remedy = """Choose rigid or compliant; compliant needs a modulus, and a round shape a resolution hint.
+
+    A compliant one needs `drake:hydroelastic_modulus` in Pa (1e5 is soft rubber, 1e8 hard plastic);
+    spheres, cylinders, capsules and ellipsoids need a `drake:mesh_resolution_hint` in meters, about a
+    quarter of their radius. A half space is rigid.
+    """
     affects = {Consumer.DRAKE: refuses("refuses the file, or ignores an element")}
     prefix = "drake"
     looks_at = (VendorTag,)

@@ -43,6 +43,11 @@ class CrashesDrake(Rule):
     code = "DRK015"
     name = "crashes-drake"
     severity = Severity.ERROR
+    remedy = """Put one model, or one world, into the file.
+
+    A second one goes into a file of its own, which a world can include. Limits of velocity, effort and
+    damping are positive or left out; a transmission has a type; names of actuators are unique.
+    """
     default = False
     affects = {Consumer.DRAKE: refuses("crashes or aborts")}
     looks_at = (Root, Collision, Dynamics, Geometry, Inertial, Limit, Transmission)
@@ -121,22 +126,27 @@ class CrashesDrake(Rule):
     )
 
     def check(self, part: Any) -> Iterator[Diagnostic]:
-        for target, what, reaction in LOOKS[type(part)](part):
-            yield self.diagnostic(target, f"{what}: {does(reaction)}", affects=affects(reaction))
+        for target, what, reaction, advice in LOOKS[type(part)](part):
+            yield self.diagnostic(target, f"{what}: {does(reaction)}", affects=affects(reaction), help=advice)
 
 
-Found = Iterator[tuple[Target, str, Reaction]]
-"""Where something is wrong, what it is, and what Drake does."""
+Found = Iterator[tuple[Target, str, Reaction, str | None]]
+"""Where something is wrong, what it is, what Drake does, and what to do."""
 
 
 def _root(root: Root) -> Found:
     if (found := unread(root)) is not None:
-        yield *found, REFUSES
+        yield *found, REFUSES, None
     named: set[str] = set()
     for transmission in root.models[0].transmissions if root.is_urdf else ():
         name = _actuator(transmission)
         if name is not None and name.text in named:
-            yield name, f"actuator `{name.text}` for a second time", REFUSES
+            yield (
+                name,
+                f"actuator `{name.text}` for a second time",
+                REFUSES,
+                "give each actuator a name of its own",
+            )
         elif name is not None:
             named.add(name.text)
 
@@ -145,39 +155,47 @@ def _collision(collision: Collision) -> Found:
     standard = friction(collision)
     own = own_friction(collision) if standard is not None and not standard.has("ode") else None
     if standard is not None and own is not None:
-        yield standard, f"a friction without `ode` beside `{own.name}`", ABORTS
+        what = f"a friction without `ode` beside `{own.name}`"
+        yield standard, what, ABORTS, "remove the `<friction>`, or write `<ode/>` into it"
 
 
 def _dynamics(dynamics: Dynamics) -> Found:
     damping, stiffness, kind = dynamics.damping, dynamics.spring_stiffness, dynamics.joint.type
     if damping.number < 0 and kind != ("planar" if dynamics.is_urdf else "fixed"):
-        yield damping, "a negative damping", REFUSES
+        yield damping, "a negative damping", REFUSES, "write a positive damping"
     if stiffness.number < 0 and kind in SPRUNG and not dynamics.is_urdf:
-        yield stiffness, "a negative spring stiffness", REFUSES if kind == "prismatic" else ABORTS
+        reaction = REFUSES if kind == "prismatic" else ABORTS
+        yield stiffness, "a negative spring stiffness", reaction, "write a positive stiffness"
 
 
 def _geometry(geometry: Geometry) -> Found:
     normal = geometry.normal
     if geometry.shape == "plane" and normal and not any(normal):
-        yield normal, "a plane without direction", ABORTS
+        yield normal, "a plane without direction", ABORTS, "write a normal such as `0 0 1`"
 
 
 def _inertial(inertial: Inertial) -> Found:
     for collision in inertial.link.collisions if inertial.is_automatic else ():
         mesh = collision.geometry
         if mesh.shape == "mesh" and mesh.uri_value is not None and mesh.uri and "://" not in mesh.uri:
-            yield mesh.uri_value, "an automatic inertia from a mesh with a relative path", ABORTS
+            what = "an automatic inertia from a mesh with a relative path"
+            yield mesh.uri_value, what, ABORTS, "name the mesh by `package://`, or write the inertia"
 
 
 def _limit(limit: Limit) -> Found:
     if limit.velocity.number < 0 and limit.joint.type in LIMITED:
-        yield limit.velocity, "a negative velocity limit", ABORTS
+        yield limit.velocity, "a negative velocity limit", ABORTS, "write a positive velocity"
 
 
 def _transmission(transmission: Transmission) -> Found:
     kind = transmission.type_value
     if kind is not None and not kind.text.strip():
-        yield kind, "a transmission of empty type", CRASHES
+        yield (
+            kind,
+            "a transmission of empty type",
+            CRASHES,
+            "write `transmission_interface/SimpleTransmission`",
+        )
 
 
 def _actuator(transmission: Transmission) -> Value | None:

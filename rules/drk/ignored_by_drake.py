@@ -31,6 +31,12 @@ class IgnoredByDrake(Rule):
     code = "DRK012"
     name = "ignored-by-drake"
     severity = Severity.INFO
+    remedy = """Write it in Drake's way, where there is one, or leave it for the other consumers.
+
+    Friction of contacts is `drake:proximity_properties` with `drake:mu_dynamic` and `drake:mu_static`,
+    friction of joints is `damping` or a force of the program, sensors are systems of the diagram. There is
+    nothing to do if the setting is for Gazebo alone.
+    """
     default = False
     affects = {Consumer.DRAKE: warns("ignores it")}
     looks_at = (Root,)

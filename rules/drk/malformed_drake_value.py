@@ -25,6 +25,11 @@ class MalformedDrakeValue(VendorRule):
     code = "DRK003"
     name = "malformed-drake-value"
     severity = Severity.ERROR
+    remedy = """Write the value where Drake reads it, and as the type that it asks for.
+
+    In SDF it is mostly the text of the element, `<drake:mu_dynamic>0.5</drake:mu_dynamic>`, in URDF an
+    attribute, `<drake:mu_dynamic value="0.5"/>`. `sdfcheck describe drake:NAME` shows type and unit.
+    """
     affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)

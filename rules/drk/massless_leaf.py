@@ -19,6 +19,11 @@ class MasslessLeaf(Rule):
     code = "DRK011"
     name = "massless-leaf"
     severity = Severity.ERROR
+    remedy = """Give the link an `<inertial>` with its mass and moments, or fix it to one that has them.
+
+    `sdfcheck rule missing-inertial` says how to get the numbers. If your program welds the link to
+    something, ignore this.
+    """
     default = False
     affects = {Consumer.DRAKE: warns("stops at the first step of the simulation")}
     looks_at = (Model,)

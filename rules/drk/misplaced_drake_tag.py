@@ -15,6 +15,10 @@ class MisplacedDrakeTag(VendorRule):
     code = "DRK002"
     name = "misplaced-drake-tag"
     severity = Severity.ERROR
+    remedy = """Move it to the place where Drake reads it, or write the standard element that the message names.
+
+    `sdfcheck describe drake:NAME` lists the places in SDF and in URDF.
+    """
     affects = {
         Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
     }

@@ -15,6 +15,10 @@ class MissingDrakeChild(VendorRule):
     code = "DRK004"
     name = "missing-drake-child"
     severity = Severity.ERROR
+    remedy = """Write the missing child: Drake has no default for it.
+
+    `sdfcheck describe drake:NAME` lists the children. If the whole element is not needed, remove it.
+    """
     affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     looks_at = (VendorTag,)

@@ -14,6 +14,10 @@ class MissingDrakeValue(VendorRule):
     code = "DRK020"
     name = "missing-drake-value"
     severity = Severity.ERROR
+    remedy = """Write the value as this format has it: an attribute in URDF, mostly a child in SDF.
+
+    `sdfcheck describe drake:NAME` shows which one.
+    """
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorTag,)

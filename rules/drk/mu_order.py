@@ -23,6 +23,11 @@ class MuOrder(VendorRule):
     code = "DRK014"
     name = "mu-order"
     severity = Severity.ERROR
+    remedy = """Write a dynamic friction that is at most the static one.
+
+    `mu2` is taken for the dynamic one, so write it beside `mu`, with the same value. Or give
+    `drake:mu_dynamic` and `drake:mu_static`, which win over the settings of ODE.
+    """
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (Collision, VendorTag)

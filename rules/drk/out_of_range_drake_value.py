@@ -23,6 +23,10 @@ class OutOfRangeDrakeValue(VendorRule):
     code = "DRK019"
     name = "out-of-range-drake-value"
     severity = Severity.ERROR
+    remedy = """Write a value within the range that the message names.
+
+    `sdfcheck describe drake:NAME` shows range and unit. Lower limits come before upper ones.
+    """
     affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)

@@ -14,6 +14,10 @@ class OutdatedDrakeTag(VendorRule):
     code = "DRK017"
     name = "outdated-drake-tag"
     severity = Severity.ERROR
+    remedy = """Use the successor that the message names.
+
+    A file for SDFormat 1.8 or later takes the standard `<capsule>` and `<ellipsoid>`.
+    """
     affects = {Consumer.DRAKE: refuses("refuses the file where the element has gone")}
     prefix = "drake"
     looks_at = (VendorTag,)

@@ -10,13 +10,17 @@ MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 class RemoteMesh(Rule):
     """A mesh is on a server, from which Drake fetches nothing.
 
-    Drake knows the schemes `file`, `model` and `package` alone and refuses the file for any other.
-    Gazebo fetches meshes from Fuel by itself; for Drake download them and name the copy.
+    Drake knows the schemes `file`, `model` and `package` alone and refuses the file for any
+    other. Gazebo fetches meshes from Fuel by itself.
     """
 
     code = "DRK022"
     name = "remote-mesh"
     severity = Severity.ERROR
+    remedy = """Download the mesh, and name the copy by a path or `package://`.
+
+    `gz fuel download -u URL` fetches models of Fuel. Beside the file, a relative path is enough.
+    """
     default = False
     affects = {Consumer.DRAKE: REFUSES}
     looks_at = (Resource,)
@@ -52,4 +56,4 @@ class RemoteMesh(Rule):
     def check(self, resource: Resource) -> Iterator[Diagnostic]:
         scheme = resource.uri.partition("://")[0]
         message = f"no mesh is fetched from `{scheme}://`: Drake refuses the file"
-        yield self.diagnostic(resource.uri_value, message, help="download it and name the copy")
+        yield self.diagnostic(resource.uri_value, message)

@@ -13,6 +13,10 @@ class RepeatedDrakeTag(VendorRule):
     code = "DRK016"
     name = "repeated-drake-tag"
     severity = Severity.WARNING
+    remedy = """Remove one of them; two groups need two names.
+
+    The first one is in effect. In URDF and SDF alike, all members of one group are listed in one element.
+    """
     affects = {Consumer.DRAKE: warns("reads the first only, or refuses the file")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)

@@ -14,6 +14,10 @@ class ScopedGroupDefinition(VendorRule):
     code = "DRK006"
     name = "scoped-group-definition"
     severity = Severity.ERROR
+    remedy = """Define the group in the model that it belongs to, under a plain name.
+
+    From outside, name its members by scoped names instead: `<drake:member>arm::hand</drake:member>`.
+    """
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorValue,)

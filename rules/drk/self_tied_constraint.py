@@ -20,6 +20,7 @@ class SelfTiedConstraint(VendorRule):
     code = "DRK021"
     name = "self-tied-constraint"
     severity = Severity.ERROR
+    remedy = "Name two different links as the ends of the constraint."
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorTag,)

@@ -21,6 +21,11 @@ class SpecialValue(Rule):
     code = "DRK013"
     name = "special-value"
     severity = Severity.WARNING
+    remedy = """Write it as Drake reads it, or leave it for the other consumers.
+
+    A reduction is `drake:gear_ratio`, beside `drake:rotor_inertia` (kg·m²) in the `actuator`. Remove
+    `lower` and `upper` of a continuous joint, and write the real velocity of the drive instead of 0.
+    """
     default = False
     affects = {Consumer.DRAKE: warns("takes the value in its own way")}
     looks_at = (Limit, Transmission)
@@ -54,23 +59,26 @@ class SpecialValue(Rule):
     )
 
     def check(self, part: Limit | Transmission) -> Iterator[Diagnostic]:
-        for value, meaning in _special(part):
+        for value, meaning, advice in _special(part):
             name = value.attribute or value.element.name
-            yield self.diagnostic(value, f"to Drake `{name}` {value.text.strip()} means {meaning}")
+            yield self.diagnostic(
+                value, f"to Drake `{name}` {value.text.strip()} means {meaning}", help=advice
+            )
 
 
-def _special(part: Limit | Transmission) -> Iterator[tuple[Value, str]]:
-    """The values that mean something else to Drake, and what."""
+def _special(part: Limit | Transmission) -> Iterator[tuple[Value, str, str]]:
+    """The values that mean something else to Drake, what, and what to write."""
     if isinstance(part, Transmission):
-        yield from ((value, "nothing") for value in part.reductions if value.number != 1)
+        advice = "write a `drake:gear_ratio` as well"
+        yield from ((value, "nothing", advice) for value in part.reductions if value.number != 1)
         return
     velocity, kind = part.velocity, part.joint.type
     if not part.is_urdf:
         if velocity.value is not None and velocity.number < 0 and velocity.number != NO_LIMIT:
-            yield velocity.value, "no limit"
+            yield velocity.value, "no limit", "write `-1` for no limit, or the velocity of the drive"
         return
     bound = part.lower.value or part.upper.value
     if kind == "continuous" and bound is not None:
-        yield bound, "a limit, also for a continuous joint"
+        yield bound, "a limit, also for a continuous joint", "remove the limits, or make the joint revolute"
     if kind in STOPPED_BY_ZERO and velocity.value is not None and velocity.number == 0:
-        yield velocity.value, "a joint that must not move"
+        yield velocity.value, "a joint that must not move", "write the velocity of the drive"

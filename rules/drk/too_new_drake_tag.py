@@ -14,6 +14,11 @@ class TooNewDrakeTag(VendorRule):
     code = "DRK018"
     name = "too-new-drake-tag"
     severity = Severity.INFO
+    remedy = """Ask for this release of Drake where the file is used, or do without the element.
+
+    Pin the version of `drake` in the requirements of the project. For older releases, set the property in
+    the program instead.
+    """
     affects = {
         Consumer.DRAKE: {
             "sdf": warns("older releases refuse the file"),

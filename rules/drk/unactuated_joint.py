@@ -46,6 +46,19 @@ class UnactuatedJoint(Rule):
     code = "DRK010"
     name = "unactuated-joint"
     severity = Severity.ERROR
+    remedy = """Give a joint that moves a `SimpleTransmission` with a named actuator and a positive effort.
+
+    ```xml
+    <transmission>
+      <type>transmission_interface/SimpleTransmission</type>
+      <joint name="shoulder"/>
+      <actuator name="shoulder_motor"/>
+    </transmission>
+    ```
+
+    In SDF the `<effort>` of the axis is enough. A joint that is passive on purpose needs none: ignore this,
+    or remove the transmission.
+    """
     default = False
     affects = {Consumer.DRAKE: warns("makes no actuator, or refuses the file")}
     looks_at = (Joint, Model, Transmission)

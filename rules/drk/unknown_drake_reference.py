@@ -27,6 +27,12 @@ class UnknownDrakeReference(VendorRule):
     code = "DRK007"
     name = "unknown-drake-reference"
     severity = Severity.ERROR
+    remedy = """Name a link, frame, joint or group of the model that the element is in.
+
+    In SDF, members of groups and frames can be `arm::hand`; bodies and joints of constraints cannot: move
+    the constraint into the model that holds both. Nothing can be tied to the world by name: tie it to a
+    link that is welded to it.
+    """
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorValue,)

@@ -15,6 +15,11 @@ class UnknownDrakeTag(VendorRule):
     code = "DRK001"
     name = "unknown-drake-tag"
     severity = Severity.ERROR
+    remedy = """Write the tag as Drake knows it, or remove it.
+
+    `sdfcheck describe drake:NAME` and Drake's page "Model description parsing" list them. An element of
+    your own needs another prefix.
+    """
     affects = {
         Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
     }

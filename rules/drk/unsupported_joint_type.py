@@ -36,6 +36,12 @@ class UnsupportedJointType(VendorRule):
     code = "DRK008"
     name = "unsupported-joint-type"
     severity = Severity.ERROR
+    remedy = """Use a type that Drake has, in the spelling that it has in this format.
+
+    A gearbox is a `mimic`, a revolute2 joint two revolute ones with a light link between them. In URDF,
+    `<drake:joint type="ball">` and the like are Drake's spelling of types that URDF lacks; other consumers
+    ignore them.
+    """
     affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (Joint, VendorValue)

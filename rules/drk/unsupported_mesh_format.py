@@ -41,6 +41,11 @@ class UnsupportedMeshFormat(Rule):
     code = "DRK009"
     name = "unsupported-mesh-format"
     severity = Severity.ERROR
+    remedy = """Convert the mesh to a format that Drake reads in this role: `.obj` serves collisions and visuals.
+
+    Blender, MeshLab and assimp (`assimp export arm.dae arm.obj`) do so. Without a SceneGraph, for dynamics
+    alone, Drake opens no meshes.
+    """
     default = False
     affects = {Consumer.DRAKE: refuses("refuses a collision mesh, does not show a visual one")}
     looks_at = (Geometry,)

@@ -13,14 +13,19 @@ KEPT = '<mujoco><compiler fusestatic="false"/></mujoco>'
 class FusedRoot(Rule):
     """The root link has mass, and MuJoCo makes it a part of the world.
 
-    In URDF MuJoCo welds the root to the world and fuses it with it: there is no body of its name, and the robot cannot
-    float or fall. `<mujoco><compiler fusestatic="false"/></mujoco>` keeps the body; a floating joint to a link above it
-    sets it free.
+    In URDF MuJoCo welds the root to the world and fuses it with it: there is no body of its
+    name, and the robot cannot float or fall.
     """
 
     code = "MUJ005"
     name = "fused-root"
     severity = Severity.WARNING
+    remedy = """Keep it with `<mujoco><compiler fusestatic="false"/></mujoco>` in the robot.
+
+    A robot that is bolted to the floor needs nothing: its root does not move. For a robot that walks,
+    drives or floats, add a link `world` above the root and a floating joint between them, in a file for
+    MuJoCo alone: libsdformat drops floating joints.
+    """
     default = False
     affects = {Consumer.MUJOCO: warns("makes it a part of the world")}
     looks_at = (Link,)
@@ -46,7 +51,7 @@ class FusedRoot(Rule):
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         message = f"root {link.title} becomes a part of the world in MuJoCo"
-        yield self.diagnostic(link, message, help=f"keep it: `{KEPT}`")
+        yield self.diagnostic(link, message)
 
 
 def is_kept(link: Link) -> bool:

@@ -20,6 +20,12 @@ class MasslessBody(Rule):
     code = "MUJ003"
     name = "massless-body"
     severity = Severity.ERROR
+    remedy = """Give the link an `<inertial>` with its mass and moments.
+
+    `sdfcheck rule missing-inertial` says how to get the numbers. For a link that only splits a motion, a
+    hundredth of the next link's mass is enough;
+    `<mujoco><compiler boundmass="1e-4" boundinertia="1e-7"/></mujoco>` sets lower bounds for all.
+    """
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Link,)

@@ -21,6 +21,11 @@ class SingularInertia(Rule):
     code = "MUJ004"
     name = "singular-inertia"
     severity = Severity.ERROR
+    remedy = """Write three positive principal moments: none of a body with volume is 0.
+
+    A thin rod along x has an `ixx` of m r² / 2, small but not 0. If all the link is for is to carry other
+    links, leave its `<inertial>` out and fix it to one with mass.
+    """
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Inertial,)

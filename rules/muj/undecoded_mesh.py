@@ -30,6 +30,11 @@ class UndecodedMesh(Rule):
     code = "MUJ002"
     name = "undecoded-mesh"
     severity = Severity.ERROR
+    remedy = """Convert the mesh to `.stl` or `.obj`, for the collision at least.
+
+    Blender, MeshLab and assimp (`assimp export arm.dae arm.stl`) do so. Mind the unit and the upright axis
+    that a COLLADA file declares: STL has neither.
+    """
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Model,)

@@ -30,6 +30,12 @@ class UnopenedMesh(Rule):
     code = "MUJ001"
     name = "unopened-mesh"
     severity = Severity.ERROR
+    remedy = """Give a path relative to the file, or add `<compiler strippath="true" meshdir="…"/>` in `<mujoco>`.
+
+    The block is a child of `<robot>`, and other consumers of URDF ignore it:
+    `<mujoco><compiler strippath="true" meshdir="meshes"/></mujoco>`. With `strippath` all meshes have to be
+    in that one folder and differ in name. `sdfcheck convert` writes addresses with `--uri-style relative`.
+    """
     default = False
     affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Model,)
@@ -62,7 +68,6 @@ class UnopenedMesh(Rule):
             yield self.diagnostic(
                 values[0],
                 f"`{scheme}:` is the name of a folder to MuJoCo{used(len(values))}",
-                help='give a path, or add <mujoco><compiler strippath="true" meshdir="…"/></mujoco> to the robot',
             )
 
 

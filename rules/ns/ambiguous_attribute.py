@@ -14,6 +14,7 @@ class AmbiguousAttribute(Rule):
     code = "NS014"
     name = "ambiguous-attribute"
     severity = Severity.ERROR
+    remedy = "Remove one of the two attributes, and one of the two prefixes."
     looks_at = (PrefixedName,)
 
     bad = (

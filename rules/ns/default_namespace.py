@@ -26,6 +26,10 @@ class DefaultNamespace(Rule):
     code = "NS005"
     name = "default-namespace"
     severity = Severity.ERROR
+    remedy = """Remove it, or declare a prefix instead: `xmlns:mine="…"`.
+
+    The standard elements need no namespace at all.
+    """
     affects = {Consumer.GAZEBO: {"sdf": warns("warns and reads it anyway")}, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (PrefixDeclaration,)
 

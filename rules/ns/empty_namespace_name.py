@@ -14,6 +14,11 @@ class EmptyNamespaceName(Rule):
     code = "NS012"
     name = "empty-namespace-name"
     severity = Severity.WARNING
+    remedy = """Give the declaration a name: customary is a URI that you control.
+
+    Nothing is fetched from it: `https://example.org/robot` serves as well as any. To be rid of a prefix,
+    remove the declaration.
+    """
     affects = {Consumer.GAZEBO: warns("older versions refuse the file")}
     looks_at = (PrefixDeclaration,)
 
@@ -38,4 +43,4 @@ class EmptyNamespaceName(Rule):
 
     def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
         message = f"prefix `{declaration.prefix}` is declared with an empty name"
-        yield self.diagnostic(declaration, message, help="customary is a URI that you control")
+        yield self.diagnostic(declaration, message)

@@ -14,6 +14,10 @@ class MalformedQualifiedName(Rule):
     code = "NS008"
     name = "malformed-qualified-name"
     severity = Severity.ERROR
+    remedy = """Write one prefix, one colon and one name: `mine:color`.
+
+    Deeper structure is expressed by elements within each other, not by more colons.
+    """
     looks_at = (PrefixDeclaration, PrefixedName)
 
     bad = (

@@ -13,6 +13,7 @@ class PrefixDeclaredBelowRoot(Rule):
     code = "NS006"
     name = "prefix-declared-below-root"
     severity = Severity.INFO
+    remedy = "Move the declaration to the root element."
     looks_at = (Prefix,)
 
     bad = (

@@ -14,6 +14,10 @@ class RedeclaredPrefix(Rule):
     code = "NS004"
     name = "redeclared-prefix"
     severity = Severity.ERROR
+    remedy = """Remove one of the two declarations.
+
+    If both names are needed, give one of them another prefix.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (PrefixDeclaration,)
 

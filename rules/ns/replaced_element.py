@@ -26,6 +26,11 @@ class ReplacedElement(Rule):
     code = "NS010"
     name = "replaced-element"
     severity = Severity.ERROR
+    remedy = """Write the standard element as well, beside your own.
+
+    Consumers that know your prefix may prefer it; all others read the standard one. Keep both equal, for
+    example with a property of xacro.
+    """
     affects = {Consumer.GAZEBO: warns("takes the default"), Consumer.DRAKE: warns("takes the default")}
     looks_at = (Custom,)
     scaffold = IN_COLLISION

@@ -14,6 +14,10 @@ class ReservedPrefix(Rule):
     code = "NS013"
     name = "reserved-prefix"
     severity = Severity.ERROR
+    remedy = """Choose another prefix, and a name of your own for it.
+
+    `xml:lang` and the like need no declaration: remove it.
+    """
     looks_at = (PrefixDeclaration, PrefixedName)
 
     bad = (

@@ -14,6 +14,7 @@ class ShadowedPrefix(Rule):
     code = "NS011"
     name = "shadowed-prefix"
     severity = Severity.WARNING
+    remedy = "Bind each prefix to one name, and each name to one prefix, on the root element."
     looks_at = (PrefixDeclaration,)
 
     bad = (

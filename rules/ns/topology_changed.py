@@ -17,6 +17,11 @@ class TopologyChanged(Rule):
     code = "NS009"
     name = "topology-changed"
     severity = Severity.ERROR
+    remedy = """Move the standard element out of the custom one, into the element that it belongs to.
+
+    To group links, keep them in the model and let the custom element name them:
+    `<mine:group links="upper lower"/>`.
+    """
     affects = {
         Consumer.GAZEBO: warns("does not see the element"),
         Consumer.DRAKE: warns("does not see the element"),

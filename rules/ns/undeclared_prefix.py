@@ -24,6 +24,11 @@ class UndeclaredPrefix(Rule):
     code = "NS003"
     name = "undeclared-prefix"
     severity = Severity.ERROR
+    remedy = """Declare the prefix on the root element: `xmlns:mine="…"`.
+
+    The value is a name that nobody else uses, customarily a URI that you control; nothing is fetched from
+    it. A fragment that is included as text needs the declaration itself.
+    """
     looks_at = (Prefix,)
 
     bad = (

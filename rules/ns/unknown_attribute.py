@@ -28,6 +28,11 @@ class UnknownAttribute(Rule):
     code = "NS001"
     name = "unknown-attribute"
     severity = Severity.WARNING
+    remedy = """Write the attribute as the specification has it, or give it a declared prefix.
+
+    `sdfcheck describe link` and the like list the attributes of an element. An attribute of your own is
+    `mine:color`, with `xmlns:mine="…"` on the root element; a note belongs in a comment.
+    """
     affects = {Consumer.GAZEBO: warns("warns and ignores it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownAttribute,)
     scaffold = IN_MODEL

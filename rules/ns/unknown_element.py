@@ -28,6 +28,12 @@ class UnknownElement(Rule):
     code = "NS002"
     name = "unknown-element"
     severity = Severity.WARNING
+    remedy = """Write the element as the specification has it, or give it a declared prefix.
+
+    `sdfcheck describe model` and the like list what an element holds. An element of your own is
+    `<mine:paint>`, with `xmlns:mine="…"` on the root element. Settings of a plugin go into its `<plugin>`,
+    where names are free.
+    """
     affects = {Consumer.GAZEBO: warns("warns and ignores it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownElement,)
     scaffold = IN_MODEL

@@ -13,6 +13,10 @@ class UnusedPrefix(Rule):
     code = "NS007"
     name = "unused-prefix"
     severity = Severity.INFO
+    remedy = """Remove the declaration.
+
+    If the prefix was meant for something, write it before the names of those elements.
+    """
     looks_at = (PrefixDeclaration,)
 
     bad = (

@@ -14,6 +14,11 @@ class AsymmetricControlLimit(Rule):
     code = "R2C033"
     name = "asymmetric-control-limit"
     severity = Severity.WARNING
+    remedy = """Write the same magnitude for both: `min` is `-max`.
+
+    Where the two directions really differ, the weaker one has to hold for both; limit the stronger one in
+    the controller.
+    """
     default = False
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT

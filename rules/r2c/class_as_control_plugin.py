@@ -16,6 +16,11 @@ class ClassAsControlPlugin(Rule):
     code = "R2C008"
     name = "class-as-control-plugin"
     severity = Severity.WARNING
+    remedy = """Write the plugin's name as its package declares it: `package/Class`.
+
+    It is the `name` of the `<class>` in the plugin description of that package, an XML file in its share
+    folder. If no name is declared there, the C++ class is right.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 

@@ -7,14 +7,17 @@ from sdfcheck_rules.r2c.scaffold import IN_BLOCK, SINCE_JAZZY
 class CommandOfMimicJoint(Rule):
     """A joint that mimics another one has command interfaces in `ros2_control`.
 
-    Its position is that of its leader. From jazzy on ros2_control refuses such a description; up to iron it
-    is accepted. Remove the command interfaces, or write `mimic="false"` at the joint in `ros2_control` if
-    the hardware drives it on its own.
+    Its position is that of its leader. From jazzy on ros2_control refuses such a description;
+    up to iron it is accepted.
     """
 
     code = "R2C015"
     name = "command-of-mimic-joint"
     severity = Severity.ERROR
+    remedy = """Remove its command interfaces, or write `mimic="false"` if the hardware drives it itself.
+
+    The states can stay: the hardware computes them from the leader.
+    """
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK
 
@@ -36,7 +39,6 @@ class CommandOfMimicJoint(Rule):
     def check(self, component: ControlComponent) -> Iterator[Diagnostic]:
         mimic = component.mimic
         assert mimic is not None
-        message = f"{component.title} mimics `{mimic.leader_name}` and has command interfaces"
+        message = f"{component.title} mimics `{mimic.leader_name}` and has command interfaces: {SINCE_JAZZY}"
         labels = {mimic.leader_value or mimic: "it mimics this joint"}
-        advice = f'{SINCE_JAZZY}: remove them, or write mimic="false" here if the hardware drives it'
-        yield self.diagnostic(component.commands[0], message, labels=labels, help=advice)
+        yield self.diagnostic(component.commands[0], message, labels=labels)

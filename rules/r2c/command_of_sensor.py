@@ -15,6 +15,7 @@ class CommandOfSensor(Rule):
     code = "R2C023"
     name = "command-of-sensor"
     severity = Severity.ERROR
+    remedy = "Make it a state interface, or move the joint to a block of type `system` or `actuator`."
     looks_at = (ControlInterface,)
     scaffold = IN_BLOCK
 

@@ -20,6 +20,11 @@ class ContestedControlInterface(Rule):
     code = "R2C014"
     name = "contested-control-interface"
     severity = Severity.ERROR
+    remedy = """Leave the interface to one of the blocks.
+
+    Let the block whose hardware drives the joint command it; another one may list other states of it. For a
+    choice between the simulator and the real robot, let a condition of xacro take one block only.
+    """
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK
 

@@ -14,6 +14,7 @@ class ControlLimitNotUsed(Rule):
     code = "R2C031"
     name = "control-limit-not-used"
     severity = Severity.INFO
+    remedy = "Move the limit to the command interface that it is to limit, or remove it."
     default = False
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT

@@ -20,6 +20,11 @@ class ControlPluginWithoutParameters(Rule):
     code = "R2C027"
     name = "control-plugin-without-parameters"
     severity = Severity.ERROR
+    remedy = """Give the plugin `<parameters>` with the path of the YAML file of its controllers.
+
+    In xacro: `<parameters>$(find my_robot)/config/controllers.yaml</parameters>`. The file has
+    `controller_manager` at its top, with `ros__parameters` and one entry for each controller.
+    """
     looks_at = (Plugin,)
     scaffold = IN_ROBOT
 

@@ -16,6 +16,16 @@ class ControlWithoutSimulator(Rule):
     code = "R2C029"
     name = "control-without-simulator"
     severity = Severity.WARNING
+    remedy = """Add a `<gazebo>` block with the plugin that starts the controller manager.
+
+    ```xml
+    <gazebo>
+      <plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">
+        <parameters>$(find my_robot)/config/controllers.yaml</parameters>
+      </plugin>
+    </gazebo>
+    ```
+    """
     default = False
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT

@@ -13,6 +13,7 @@ class DoubledControlInterface(Rule):
     code = "R2C013"
     name = "doubled-control-interface"
     severity = Severity.WARNING
+    remedy = "Remove one of them, and keep the parameters and limits that are meant in the other."
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT
 

@@ -13,6 +13,10 @@ class DoubledControlJoint(Rule):
     code = "R2C012"
     name = "doubled-control-joint"
     severity = Severity.WARNING
+    remedy = """Put the interfaces of both into one `<joint>`.
+
+    If two joints were meant, correct the name of the copy.
+    """
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK
 

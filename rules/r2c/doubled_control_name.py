@@ -9,13 +9,18 @@ BLOCK = f'<ros2_control name="{{}}" type="system">{HARDWARE}</ros2_control>'
 class DoubledControlName(Rule):
     """Two `ros2_control` blocks have one name.
 
-    Hardware goes by the name of its block: the resource manager refuses a second one of a name, and
-    the description with it. With two robots of a kind, put the prefix of each into the name.
+    Hardware goes by the name of its block: the resource manager refuses a second one of a
+    name, and the description with it.
     """
 
     code = "R2C003"
     name = "doubled-control-name"
     severity = Severity.ERROR
+    remedy = """Give each block a name of its own.
+
+    In a macro of xacro put the prefix in: `<ros2_control name="${prefix}arm" type="system">`. If both are
+    one robot, put their joints into one block.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 
@@ -34,5 +39,5 @@ class DoubledControlName(Rule):
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         name, first = block.name_value, block.first_of_name
         if name is not None and first is not None and first.name_value is not None:
-            message = f"`ros2_control` name `{block.name}` is used twice"
-            yield self.diagnostic(name, message, labels={first.name_value: "first used here"}, help=REFUSED)
+            message = f"`ros2_control` name `{block.name}` is used twice: {REFUSED}"
+            yield self.diagnostic(name, message, labels={first.name_value: "first used here"})

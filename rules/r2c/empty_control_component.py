@@ -13,6 +13,11 @@ class EmptyControlComponent(Rule):
     code = "R2C030"
     name = "empty-control-component"
     severity = Severity.WARNING
+    remedy = """Give it the interfaces that the hardware has, or remove it.
+
+    A driven joint mostly has `<command_interface name="position"/>`, `<state_interface name="position"/>`
+    and `<state_interface name="velocity"/>`.
+    """
     default = False
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK

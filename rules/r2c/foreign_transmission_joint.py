@@ -19,6 +19,10 @@ class ForeignTransmissionJoint(Rule):
     code = "R2C025"
     name = "foreign-transmission-joint"
     severity = Severity.ERROR
+    remedy = """Name a joint of the same block, or list the joint there.
+
+    A transmission between an actuator and its joint belongs in the block of the hardware that drives both.
+    """
     looks_at = (ControlTransmission,)
     scaffold = IN_BLOCK
 
@@ -45,6 +49,8 @@ class ForeignTransmissionJoint(Rule):
 
     def check(self, transmission: ControlTransmission) -> Iterator[Diagnostic]:
         for value in transmission.unresolved:
-            message = f"{transmission.title} is for joint `{value.text}`, which is not in {transmission.block.title}"
+            missing = f"`{value.text}`, which is not in {transmission.block.title}"
             near = transmission.nearest(value.text, transmission.block.joints)
-            yield self.diagnostic(value, message, meant=near, help=REFUSED)
+            yield self.diagnostic(
+                value, f"{transmission.title} is for joint {missing}: {REFUSED}", meant=near
+            )

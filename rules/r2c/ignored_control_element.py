@@ -16,6 +16,11 @@ class IgnoredControlElement(Rule):
     code = "R2C006"
     name = "ignored-control-element"
     severity = Severity.WARNING
+    remedy = """Write it as the parser knows it, or as a `<param name="…">`, or remove it.
+
+    An interface holds `<param>`, in jazzy also `<limits>`; a joint holds `<command_interface>`,
+    `<state_interface>` and `<param>`. Hardware reads its own settings from `<param>` elements.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_LIFT
 

@@ -14,6 +14,11 @@ class ImmovableControlJoint(Rule):
     code = "R2C011"
     name = "immovable-control-joint"
     severity = Severity.ERROR
+    remedy = """Remove the joint from the block, or give it a type that can be driven.
+
+    A fixed joint needs no entry: robot_state_publisher knows where it is. A free base is reported by
+    odometry, not by an interface of a joint.
+    """
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK
 
@@ -39,8 +44,8 @@ class ImmovableControlJoint(Rule):
         joint, name = component.joint, component.name_value
         assert joint is not None
         assert name is not None
-        message = f"{component.block.title} has {joint.title}, which is {joint.type}"
+        does = f": {SINCE_JAZZY}" if joint.is_fixed else ""
+        message = f"{component.block.title} has {joint.title}, which is {joint.type}{does}"
         severity = None if joint.is_fixed else Severity.WARNING
-        advice = SINCE_JAZZY if joint.is_fixed else None
         labels = {joint.type_value or joint: "its type"}
-        yield self.diagnostic(name, message, labels=labels, severity=severity, help=advice)
+        yield self.diagnostic(name, message, labels=labels, severity=severity)

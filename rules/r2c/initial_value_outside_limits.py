@@ -14,6 +14,10 @@ class InitialValueOutsideLimits(Rule):
     code = "R2C022"
     name = "initial-value-outside-limits"
     severity = Severity.WARNING
+    remedy = """Write an initial value between the limits of the joint.
+
+    For a joint that cannot be at 0, choose the middle of its range. The parameter is in rad or m.
+    """
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT
 

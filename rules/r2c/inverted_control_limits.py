@@ -14,6 +14,7 @@ class InvertedControlLimits(Rule):
     code = "R2C021"
     name = "inverted-control-limits"
     severity = Severity.ERROR
+    remedy = "Exchange the minimum and the maximum, or correct the sign that was lost."
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT
 

@@ -14,6 +14,10 @@ class LeaderInOtherBlock(Rule):
     code = "R2C016"
     name = "leader-in-other-block"
     severity = Severity.ERROR
+    remedy = """List the leader in the same block, or leave the follower out of it.
+
+    If the hardware drives the follower on its own, `mimic="false"` at the joint of the block says so.
+    """
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK
 
@@ -39,6 +43,6 @@ class LeaderInOtherBlock(Rule):
         mimic, name = component.mimic, component.name_value
         assert mimic is not None
         assert name is not None
-        message = f"{component.title} mimics `{mimic.leader_name}`, which is not in {component.block.title}"
+        missing = f"`{mimic.leader_name}`, which is not in {component.block.title}"
         labels = {mimic.leader_value or mimic: "it mimics this joint"}
-        yield self.diagnostic(name, message, labels=labels, help=SINCE_JAZZY)
+        yield self.diagnostic(name, f"{component.title} mimics {missing}: {SINCE_JAZZY}", labels=labels)

@@ -14,6 +14,11 @@ class MalformedControlLimit(Rule):
     code = "R2C020"
     name = "malformed-control-limit"
     severity = Severity.WARNING
+    remedy = """Write one number with a decimal point, in SI units.
+
+    Positions are in rad or m, velocities in rad/s or m/s. An expression such as `${pi/2}` works only where
+    xacro expands it.
+    """
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT
 

@@ -16,6 +16,11 @@ class MalformedControlValue(Rule):
     code = "R2C019"
     name = "malformed-control-value"
     severity = Severity.ERROR
+    remedy = """Write a value of the kind that the message names.
+
+    Truth values are `true` and `false` in lower case; sizes are whole numbers from 1 on; the default type
+    of data is `double`.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_BLOCK
 

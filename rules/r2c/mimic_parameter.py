@@ -14,6 +14,10 @@ class MimicParameter(Rule):
     code = "R2C018"
     name = "mimic-parameter"
     severity = Severity.WARNING
+    remedy = """Write `<mimic joint="…" multiplier="…"/>` in the joint itself, and remove the parameter.
+
+    For a file that also has to serve Humble, keep both.
+    """
     default = False
     looks_at = (ControlComponent,)
     scaffold = IN_LIFT

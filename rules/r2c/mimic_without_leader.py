@@ -14,6 +14,8 @@ class MimicWithoutLeader(Rule):
     code = "R2C017"
     name = "mimic-without-leader"
     severity = Severity.ERROR
+    remedy = """Write `<mimic joint="…" multiplier="…"/>` in the joint of the robot, or remove `mimic="true"`.
+    """
     looks_at = (ControlComponent,)
     scaffold = IN_BLOCK
 
@@ -34,5 +36,5 @@ class MimicWithoutLeader(Rule):
         value, joint = component.mimic_value, component.joint
         assert value is not None
         assert joint is not None
-        message = f"{component.title} has no `<mimic>` in the robot"
-        yield self.diagnostic(value, message, labels={joint: "the joint"}, help=SINCE_JAZZY)
+        message = f"{component.title} has no `<mimic>` in the robot: {SINCE_JAZZY}"
+        yield self.diagnostic(value, message, labels={joint: "the joint"})

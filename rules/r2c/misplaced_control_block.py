@@ -16,6 +16,10 @@ class MisplacedControlBlock(Rule):
     code = "R2C004"
     name = "misplaced-control-block"
     severity = Severity.ERROR
+    remedy = """Move the block out of `gazebo`, directly into `robot`.
+
+    Only the `<plugin>` that starts the controller manager stays in the `<gazebo>` block.
+    """
     looks_at = (GazeboBlock,)
     selects = ("urdf:robot/gazebo",)
     scaffold = IN_ROBOT

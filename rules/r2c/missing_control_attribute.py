@@ -15,6 +15,13 @@ class MissingControlAttribute(Rule):
     code = "R2C001"
     name = "missing-control-attribute"
     severity = Severity.ERROR
+    remedy = """Write the attribute that the message names.
+
+    - `<ros2_control name="arm" type="system">`: type is `system` (joints that one device drives together),
+      `actuator` (one joint) or `sensor`.
+    - `<command_interface name="position"/>`: position, velocity, effort, or a name that the hardware knows.
+    - `<limits enable="true"/>`, or `false` to switch the limits of the interface off.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_BLOCK
 
@@ -48,5 +55,5 @@ class MissingControlAttribute(Rule):
             where = (
                 "" if element is block.element or element.parent is None else f" in {element.parent.title}"
             )
-            message = f"{element.title}{where} has no `{name}`"
-            yield self.diagnostic(element, message, help=SINCE_JAZZY if name == "enable" else REFUSED)
+            does = SINCE_JAZZY if name == "enable" else REFUSED
+            yield self.diagnostic(element, f"{element.title}{where} has no `{name}`: {does}")

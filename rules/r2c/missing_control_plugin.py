@@ -17,6 +17,12 @@ class MissingControlPlugin(Rule):
     code = "R2C007"
     name = "missing-control-plugin"
     severity = Severity.ERROR
+    remedy = """Name what drives it: `<plugin>` in `<hardware>`, or in the transmission.
+
+    `mock_components/GenericSystem` is for tests without hardware, `gz_ros2_control/GazeboSimSystem` for
+    Gazebo; the driver of a real robot documents its own name. For a transmission it is
+    `transmission_interface/SimpleTransmission` or one of its kind.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 
@@ -58,11 +64,11 @@ class MissingControlPlugin(Rule):
             if element.name == "plugin":
                 yield self.diagnostic(element, f"`plugin` of {block.title} is empty")
                 continue
-            message = f"{element.title} of {block.title} has no `<plugin>`"
+            message = f"{element.title} of {block.title} has no `<plugin>`: {REFUSED}"
             place, fix = element, None
             for child in element.children():
                 if child.name == "type" or block.nearest(child.name, ("plugin",)):
                     place, message = child, f"{message}; did you mean `plugin`?"
                     fix = rename("plugin", child)
                     break
-            yield self.diagnostic(place, message, help=REFUSED, fix=fix)
+            yield self.diagnostic(place, message, fix=fix)

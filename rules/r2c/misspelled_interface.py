@@ -49,6 +49,11 @@ class MisspelledInterface(Rule):
     code = "R2C024"
     name = "misspelled-interface"
     severity = Severity.WARNING
+    remedy = """Write the name that the controller and the hardware use: mostly `position`, `velocity` or `effort`.
+
+    Sensors have names such as `orientation.x`, `angular_velocity.x`, `force.x`. For a name of your own that
+    both sides know, ignore this.
+    """
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT
 

@@ -28,6 +28,12 @@ class MixedControlGenerations(Rule):
     code = "R2C034"
     name = "mixed-control-generations"
     severity = Severity.ERROR
+    remedy = """Write hardware and plugin of the same package.
+
+    - Gazebo since Garden: `gz_ros2_control/GazeboSimSystem` and `gz_ros2_control-system`.
+    - Fortress with Humble: `ign_ros2_control/IgnitionSystem` and `ign_ros2_control-system`.
+    - Gazebo Classic: `gazebo_ros2_control/GazeboSystem` and `libgazebo_ros2_control.so`.
+    """
     affects = {Consumer.GAZEBO: warns("ignores the block")}
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT

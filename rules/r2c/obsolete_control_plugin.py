@@ -29,6 +29,10 @@ class ObsoleteControlPlugin(Rule):
     code = "R2C010"
     name = "obsolete-control-plugin"
     severity = Severity.WARNING
+    remedy = """Write the name that the plugin has now.
+
+    If one file has to serve Humble and later, choose the name by an argument of xacro.
+    """
     default = False
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT

@@ -14,6 +14,12 @@ class UnknownControlElement(Rule):
     code = "R2C005"
     name = "unknown-control-element"
     severity = Severity.ERROR
+    remedy = """Remove the element, or write it as one that the parser knows.
+
+    Those are `hardware`, `properties`, `joint`, `sensor`, `gpio` and `transmission`. Settings of the
+    hardware are `<param name="…">` in `<hardware>`; a camera is a `<sensor>`, if the hardware reads it at
+    all.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_BLOCK
 
@@ -22,7 +28,7 @@ class UnknownControlElement(Rule):
             '<«joints» name="lift"/>',
             fixed='<joint name="lift"/>',
             unsafe=True,
-            says="unknown element `joints` in ros2_control `arm`; did you mean `joint`?",
+            says="did you mean `joint`?",
         ),
         Bad("<«camera»/>", says="unknown element `camera` in ros2_control `arm`"),
         Bad(
@@ -43,5 +49,5 @@ class UnknownControlElement(Rule):
         for element, holder, place in block.foreign:
             if holder is block.element and not element.name.startswith("xacro:"):
                 near = block.nearest(element.name, place.children)
-                message = f"unknown element `{element.name}` in {block.title}"
-                yield self.diagnostic(element, message, meant=near, help=REFUSED, fix=rename(near, element))
+                message = f"unknown element `{element.name}` in {block.title}: {REFUSED}"
+                yield self.diagnostic(element, message, meant=near, fix=rename(near, element))

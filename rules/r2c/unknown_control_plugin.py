@@ -44,6 +44,10 @@ class UnknownControlPlugin(Rule):
     code = "R2C009"
     name = "unknown-control-plugin"
     severity = Severity.WARNING
+    remedy = """Write the name as the package declares it, without blanks.
+
+    It is the `name` of the `<class>` in the plugin description of the package.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 

@@ -28,6 +28,12 @@ class UnknownControlSimulator(Rule):
     code = "R2C028"
     name = "unknown-control-simulator"
     severity = Severity.WARNING
+    remedy = """Write library and class as their package calls them.
+
+    For Gazebo since Garden they are `gz_ros2_control-system` and
+    `gz_ros2_control::GazeboSimROS2ControlPlugin`, for Fortress with Humble `ign_ros2_control-system` and
+    `ign_ros2_control::IgnitionROS2ControlPlugin`, for Classic `libgazebo_ros2_control.so`.
+    """
     looks_at = (Plugin,)
     scaffold = IN_ROBOT
 

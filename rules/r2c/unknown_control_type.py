@@ -16,6 +16,11 @@ class UnknownControlType(Rule):
     code = "R2C002"
     name = "unknown-control-type"
     severity = Severity.ERROR
+    remedy = """Write `system`, `sensor` or `actuator`, in lower case.
+
+    `system` is for several joints that one device drives together, `actuator` for a single joint, `sensor`
+    for what is only read.
+    """
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 

@@ -32,6 +32,12 @@ class UnknownImuInterface(Rule):
     code = "R2C026"
     name = "unknown-imu-interface"
     severity = Severity.ERROR
+    remedy = """Write one that Gazebo fills, such as `orientation.x` or `angular_velocity.x`.
+
+    The third is `linear_acceleration.x`; all have `.y` and `.z` as well. The orientation is a quaternion
+    with `.x`, `.y`, `.z` and `.w`: yaw is computed from it. If another hardware than Gazebo's fills the
+    interface, it belongs in a block of its own.
+    """
     looks_at = (ControlInterface,)
     scaffold = IN_ROBOT
 

@@ -14,6 +14,11 @@ class WiderControlLimit(Rule):
     code = "R2C032"
     name = "wider-control-limit"
     severity = Severity.INFO
+    remedy = """Write a limit that is stricter than that of the joint, or remove it.
+
+    If the joint is the one that is too strict, raise the `<limit>` of the joint in the robot: planners read
+    that one.
+    """
     default = False
     looks_at = (ControlInterface,)
     scaffold = IN_LIFT

@@ -13,6 +13,7 @@ class DoubledSemanticName(Rule):
     code = "SRD004"
     name = "doubled-semantic-name"
     severity = Severity.WARNING
+    remedy = "Rename or remove one of them; the first one is in effect."
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

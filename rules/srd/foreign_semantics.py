@@ -16,6 +16,11 @@ class ForeignSemantics(Rule):
     code = "SRD007"
     name = "foreign-semantics"
     severity = Severity.ERROR
+    remedy = """Put the SRDF beside the robot that it is for, or let its name be that of the robot.
+
+    It is the `name` of `<robot>` in both files. For a copy of another robot's configuration, run the MoveIt
+    Setup Assistant for this one.
+    """
     looks_at = (Semantics,)
 
     bad = (

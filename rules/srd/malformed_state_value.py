@@ -14,6 +14,11 @@ class MalformedStateValue(Rule):
     code = "SRD005"
     name = "malformed-state-value"
     severity = Severity.ERROR
+    remedy = """Write one number for each degree of freedom, with a decimal point and in radians or meters.
+
+    π/2 is `1.5707963`. A planar joint has three numbers (x, y, yaw), a floating one seven. In an SRDF made
+    by xacro, `${pi/2}` works.
+    """
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

@@ -15,6 +15,10 @@ class MisplacedVirtualJoint(Rule):
     code = "SRD008"
     name = "misplaced-virtual-joint"
     severity = Severity.WARNING
+    remedy = """Write the root link of the robot as `child_link`.
+
+    To plan for an arm that stands on a mobile base, the virtual joint moves the base, not the arm.
+    """
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

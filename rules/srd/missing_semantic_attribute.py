@@ -13,6 +13,7 @@ class MissingSemanticAttribute(Rule):
     code = "SRD003"
     name = "missing-semantic-attribute"
     severity = Severity.ERROR
+    remedy = "Write the attribute that the message names."
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

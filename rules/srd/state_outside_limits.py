@@ -13,6 +13,10 @@ class StateOutsideLimits(Rule):
     code = "SRD006"
     name = "state-outside-limits"
     severity = Severity.WARNING
+    remedy = """Write a value between the limits of the joint, or correct the limits in the URDF.
+
+    Leave a margin of about 0.01 to the stop: planning refuses a state that lies a rounding error outside.
+    """
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

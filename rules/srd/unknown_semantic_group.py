@@ -13,6 +13,7 @@ class UnknownSemanticGroup(Rule):
     code = "SRD002"
     name = "unknown-semantic-group"
     severity = Severity.ERROR
+    remedy = 'Name a group that the file defines, or define it with `<group name="…">`.'
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

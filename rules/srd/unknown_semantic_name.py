@@ -15,6 +15,11 @@ class UnknownSemanticName(Rule):
     code = "SRD001"
     name = "unknown-semantic-name"
     severity = Severity.ERROR
+    remedy = """Name a link or joint of the robot, as the URDF spells it.
+
+    `sdfcheck graph joints FILE` lists them. After names have changed, run the MoveIt Setup Assistant again,
+    or rename them in the SRDF as well. In a macro, mind the prefix.
+    """
     looks_at = (Semantics,)
     scaffold = IN_SRDF
 

@@ -17,6 +17,10 @@ class ArgumentForParameter(Rule):
     code = "XAC028"
     name = "argument-for-parameter"
     severity = Severity.WARNING
+    remedy = """Read the parameter: `${side}`.
+
+    `$(arg side)` is right outside of the macro, in its call: `<xacro:leg side="$(arg side)"/>`.
+    """
     explains = (problems.ArgumentForParameter,)
     scaffold = IN_XACRO
 

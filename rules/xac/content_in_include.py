@@ -14,6 +14,11 @@ class ContentInInclude(Rule):
     code = "XAC014"
     name = "content-in-include"
     severity = Severity.WARNING
+    remedy = """Leave the include empty, and set arguments with `xacro:arg` before it.
+
+    The included file reads the arguments and properties of the file that includes it. Parameters for one
+    use each belong in a macro that the file defines.
+    """
     affects = dict.fromkeys(Consumer, warns("gets a robot description without it"))
     explains = (problems.IgnoredIncludeContent,)
     scaffold = IN_XACRO
@@ -35,9 +40,4 @@ class ContentInInclude(Rule):
     )
 
     def check(self, problem: problems.IgnoredIncludeContent) -> Iterator[Diagnostic]:
-        advice = (
-            "set an argument with `xacro:arg` before the include" if problem.element == "xacro:arg" else None
-        )
-        yield self.diagnostic(
-            problem.span, f"children of `xacro:include` are ignored: `{problem.element}`", help=advice
-        )
+        yield self.diagnostic(problem.span, f"children of `xacro:include` are ignored: `{problem.element}`")

@@ -14,6 +14,10 @@ class DeprecatedXacroFunction(Rule):
     code = "XAC017"
     name = "deprecated-xacro-function"
     severity = Severity.WARNING
+    remedy = """Call it through its module: `xacro.load_yaml(…)`, `python.range(…)`.
+
+    For ROS Melodic and before, which lack the modules, keep the bare name and ignore this.
+    """
     explains = (problems.DeprecatedFunction,)
     scaffold = IN_XACRO
 

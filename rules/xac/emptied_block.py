@@ -19,6 +19,10 @@ class EmptiedBlock(Rule):
     code = "XAC026"
     name = "emptied-block"
     severity = Severity.WARNING
+    remedy = """Write `*name` to insert the element of the call whole, in the parameters of the macro.
+
+    `**name` inserts what is inside of the element: then give it content, `<frame><origin …/></frame>`.
+    """
     explains = (problems.EmptiedBlock,)
     scaffold = IN_XACRO
 

@@ -8,7 +8,11 @@ _HELP: Mapping[str, str] = {
     "argument": "give it a value: `sdfcheck expand FILE {detail}:=…`, or under `xacro` in the configuration",
     "variable": "set it, and pass it on with `--env {detail}` or `env` in the configuration",
     "withheld": "pass it on with `--env {detail}` or `env` in the configuration",
-    "pattern": "xacro includes nothing here, and warns",
+    "file": 'correct the path, or write `optional="true"` if the file need not be there',
+    "syntax": "correct the file that is included",
+    "text": "save the file as UTF-8",
+    "pattern": "correct the pattern, or remove the include: xacro includes nothing here, and warns",
+    "recursion": "put the call into an `xacro:if` or `xacro:unless` that ends it",
     "refused": "an expansion may compute, and read files below the project and the package paths",
 }
 _MESSAGES: Mapping[str, str] = {
@@ -40,6 +44,13 @@ class ExpansionError(Rule):
     code = "XAC001"
     name = "expansion-error"
     severity = Severity.ERROR
+    remedy = """Correct the expression or the values that reach it; the notes show where they come from.
+
+    Expressions are those of Python without imports: texts need quotes, and properties are named without
+    another `${…}`. An argument gets a value by `NAME:=VALUE` after the file, or a default in
+    `<xacro:arg name="…" default="…"/>`. A condition is `true`, `false` or a number. For macros that call
+    themselves, `xacro:if` has to end them.
+    """
     explains = (problems.ExpansionFailure,)
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     scaffold = IN_XACRO

@@ -20,6 +20,11 @@ class ForgottenPrefix(Rule):
     code = "XAC029"
     name = "forgotten-prefix"
     severity = Severity.WARNING
+    remedy = """Write the prefix before the name, as where it is defined: `${prefix}palm`.
+
+    A link that another file brings under the plain name is rightly without it: give it to the macro as a
+    parameter, `parent`.
+    """
     explains = (problems.ForgottenPrefix,)
     scaffold = IN_XACRO
 

@@ -29,6 +29,10 @@ class MissingXacroPrefix(Rule):
     code = "XAC012"
     name = "missing-xacro-prefix"
     severity = Severity.ERROR
+    remedy = """Write the prefix: `xacro:property`, `xacro:macro`, `xacro:wheel`.
+
+    It belongs in the end tag as well. Files of the time before ROS Noetic lack it often.
+    """
     affects = {
         **dict.fromkeys(Consumer, warns("ignores it")),
         Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")},

@@ -9,14 +9,19 @@ ARGUMENT = '<xacro:arg name="sim" default="true"/>'
 class NeverEqualText(Rule):
     """A value is compared with a text that it can never equal.
 
-    Arguments are texts, and texts are compared letter by letter: `'true' == 'True'` is false. Of a property whose text
-    is `true` or `false` xacro makes a truth value, which equals no text: `${sim == 'true'}` is always false. Write
-    `value="${sim}"`, or `value="$(arg sim)"`.
+    Arguments are texts, and texts are compared letter by letter: `'true' == 'True'` is false.
+    Of a property whose text is `true` or `false` xacro makes a truth value, which equals no
+    text: `${sim == 'true'}` is always false.
     """
 
     code = "XAC025"
     name = "never-equal-text"
     severity = Severity.WARNING
+    remedy = """Compare with the text as it is written, or take the truth value as it is.
+
+    `<xacro:if value="$(arg sim)">` needs no comparison. In an expression, a property of `true` is `${sim}`,
+    its opposite `${not sim}`.
+    """
     explains = (problems.NeverEqualText, problems.TruthComparedWithText)
     scaffold = IN_XACRO
 

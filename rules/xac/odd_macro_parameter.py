@@ -22,6 +22,11 @@ class OddMacroParameter(Rule):
     code = "XAC024"
     name = "odd-macro-parameter"
     severity = Severity.ERROR
+    remedy = """Separate parameters by spaces, write each once, and give defaults as `name:=default`.
+
+    `params="prefix side:=left *origin"` has one that is needed, one with a default, and a block. A default
+    with spaces is in quotes: `name:='a b'`.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.OddParameter,)
     scaffold = IN_XACRO

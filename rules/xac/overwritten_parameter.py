@@ -13,6 +13,10 @@ class OverwrittenParameter(Rule):
     code = "XAC020"
     name = "overwritten-parameter"
     severity = Severity.WARNING
+    remedy = """Rename the property, or remove the parameter.
+
+    A default is written in the parameters instead: `params="side:=left"`.
+    """
     explains = (problems.OverwrittenParameter,)
     scaffold = IN_XACRO
 

@@ -13,6 +13,11 @@ class OverwrittenProperty(Rule):
     code = "XAC019"
     name = "overwritten-property"
     severity = Severity.WARNING
+    remedy = """Remove the first definition, or rename one of the two.
+
+    If the first is meant as a default, write `<xacro:property name="w" default="…"/>` after the other,
+    which takes effect only where nothing is defined.
+    """
     explains = (problems.OverwrittenProperty,)
     scaffold = IN_XACRO
 

@@ -13,6 +13,8 @@ class PrefixedMacroName(Rule):
     code = "XAC016"
     name = "prefixed-macro-name"
     severity = Severity.WARNING
+    remedy = """Remove the prefix from the name: `<xacro:macro name="leg" …>`, called as `<xacro:leg …/>`.
+    """
     explains = (problems.PrefixedMacroName,)
     scaffold = IN_XACRO
 

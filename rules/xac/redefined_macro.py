@@ -17,6 +17,10 @@ class RedefinedMacro(Rule):
     code = "XAC018"
     name = "redefined-macro"
     severity = Severity.WARNING
+    remedy = """Rename one of the macros, or remove the one that is not meant.
+
+    Two variants of one part are mostly one macro with a parameter and an `xacro:if`.
+    """
     explains = (problems.RedefinedMacro,)
     scaffold = IN_XACRO
 

@@ -14,6 +14,11 @@ class RedefinedSymbol(Rule):
     code = "XAC015"
     name = "redefined-symbol"
     severity = Severity.WARNING
+    remedy = """Choose another name for the property.
+
+    `pi`, `e`, `radians`, `sin`, `len` and the like are what expressions know. A property `pi` with the
+    value of π can simply be removed.
+    """
     explains = (problems.RedefinedSymbol,)
     scaffold = IN_XACRO
 

@@ -27,6 +27,10 @@ class UndeclaredXacroPrefix(Rule):
     code = "XAC002"
     name = "undeclared-xacro-prefix"
     severity = Severity.ERROR
+    remedy = """Declare it on the root element: `xmlns:xacro="http://www.ros.org/wiki/xacro"`.
+
+    Each file needs it, included ones as well.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndeclaredXacroPrefix,)
 

@@ -14,6 +14,7 @@ class UndefinedArgument(Rule):
     code = "XAC013"
     name = "undefined-argument"
     severity = Severity.ERROR
+    remedy = 'Declare it with `<xacro:arg name="…" default="…"/>`, or write the name that is declared.'
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedArgument,)
     scaffold = IN_XACRO

@@ -19,6 +19,11 @@ class UndefinedMacro(Rule):
     code = "XAC003"
     name = "undefined-macro"
     severity = Severity.ERROR
+    remedy = """Define the macro, include the file that defines it, or call it by its right name.
+
+    The include has to come before the call. `<xacro:include filename="$(find PACKAGE)/urdf/wheel.xacro"/>`
+    is the common form.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedMacro,)
     scaffold = IN_XACRO

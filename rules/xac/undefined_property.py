@@ -29,6 +29,12 @@ class UndefinedProperty(Rule):
     code = "XAC004"
     name = "undefined-property"
     severity = Severity.ERROR
+    remedy = """Define the property before it is read, or include the file that defines it.
+
+    `<xacro:property name="size" value="0.2"/>`. Inside a macro a value can be a parameter with a default,
+    `params="size:=0.2"`. A property that a macro defines ends with it, unless it has `scope="parent"` or
+    `scope="global"`. An argument is `$(arg size)`, not `${size}`.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedProperty, problems.UndefinedBlock)
     scaffold = IN_XACRO

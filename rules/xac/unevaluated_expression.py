@@ -14,6 +14,10 @@ class UnevaluatedExpression(Rule):
     code = "XAC010"
     name = "unevaluated-expression"
     severity = Severity.ERROR
+    remedy = """Write an expression as `${…}`, with both braces, and an argument as `$(arg …)`.
+
+    For braces that are meant, ignore this; a dollar sign before a brace that is meant is written `$${`.
+    """
     affects = dict.fromkeys(Consumer, warns("reads what is left"))
     explains = (problems.UnevaluatedExpression,)
     scaffold = IN_XACRO

@@ -30,6 +30,11 @@ class UnknownPackage(Rule):
     code = "XAC007"
     name = "unknown-package"
     severity = Severity.WARNING
+    remedy = """Say where the package is: `packages` in the configuration, or `--package NAME=PATH`.
+
+    `package-paths` names a folder of many packages, such as `src` of a workspace. A sourced workspace is
+    found through `AMENT_PREFIX_PATH` without any setting.
+    """
     affects = dict.fromkeys(Consumer, warns("gets no robot description where the package is not found"))
     explains = (problems.UnknownPackage,)
     scaffold = IN_XACRO

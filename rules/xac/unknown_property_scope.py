@@ -14,6 +14,10 @@ class UnknownPropertyScope(Rule):
     code = "XAC023"
     name = "unknown-property-scope"
     severity = Severity.WARNING
+    remedy = """Write `scope="parent"` or `scope="global"`, or leave `scope` out.
+
+    `parent` is the macro or file that called, `global` everything.
+    """
     explains = (problems.UnknownPropertyScope,)
     scaffold = IN_XACRO
 

@@ -13,6 +13,10 @@ class UnusedArgument(Rule):
     code = "XAC021"
     name = "unused-argument"
     severity = Severity.INFO
+    remedy = """Remove the argument, or read it: `$(arg speed)`.
+
+    Launch files that give it have to change with it.
+    """
     explains = (problems.UnusedArgument,)
     scaffold = IN_XACRO
 

@@ -14,6 +14,10 @@ class UnusedMacro(Rule):
     code = "XAC022"
     name = "unused-macro"
     severity = Severity.INFO
+    remedy = """Call the macro, or remove it.
+
+    A macro for other files belongs in a file of its own, without the `<robot>` that is built.
+    """
     explains = (problems.UnusedMacro,)
     scaffold = IN_XACRO
 

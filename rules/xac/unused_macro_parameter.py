@@ -15,6 +15,11 @@ class UnusedMacroParameter(Rule):
     code = "XAC009"
     name = "unused-macro-parameter"
     severity = Severity.INFO
+    remedy = """Use the parameter in the body, as `${name}`, or remove it from the macro and its calls.
+
+    Look for a literal in the body that should vary. A block is inserted by
+    `<xacro:insert_block name="origin"/>`.
+    """
     explains = (problems.UnusedMacroParameter,)
     scaffold = IN_XACRO
 

@@ -14,6 +14,10 @@ class UnusedProperty(Rule):
     code = "XAC005"
     name = "unused-property"
     severity = Severity.INFO
+    remedy = """Remove the property, or use it where its number is written out.
+
+    Look for a literal of the same value in the file: that is mostly where it was meant.
+    """
     explains = (problems.UnusedProperty,)
     scaffold = IN_XACRO
 

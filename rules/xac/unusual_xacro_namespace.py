@@ -13,6 +13,7 @@ class UnusualXacroNamespace(Rule):
     code = "XAC027"
     name = "unusual-xacro-namespace"
     severity = Severity.INFO
+    remedy = 'Write the customary name: `xmlns:xacro="http://www.ros.org/wiki/xacro"`.'
     explains = (problems.UnusualXacroNamespace,)
     scaffold = IN_XACRO
 

@@ -30,6 +30,11 @@ class WrongMacroArguments(Rule):
     code = "XAC008"
     name = "wrong-macro-arguments"
     severity = Severity.ERROR
+    remedy = """Call the macro with exactly its parameters.
+
+    Those with `:=` in the definition have a default and can be left out. A parameter `*origin` takes a
+    child element, `<origin …/>`, in the call, several of them in their order.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.WrongMacroArguments,)
     scaffold = IN_XACRO.replace("{}", _MACRO + "{}")

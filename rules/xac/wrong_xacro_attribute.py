@@ -18,6 +18,12 @@ class WrongXacroAttribute(Rule):
     code = "XAC011"
     name = "wrong-xacro-attribute"
     severity = Severity.ERROR
+    remedy = """Write the attribute that xacro asks for, or remove the one that it does not know.
+
+    `xacro:property` takes `name`, `value`, `default`, `scope` and `remove`; `xacro:if` and `xacro:unless`
+    `value`; `xacro:include` `filename`, `ns` and `optional`; `xacro:arg` `name` and `default`;
+    `xacro:macro` `name` and `params`. Notes belong in comments.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.WrongXacroAttribute,)
     scaffold = IN_XACRO
@@ -59,7 +65,6 @@ class WrongXacroAttribute(Rule):
             message,
             meant=near,
             fix=fix,
-            help="xacro ignores it, and warns",
             severity=Severity.WARNING,
             affects=_IGNORED,
         )

@@ -14,6 +14,10 @@ class XacroIncludeCycle(Rule):
     code = "XAC006"
     name = "xacro-include-cycle"
     severity = Severity.ERROR
+    remedy = """Remove the include that leads back, or put what both files need into a third one.
+
+    The notes show the way around. An include that is conditional by `xacro:if` may end.
+    """
     affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.XacroIncludeCycle,)
     scaffold = IN_XACRO

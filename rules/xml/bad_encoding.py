@@ -16,6 +16,10 @@ class BadEncoding(Rule):
     code = "XML005"
     name = "bad-encoding"
     severity = Severity.ERROR
+    remedy = """Save the file as UTF-8, and declare `encoding="UTF-8"` or nothing.
+
+    Editors offer it as "save with encoding"; `iconv -f LATIN1 -t UTF-8 old.urdf >new.urdf` converts.
+    """
     explains = (problems.EncodingDefect,)
 
     bad = (
@@ -43,7 +47,7 @@ class BadEncoding(Rule):
             message = f"bytes that are not {declared}"
             if actual:
                 message = f"`{problem.span.text}` is not stored as {declared}; the file looks like {actual}"
-            yield self.diagnostic(problem.span, message, help="save the file as UTF-8")
+            yield self.diagnostic(problem.span, message)
         else:
             message = f"the file is declared as {declared}, and is {actual}"
             if kind is Kind.UNKNOWN_ENCODING:

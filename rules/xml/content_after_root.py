@@ -16,6 +16,11 @@ class ContentAfterRoot(Rule):
     code = "XML008"
     name = "content-after-root"
     severity = Severity.ERROR
+    remedy = """Remove what is after the root element, or move it into the root.
+
+    A second robot or world belongs in a file of its own. An end tag too many mostly means that a start tag
+    is missing further up.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.ContentAfterRoot,)
 

@@ -28,6 +28,11 @@ class ContentBeforeDeclaration(Rule):
     code = "XML004"
     name = "content-before-declaration"
     severity = Severity.ERROR
+    remedy = """Move it after the declaration, or leave the declaration out.
+
+    `<?xml version="1.0"?>` has to be the first bytes of the file. A license as a comment goes on the second
+    line. A declaration is optional for UTF-8.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.LateDeclaration,)
 

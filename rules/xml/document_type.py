@@ -15,6 +15,10 @@ class DocumentType(Rule):
     code = "XML007"
     name = "document-type"
     severity = Severity.WARNING
+    remedy = """Remove the declaration, and write out the text of its entities.
+
+    Values that are used often are properties of xacro, or an `<include>` in SDFormat.
+    """
     affects = {
         Consumer.GAZEBO: {"urdf": refuses("refuses the file with urdfdom before version 4")},
         Consumer.URDFDOM: refuses("refuses the file before version 4"),

@@ -17,6 +17,10 @@ class DoubleHyphenInComment(Rule):
     code = "XML002"
     name = "double-hyphen-in-comment"
     severity = Severity.WARNING
+    remedy = """Write a single hyphen, or put spaces between the hyphens.
+
+    To switch off an element that has a comment in it, remove the inner comment, or cut the element out.
+    """
     explains = (problems.CommentHyphens,)
 
     bad = (

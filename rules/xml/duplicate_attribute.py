@@ -13,6 +13,10 @@ class DuplicateAttribute(Rule):
     code = "XML003"
     name = "duplicate-attribute"
     severity = Severity.ERROR
+    remedy = """Remove one of the two attributes.
+
+    Keep the value that is meant; if both are, one of them has the wrong name.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.RepeatedAttribute,)
 

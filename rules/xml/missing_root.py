@@ -17,6 +17,10 @@ class MissingRoot(Rule):
     code = "XML011"
     name = "missing-root"
     severity = Severity.ERROR
+    remedy = """Put `<sdf version="…">` around the content, or rename the root to `sdf`.
+
+    For the version take that of the program that wrote the file; 1.9 suits Gazebo Fortress and later.
+    """
     affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
 

@@ -68,6 +68,20 @@ LABELS = {
     Kind.MERGE_CONFLICT: "up to here",
     Kind.SECOND_DECLARATION: "the first one",
 }
+ADVICE = {
+    Kind.UNCLOSED_ELEMENT: "write `</{name}>` where the element ends",
+    Kind.EXTRA_END_TAG: "remove it, or write the start tag that it belongs to",
+    Kind.MISSING_START_TAG: "write `<{name}>` where the element begins, or remove its end tag",
+    Kind.TRUNCATED: "complete the file: it was cut off, or its last end tags were lost",
+    Kind.UNCLOSED_VALUE: "write the quote at the end of the value",
+    Kind.UNCLOSED_COMMENT: "write `-->` where the comment ends",
+    Kind.NESTED_COMMENT: "remove the inner comment, or end the outer one before it",
+    Kind.ILLEGAL_CHARACTER: "remove the character",
+    Kind.MERGE_CONFLICT: "keep one of the two sides, and remove the lines of marks",
+    Kind.TEXT_OUTSIDE_ROOT: "remove the text, or make a comment of it",
+    Kind.SECOND_DECLARATION: "remove it",
+}
+"""The help of those without a replacement where the rule's own would not fit."""
 WRITTEN = {
     Kind.MISMATCHED_END_TAG: ("{name}", "write `{name}`"),
     Kind.MISSING_SLASH: ("</{name}>", "write `</{name}>`"),
@@ -116,6 +130,12 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
     code = "XML001"
     name = "syntax-error"
     severity = Severity.ERROR
+    remedy = """Complete the XML at the marked place: each `<tag>` needs its `</tag>`, each value its quotes.
+
+    The place is where the text no longer fits; the missing part is often a few lines above it, at the tag
+    that the label marks. A merge conflict is solved by keeping one of the two sides and removing the lines
+    of `<<<<<<<`, `=======` and `>>>>>>>`. Editors that know XML close tags by themselves.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.SyntaxDefect,)
 
@@ -214,8 +234,16 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             is_closed = kind is Kind.EXTRA_END_TAG and other.text == name
             labels = {other: "closed here already" if is_closed else LABELS[kind].format(name=name)}
         severity = Severity.WARNING if kind is Kind.ODD_VERSION else None
-        fix = fix_for(problem)
-        yield self.diagnostic(span, message, severity=severity, labels=labels, fix=fix, affects=affects)
+        advice = ADVICE[kind].format(name=name) if kind in ADVICE else None
+        yield self.diagnostic(
+            span,
+            message,
+            severity=severity,
+            labels=labels,
+            fix=fix_for(problem),
+            help=advice,
+            affects=affects,
+        )
 
 
 def missing_end(span: Span, text: str, name: str) -> str:

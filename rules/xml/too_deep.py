@@ -13,6 +13,11 @@ class TooDeep(Rule):
     code = "XML010"
     name = "too-deep"
     severity = Severity.ERROR
+    remedy = """Close the elements earlier: a description has some ten levels.
+
+    Look for a tag without end that repeats, such as a generator in a loop or a macro that wraps its own
+    result. Nested models can be included from files instead.
+    """
     affects = dict.fromkeys(Consumer, warns("some versions refuse the file"))
     explains = (problems.TooDeep,)
 

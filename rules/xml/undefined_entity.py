@@ -31,6 +31,11 @@ class UndefinedEntity(Rule):
     code = "XML006"
     name = "undefined-entity"
     severity = Severity.WARNING
+    remedy = """Write `&amp;` for the character `&`, and any other character as itself.
+
+    In attributes `<` is `&lt;`, and a double quote in double quotes `&quot;`. A space that does not break
+    is `&#160;`.
+    """
     affects = dict.fromkeys(Consumer, warns("keeps it as it is written"))
     explains = (problems.UnknownEntity,)
 
@@ -73,7 +78,7 @@ class UndefinedEntity(Rule):
         if name.startswith("#"):
             message = f"`{span.text}` is a character that XML does not allow"
             reads = dict.fromkeys(Consumer, warns("reads the character"))
-            yield self.diagnostic(span, **unless_xacro(span, message, affects=reads))
+            yield self.diagnostic(span, help="remove it", **unless_xacro(span, message, affects=reads))
             return
         text, end = span.source.text, span.start + 1
         if text[span.start - 1 : span.start] == "&":

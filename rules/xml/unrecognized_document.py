@@ -13,6 +13,11 @@ class UnrecognizedDocument(Rule):
     code = "XML009"
     name = "unrecognized-document"
     severity = Severity.ERROR
+    remedy = """Correct the root element, or exclude the file: `exclude = ["…"]` in the configuration.
+
+    The root of SDFormat is `<sdf version="…">`, of URDF `<robot name="…">`. A file of another format with
+    the same ending is best excluded by its folder.
+    """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnrecognizedDocument,)
 
