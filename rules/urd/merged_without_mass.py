@@ -22,6 +22,12 @@ class MergedWithoutMass(Rule):
     code = "URD027"
     name = "merged-without-mass"
     severity = Severity.ERROR
+    remedy = """Leave the `<inertial>` without mass out, or give it the mass of the part.
+
+    A link without `<inertial>` is merged without a division, so a mere frame needs none. Where the part has
+    mass, weigh it or take its volume × density; `sdfcheck rule missing-inertial` says how to get the
+    moments.
+    """
     affects = {Consumer.GAZEBO: REFUSES}
     looks_at = (Link,)
     selects = ("urdf:robot/link",)
@@ -52,5 +58,4 @@ class MergedWithoutMass(Rule):
             f"`{link.name}` and `{other.name}` have no mass when libsdformat merges them: "
             "their center of mass is 0/0"
         )
-        advice = "leave its `<inertial>` out, or give it mass"
-        yield self.diagnostic(target or link, message, labels={other: "the link above"}, help=advice)
+        yield self.diagnostic(target or link, message, labels={other: "the link above"})

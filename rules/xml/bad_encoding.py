@@ -16,9 +16,10 @@ class BadEncoding(Rule):
     code = "XML005"
     name = "bad-encoding"
     severity = Severity.ERROR
-    remedy = """Save the file as UTF-8, and declare `encoding="UTF-8"` or nothing.
+    remedy = """Save the file as UTF-8.
 
-    Editors offer it as "save with encoding"; `iconv -f LATIN1 -t UTF-8 old.urdf >new.urdf` converts.
+    The declaration says `encoding="UTF-8"` or nothing. Editors offer it as "save with encoding";
+    `iconv -f LATIN1 -t UTF-8 old.urdf >new.urdf` converts.
     """
     explains = (problems.EncodingDefect,)
 
