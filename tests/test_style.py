@@ -69,15 +69,15 @@ def functions(path: Path) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
 
 
 def rule_length(path: Path) -> int:
-    """Lines of the classes of a rule's module, without their examples."""
+    """Lines of the classes of a rule's module, without their examples and the way to fix them."""
     length = 0
     for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.ClassDef):
-            length += lines(node) - sum(lines(part) for part in node.body if is_examples(part))
+            length += lines(node) - sum(lines(part) for part in node.body if is_for_the_page(part))
     return length
 
 
-def is_examples(node: ast.stmt) -> bool:
+def is_for_the_page(node: ast.stmt) -> bool:
     targets = (
         node.targets
         if isinstance(node, ast.Assign)
@@ -85,7 +85,7 @@ def is_examples(node: ast.stmt) -> bool:
         if isinstance(node, ast.AnnAssign)
         else []
     )
-    return any(isinstance(target, ast.Name) and target.id in {"bad", "good"} for target in targets)
+    return any(isinstance(target, ast.Name) and target.id in {"bad", "good", "remedy"} for target in targets)
 
 
 def check(found: dict[str, int], limit: int, exceptions: dict[str, str]) -> None:
