@@ -30,11 +30,10 @@ class DuplicateName(Rule):
     code = "NAM001"
     name = "duplicate-name"
     severity = Severity.ERROR
-    remedy = """Rename one of them, and the references that mean it.
+    remedy = """Rename one of them and the references that mean it, or remove one of two that are alike.
 
-    Editors with the language server of sdfcheck rename both at once. If they are copies of one thing,
-    remove one. For two copies of a part use a prefix in a macro of xacro, or a nested model for each, which
-    has a scope of its own.
+    Editors with the language server of sdfcheck rename both at once. For two copies of a part use a prefix
+    in a macro of xacro, or a nested model for each, which has a scope of its own.
     """
     affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Root,)

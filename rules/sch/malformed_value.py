@@ -68,11 +68,11 @@ class MalformedValue(Rule):
     code = "SCH011"
     name = "malformed-value"
     severity = Severity.ERROR
-    remedy = """Write what the place takes: plain numbers, separated by spaces, or `true` or `false`.
+    remedy = """Write a value of this type, without its unit; `sdfcheck describe ELEMENT` shows type and unit.
 
     Numbers have a decimal point, no unit, and are separated by spaces. Truth values are `true`, `false`,
     `1` or `0`. Expressions of xacro need `sdfcheck expand` or xacro first, those of other templates their
-    own program. `sdfcheck describe ELEMENT` shows type and unit.
+    own program.
     """
     affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MalformedValue,)

@@ -84,15 +84,15 @@ class ExpansionError(Rule):
 
     def check(self, problem: problems.ExpansionFailure) -> Iterator[Diagnostic]:
         kind = problem.kind.value
-        advice = _HELP.get(kind, "").format(detail=problem.detail) or None
+        reason = problem.reason
+        advice = _HELP.get(kind, "").format(detail=problem.detail) or (None if reason is None else "")
         is_dormant = problem.is_dormant and kind != "pattern"
         own = dict(unless_reached(is_dormant=is_dormant, help=advice))
-        reason = problem.reason
         labels = {reason.place: reason.label} if reason and reason.place else {}
         if problem.cause not in {None, problem.span}:
             labels[problem.cause] = "here"
         if kind == "argument" and reason is not None:
-            own["help"] = None
+            own["help"] = ""
         elif kind in {"argument", "pattern"}:
             own["severity"] = Severity.WARNING
         if kind == "pattern":

@@ -104,5 +104,10 @@ class Diagnostic(NamedTuple):
         return self._replace(severity=Severity.WARNING) if self.severity is Severity.ERROR else self
 
     @property
+    def without_fix(self) -> Diagnostic:
+        """The same for a text that must not be edited: the title of its fix says what to do."""
+        return self if self.fix is None else self._replace(fix=None, help=self.help or self.fix.title)
+
+    @property
     def sort_key(self) -> tuple[str, int, int, str, str]:
         return (self.span.source.path.as_posix(), self.span.start, self.span.end, self.code, self.message)

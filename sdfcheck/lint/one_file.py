@@ -143,7 +143,7 @@ def lint_included(
         return (), 0
     steps = tuple(Origin(uri.span, "included here") for uri in reversed(document.included_by))
     found = [
-        diagnostic._replace(origins=(*diagnostic.origins, *steps), fix=None)
+        diagnostic.without_fix._replace(origins=(*diagnostic.origins, *steps))
         for diagnostic in lint_document(document, book.dispatch(settings, path))
     ]
     kept, silenced = _silence(result(found, document), book, settings, path)
@@ -187,7 +187,7 @@ def _without_fixes_of(comments: Sequence[Comment], found: Sequence[Diagnostic]) 
         own = (edit.span for edit in fix.edits if comments and edit.span.source is comments[0].span.source)
         return not any(True for span in own for _ in touched(comments, span))
 
-    return [each if each.fix is None or is_free(each.fix) else each._replace(fix=None) for each in found]
+    return [each if each.fix is None or is_free(each.fix) else each.without_fix for each in found]
 
 
 def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Directive, str], bool]:

@@ -95,7 +95,7 @@ class Rule:
 
         ``meant`` is the name that was probably meant at the target: the message asks whether it was,
         and an unsafe fix writes it, if no other ``fix`` is given.
-        Without a ``fix`` or a ``help``, the first sentence of ``remedy`` says how to correct it.
+        The first sentence of ``remedy`` is the help of one without a fix; an empty ``help`` leaves it out.
         ``severity`` is given only where it depends on the case; so is what consumers do in
         ``affects``, for some of those that the rule names. ``missing`` and ``cause``: see :class:`Diagnostic`.
         """
@@ -110,7 +110,7 @@ class Rule:
             span_of(target),
             tuple(Label(span_of(place), text) for place, text in (labels or {}).items()),
             fix,
-            advice(self.remedy) if help is None and fix is None else help,
+            advice(self.remedy) if help is None and fix is None else help or None,
             origins,
             tuple((consumer.value, reaction) for consumer, reaction in (affects or {}).items()),
             missing,

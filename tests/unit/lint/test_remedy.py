@@ -46,6 +46,16 @@ def test_the_help_of_the_finding_is_kept(span: Span) -> None:
     assert Helpful().diagnostic(span, "wrong", help="do this").help == "do this"
 
 
+def test_a_message_may_say_what_to_do(span: Span) -> None:
+    assert Helpful().diagnostic(span, "write `b`", help="").help is None
+
+
+def test_a_fix_that_may_not_be_made_is_advice(span: Span) -> None:
+    found = Helpful().diagnostic(span, "wrong", fix=replace(span, "b", "write `b`")).without_fix
+    assert (found.fix, found.help) == (None, "write `b`")
+    assert found.without_fix is found
+
+
 def test_a_fix_says_what_to_do(span: Span) -> None:
     assert Helpful().diagnostic(span, "wrong", fix=replace(span, "b", "write `b`")).help is None
     assert Helpful().diagnostic(span, "wrong", meant="b").help is None
