@@ -15,6 +15,7 @@ from sdfcheck import (
     refuses,
     warns,
 )
+from sdfcheck_rules.nam.taken import is_free
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 ASIDE = {
@@ -82,11 +83,13 @@ class ClashingName(Rule):
 
     @staticmethod
     def applies(root: Root) -> bool:
-        return any(first.kind != later.kind for first, later in root.names.shared)
+        return any(
+            first.kind != later.kind and not is_free(first, later, root) for first, later in root.names.shared
+        )
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for first, later in root.names.shared:
-            if first.kind == later.kind:
+            if first.kind == later.kind or is_free(first, later, root):
                 continue
             is_custom = ":" in first.kind or ":" in later.kind
             makes_frame = (first.makes_frame or later.makes_frame) and not is_custom

@@ -14,6 +14,14 @@ from sdfcheck import (
     Severity,
     accepts,
 )
+from sdfcheck_rules.nam.taken import is_free
+
+LEFT_OUT = (
+    '<robot name="r"><link name="a"><inertial><mass value="1"/>'
+    '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="b"/>'
+    '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'
+    '<gazebo><joint name="j" type="fixed"><parent>world</parent><child>a</child></joint></gazebo></robot>'
+)
 
 UNAWARE = (Consumer.DRAKE, Consumer.URDFDOM, Consumer.MUJOCO)
 """The consumers that do not read `<gazebo>` blocks."""
@@ -55,15 +63,20 @@ class DuplicateName(Rule):
             '<plugin name="p" filename="a"/><plugin name="p" filename="b"/>',
             why="the names of plugins are free",
         ),
+        Good(
+            LEFT_OUT, why="libsdformat leaves the joint out with its child, which has no mass", scaffold="{}"
+        ),
     )
 
     @staticmethod
     def applies(root: Root) -> bool:
-        return any(first.kind == later.kind for first, later in root.names.shared)
+        return any(
+            first.kind == later.kind and not is_free(first, later, root) for first, later in root.names.shared
+        )
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for first, later in root.names.shared:
-            if first.kind != later.kind:
+            if first.kind != later.kind or is_free(first, later, root):
                 continue
             where = "the file" if later.parent.name == "sdf" else later.parent.title
             yield self.diagnostic(

@@ -123,7 +123,7 @@ def _unexpanded(value: Value) -> Mapping[Consumer, Reaction]:
 
 
 def _is_free(element: Element) -> bool:
-    """May it say anything: what is in it is for plugins, or it is no element of URDF and nobody reads it?"""
+    """May it say anything: what is in it is for plugins, or is it not an element of URDF, so that nobody reads it?"""
     path = [element.name, *(each.name for each in element.around)]
     return bool(_FREE.intersection(path)) or urdf().at("/".join(path[-2::-1])) is None
 
