@@ -10,6 +10,9 @@ HUGE = 3.0
 """m: a robot lighter than helium whose shapes are longer is in millimeters as a whole."""
 LEAST = 1.0
 """m: smaller shapes are not that of a machine in millimeters."""
+LARGEST = 100.0
+"""m: in 549 public robots with joints and meshes the longest shape is 0.05 to 2 m long; machines in millimeters have
+one of more than this, wherever their joints are."""
 
 
 class OversizedShape(Rule):
@@ -47,6 +50,12 @@ class OversizedShape(Rule):
             files={"arm.obj": wedge(0.3)},
             says="the box is 200 m long",
         ),
+        Bad(
+            mesh("visual", "«arm.obj»"),
+            scaffold=ARM.replace("0 0 0.3", "0 0 300"),
+            files={"arm.obj": wedge(300)},
+            says="the mesh `arm.obj` is 300 m long, and parts of robots are shorter than 100 m: is it in millimeters?",
+        ),
     )
     good = (
         Good(mesh("visual", "arm.obj", ' scale="0.001 0.001 0.001"'), files={"arm.obj": wedge(300)}),
@@ -70,6 +79,8 @@ class OversizedShape(Rule):
         if max(box.size) <= MOST * model.reach:
             compared = (
                 f"{kind} `{model.name}` has {model.density:.2g} kg/m³ within its shapes, less than any gas"
+                if is_thin(model)
+                else f"parts of robots are shorter than {LARGEST:.0f} m"
             )
         yield self.diagnostic(
             place or shape,
@@ -85,12 +96,19 @@ def written_size(shape: Shape) -> Value | None:
     return next((each.value for each in measures if each.is_given), None)
 
 
+def is_thin(model: Model) -> bool:
+    """Is it lighter than any gas of its size?"""
+    return model.is_out_of_scale and model.density < 1
+
+
 def oversized(model: Model) -> list[Shape]:
     """The shapes that are too long for the robot."""
     if not model.joints or model.may_be_static or not model.has_mesh:
         return []
     most = max(MOST * model.reach, LEAST) if model.reach > 0.005 else inf
-    if model.is_out_of_scale and model.density < 1:
+    if model.is_urdf:
+        most = min(most, LARGEST)
+    if is_thin(model):
         most = HUGE
     return [
         shape

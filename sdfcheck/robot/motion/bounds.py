@@ -94,6 +94,18 @@ def with_fixed(link: Link) -> Box | None:
     return around(found) if link.extent is not None else None
 
 
+def distance_between(link: Link, other: Link) -> float:
+    """How far the shapes of two links of URDF are apart at least (m), all joints at zero; 0 where that is not known.
+
+    By the box around the one and that around the box of the other, in the frame of the first.
+    """
+    frame, pose = link.at_rest, other.at_rest
+    if frame is None or pose is None or link.extent is None or other.extent is None:
+        return 0.0
+    corners = (frame.seen(pose.applied_to((x, y, z))) for x, y, z in other.extent.corners())
+    return link.extent.distance_to(of_points(corners))
+
+
 def placement_of(part: Part, link: Link) -> Origin:
     """The pose of a visual, collision or inertial in its link; raises DescriptionError."""
     if part.is_urdf:

@@ -6,7 +6,7 @@ Without numpy: lint merges links with it, and numpy takes longer to load than mo
 from __future__ import annotations
 
 import math
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias, cast
 
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.errors import DescriptionError
@@ -14,8 +14,15 @@ from sdfcheck.robot.parts.solids import Moments
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
+if TYPE_CHECKING:
+    from sdfcheck.robot.graph import Node
+    from sdfcheck.robot.parts.joint import Joint
+
 Triple: TypeAlias = tuple[float, float, float]
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
+
+_DEEPEST = 200
+"""Joints above one that are followed."""
 
 UNTURNED: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -42,6 +49,12 @@ class Origin(NamedTuple):
         """A point of the inner frame (m), in the outer one."""
         x, y, z = self.turned(point)
         return x + self.position[0], y + self.position[1], z + self.position[2]
+
+    def seen(self, point: Triple) -> Triple:
+        """A point of the outer frame (m), in the inner one."""
+        x, y, z = (at - start for at, start in zip(point, self.position, strict=True))
+        (a, b, c), (d, e, f), (g, h, i) = self.rotation
+        return a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z
 
     def turned_moments(self, moments: Moments) -> Moments:
         """Moments along the axes of the inner frame, along those of the outer one."""
@@ -83,6 +96,36 @@ def pose_in(pose: Element | None) -> Origin:
     if attributes.get("degrees", "").strip().lower() in {"true", "1"}:
         turn = [math.radians(angle) for angle in turn]
     return Origin(of_rpy(*turn), (x, y, z))
+
+
+def in_model(joint: Joint) -> Origin | None:
+    """Where a joint is in its model, all joints at zero; None where it hangs on nothing. Raises DescriptionError."""
+    link = joint.child_link
+    if link is None:
+        return None
+    if not joint.is_urdf:
+        return _in_sdf(joint)
+    found, at = origin_in(joint.element), joint.parent_link
+    for _ in range(_DEEPEST):
+        above = at.parent_joints[0] if at is not None and at.parent_joints else None
+        if above is None:
+            return found
+        found, at = origin_in(above.element).followed_by(found), above.parent_link
+    return None
+
+
+def _in_sdf(joint: Joint) -> Origin | None:
+    """The same in SDFormat, as far as it is relative to what is in the same model."""
+    found, at = Origin(), cast("Node", joint)
+    for _ in range(_DEEPEST):
+        found = pose_in(at.pose_element).followed_by(found)
+        base = at.base
+        if base is None or base is joint.scope:
+            return found if base is not None or not at.base_name else None
+        if base.scope is not joint.scope or base.kind == "model":
+            return None
+        at = base
+    return None
 
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Rows:

@@ -10,6 +10,7 @@ from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model
+    from sdfcheck.robot.motion.origin import Origin, Triple
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.link import Link
     from sdfcheck.robot.parts.sensor import Sensor
@@ -432,6 +433,27 @@ class Joint(Node):
     def moves(self) -> bool:
         """Is it of a type of URDF that lets its child move?"""
         return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"
+
+    @lazy
+    def at_rest(self) -> Origin | None:
+        """Its pose in its model with all joints at zero, in plain numbers; None where that is not known."""
+        from sdfcheck.robot.errors import DescriptionError
+        from sdfcheck.robot.motion.origin import in_model
+
+        try:
+            return in_model(self)
+        except DescriptionError:
+            return None
+
+    @property
+    def direction(self) -> Triple | None:
+        """The direction of its first axis in its model, of length 1, with all joints at zero; None if not known."""
+        xyz = self.axis.xyz
+        length = math.hypot(*xyz)
+        if self.at_rest is None or len(xyz) != 3 or not 0 < length < math.inf or self.axis.expressed_in:
+            return None
+        x, y, z = (number / length for number in xyz)
+        return self.at_rest.turned((x, y, z))
 
     screw_thread_pitch = number("screw_thread_pitch", 1.0, "Of a screw: m of travel per turn.")
     thread_pitch = number(

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from sdfcheck.bodies.box import Box
     from sdfcheck.robot.graph import Model
     from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.origin import Origin
     from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint
@@ -501,6 +502,20 @@ class Link(Node):
         from sdfcheck.robot.motion.bounds import with_fixed
 
         return with_fixed(self)
+
+    def distance_to(self, other: Link) -> float:
+        """How far the shapes of another link are from its own (m), at least, all joints at zero; 0 if not known."""
+        from sdfcheck.robot.motion.bounds import distance_between
+
+        return distance_between(self, other)
+
+    @property
+    def at_rest(self) -> Origin | None:
+        """Its pose in its robot of URDF with all joints at zero, in plain numbers; None where that is not known."""
+        from sdfcheck.robot.motion.origin import Origin as Pose
+
+        joints = self.parent_joints
+        return joints[0].at_rest if joints else Pose()
 
     def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
         """The box around shapes that are all known; None in a macro of xacro, where more may be added."""

@@ -5,11 +5,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Part
-from sdfcheck.robot.motion.origin import Origin, origin_in, pose_in
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Value
 from sdfcheck.source.record import NamedTuple
@@ -233,8 +231,6 @@ _RIGHT = ("right_joint", "rightJoint")
 _SEPARATION = ("wheel_separation", "wheelSeparation")
 _RADIUS = ("wheel_radius", "wheelRadius")
 _DIAMETER = ("wheel_diameter", "wheelDiameter")
-_DEEPEST = 200
-"""Joints above a wheel that are followed."""
 
 
 class Wheel(NamedTuple):
@@ -303,50 +299,9 @@ def _driven_model(plugin: Plugin) -> Model | None:
 
 def _wheel(model: Model, name: str) -> Wheel | None:
     joint = model.joints_by_name.get(name)
-    xyz = joint.axis.xyz if joint is not None else ()
-    length = math.hypot(*xyz)
-    if joint is None or joint.axis_count != 1 or len(xyz) != 3 or not 0 < length < math.inf:
+    if joint is None or joint.axis_count != 1 or joint.at_rest is None or joint.direction is None:
         return None
-    if joint.axis.expressed_in:
-        return None
-    try:
-        pose = _in_model(joint)
-    except DescriptionError:
-        return None
-    if pose is None:
-        return None
-    x, y, z = (number / length for number in xyz)
-    return Wheel(joint, pose.position, pose.turned((x, y, z)), wheel_radius(joint))
-
-
-def _in_model(joint: Joint) -> Origin | None:
-    """Where a joint is in its model; None where it hangs on nothing. Raises DescriptionError."""
-    link = joint.child_link
-    if link is None:
-        return None
-    if not joint.is_urdf:
-        return _in_sdf(joint)
-    found, at = origin_in(joint.element), joint.parent_link
-    for _ in range(_DEEPEST):
-        above = at.parent_joints[0] if at is not None and at.parent_joints else None
-        if above is None:
-            return found
-        found, at = origin_in(above.element).followed_by(found), above.parent_link
-    return None
-
-
-def _in_sdf(joint: Joint) -> Origin | None:
-    """The same in SDFormat, as far as it is relative to what is in the same model."""
-    found, at = Origin(), cast("Node", joint)
-    for _ in range(_DEEPEST):
-        found = pose_in(at.pose_element).followed_by(found)
-        base = at.base
-        if base is None or base is joint.scope:
-            return found if base is not None or not at.base_name else None
-        if base.scope is not joint.scope or base.kind == "model":
-            return None
-        at = base
-    return None
+    return Wheel(joint, joint.at_rest.position, joint.direction, wheel_radius(joint))
 
 
 def wheel_radius(joint: Joint) -> float:

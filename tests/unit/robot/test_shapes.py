@@ -120,3 +120,34 @@ def test_a_submesh_and_a_mesh_that_is_not_there_have_no_bounds(tmp_path: Path) -
     )
     file.write_text(f'<sdf version="1.12"><model name="m"><link name="l">{shapes}</link></model></sdf>')
     assert sdfcheck.load(file).models[0].link("l").bounds is None
+
+
+def test_where_joints_and_links_are_at_rest() -> None:
+    text = (
+        '<robot name="r"><link name="a"><visual><geometry><box size="2 2 2"/></geometry></visual></link>'
+        '<link name="b"/><link name="c"><visual><geometry><box size="1 4 1"/></geometry></visual></link>'
+        '<joint name="j" type="revolute"><origin xyz="0 0 5" rpy="0 0 1.5707963267948966"/><parent link="a"/>'
+        '<child link="b"/><axis xyz="2 0 0"/></joint>'
+        '<joint name="k" type="prismatic"><origin xyz="7 0 0"/><parent link="b"/><child link="c"/>'
+        '<axis xyz="0 1 0"/></joint></robot>'
+    )
+    model = sdfcheck.parse(text).models[0]
+    first, second = model.joints
+    assert first.direction == pytest.approx((0, 1, 0))
+    assert second.at_rest is not None
+    assert second.at_rest.position == pytest.approx((0, 7, 5))
+    assert second.direction == pytest.approx((-1, 0, 0))
+    assert second.at_rest.seen(second.at_rest.applied_to((1, 2, 3))) == pytest.approx((1, 2, 3))
+    a, b, c = model.links
+    assert a.distance_to(c) == c.distance_to(a) == pytest.approx(math.hypot(5.5, 3.5))
+    assert a.distance_to(b) == 0
+
+
+def test_a_joint_with_a_wrong_number_is_nowhere() -> None:
+    text = (
+        '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><origin xyz="0 0 x"/>'
+        '<parent link="a"/><child link="b"/></joint></robot>'
+    )
+    (joint,) = sdfcheck.parse(text).models[0].joints
+    assert joint.at_rest is None
+    assert joint.direction is None

@@ -1,0 +1,102 @@
+from collections.abc import Iterator
+from math import inf
+
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Link, Model, Rule, Severity, warns
+from sdfcheck_rules.geo.detached_collision import gap
+from sdfcheck_rules.geo.oversized_shape import LARGEST
+from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
+from sdfcheck_rules.geo.undersized_shapes import LEAST as SMALLEST
+
+MOST = 0.35
+"""Of the length of the link: of 5,000 links that joints carry, in public robots with meshes, none is farther off."""
+LEAST = 0.01
+"""m: what is nearer may be held by a part that is not drawn."""
+
+
+class DetachedLink(Rule):
+    """A link that a joint carries touches no other link of its robot.
+
+    Parts of a machine hang together. Where one floats, the origin of its joint, or that of its shapes, is not
+    where it belongs, or is in another unit. Robots are looked at with meshes on this computer, and where the size
+    of every shape is known; all joints are at zero.
+    """
+
+    code = "GEO015"
+    name = "detached-link"
+    severity = Severity.WARNING
+    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
+    needs = ("<mesh", ":mesh")
+    scaffold = ARM
+
+    bad = (
+        Bad(
+            mesh("visual", "arm.obj"),
+            scaffold=ARM.replace('"0 0 0.3"', '"«0 0 0.6»"'),
+            files={"arm.obj": wedge(0.3)},
+            says="link `arm` is 0.55 m away from all other links, and is 0.3 m long",
+        ),
+    )
+    good = (
+        Good(
+            mesh("visual", "arm.obj"),
+            scaffold=ARM.replace("0 0 0.3", "0 0 0.1"),
+            files={"arm.obj": wedge(0.3)},
+        ),
+        Good(
+            mesh("visual", "arm.obj") + mesh("visual", "missing.obj"),
+            files={"arm.obj": wedge(0.3)},
+            why="the size of the other mesh is not known",
+        ),
+    )
+
+    @staticmethod
+    def applies(model: Model) -> bool:
+        return bool(detached(model))
+
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        for joint, link, distance in detached(model):
+            origin = joint.find("origin")
+            value = None if origin is None else origin.attribute("xyz")
+            yield self.diagnostic(
+                value or joint,
+                f"{link.title} is {distance:.3g} m away from all other links, and is {length(link):.3g} m long",
+                labels={link: "the link", link.shapes[0]: "the first of its shapes"},
+            )
+
+
+def detached(model: Model) -> list[tuple[Joint, Link, float]]:
+    """The links that touch none, each with the joint that carries it and its distance from the others (m)."""
+    if not model.joints or not model.has_mesh:
+        return []
+    drawn = [link for link in model.links if link.shapes]
+    if len(drawn) < 2 or any(link.extent is None for link in drawn):
+        return []
+    found = []
+    for joint in model.joints:
+        link = joint.child_link
+        if link is None or not joint.moves or not link.shapes or link.parent_joints[:1] != (joint,):
+            continue
+        if not length(link) < LARGEST or link.size_to_reach < SMALLEST or gap(link):
+            continue
+        bound = max(LEAST, MOST * length(link))
+        others = [other for other in (joint.parent_link, *drawn) if other is not None and other is not link]
+        distance = nearest(link, others, bound)
+        if bound < distance < inf:
+            found.append((joint, link, distance))
+    return found
+
+
+def nearest(link: Link, others: list[Link], bound: float) -> float:
+    """How far the nearest link is (m); not more than the bound where one is within that, or at an unknown place."""
+    least = inf
+    for other in others:
+        if other.shapes and not (least := min(least, link.distance_to(other))) > bound:
+            break
+    return least
+
+
+def length(link: Link) -> float:
+    """The greatest length of its shapes (m)."""
+    return max(link.extent.size) if link.extent is not None else 0.0
