@@ -49,3 +49,21 @@ def rover(
         f"<left_joint>{left}_joint</left_joint><right_joint>{right}_joint</right_joint>{given}</plugin>"
     )
     return f'<robot name="r"><link name="base"/>{wheels}<gazebo>{plugin}</gazebo></robot>'
+
+
+def car(*, base: str) -> str:
+    """A robot with four wheels in URDF, whose axles are 0.5 m apart, and the plugin of a mecanum drive."""
+    wheels, names = "", ""
+    for end, x in (("front", 0.25), ("back", -0.25)):
+        for side, y in (("left", 0.2), ("right", -0.2)):
+            wheel = f"{end}_{side}_joint"
+            wheels += (
+                f'<link name="{end}_{side}"/><joint name="{wheel}" type="continuous"><origin xyz="{x} {y} 0"/>'
+                f'<parent link="base"/><child link="{end}_{side}"/><axis xyz="0 1 0"/></joint>'
+            )
+            names += f"<{wheel}>{wheel}</{wheel}>"
+    plugin = (
+        '<plugin filename="gz-sim-mecanum-drive-system" name="gz::sim::systems::MecanumDrive">'
+        f"{names}<wheelbase>{base}</wheelbase><wheel_separation>0.4</wheel_separation></plugin>"
+    )
+    return f'<robot name="r"><link name="base"/>{wheels}<gazebo>{plugin}</gazebo></robot>'

@@ -9,7 +9,8 @@ NEAR = 0.02
 LEAST = 2
 """Other pairs whose limits and axes agree, so that the robot is known to be symmetric."""
 JOINT = (
-    '<link name="{0}_{1}"><visual><geometry><sphere radius="0.1"/></geometry></visual></link><joint name="{0}_{1}_joint" type="revolute"><origin xyz="0 {2} {3}"/><parent link="base"/>'
+    '<link name="{0}_{1}"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>'
+    '<joint name="{0}_{1}_joint" type="revolute"><origin xyz="0 {2} {3}"/><parent link="base"/>'
     '<child link="{0}_{1}"/><axis xyz="{4}"/><limit lower="{5}" upper="{6}" effort="1" velocity="1"/></joint>'
 )
 LEGS = (

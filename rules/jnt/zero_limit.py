@@ -20,7 +20,8 @@ class ZeroLimit(Rule):
     """The effort or the velocity of a joint is limited to zero, so that nothing can drive it.
 
     Exporters write 0 where nobody has entered a number. Controllers and planners take it as the
-    limit that it is; a joint that only swings freely is not affected.
+    limit that it is; a joint that only swings freely is not affected. Where something drives the joint, powerless-joint
+    says so.
     """
 
     code = "JNT016"
@@ -59,16 +60,20 @@ class ZeroLimit(Rule):
 
     @staticmethod
     def applies(limit: Limit) -> bool:
-        if not zeros(limit) or not limit.joint.moves:
+        if not zeros(limit) or not limit.joint.moves or is_locked(limit):
             return False
-        is_locked = limit.lower == limit.upper and limit.range[0] == limit.range[1]
-        return not is_locked and limit.axis.limit is limit
+        return limit.axis.limit is limit and limit.joint.driver is None
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         found = zeros(limit)
         names, (first, *_) = " and ".join(found), found.values()
         verb = "are" if len(found) > 1 else "is"
         yield self.diagnostic(first, f"{names} of {limit.joint.title} {verb} limited to 0")
+
+
+def is_locked(limit: Limit) -> bool:
+    """Does it leave one position only?"""
+    return limit.lower == limit.upper and limit.range[0] == limit.range[1]
 
 
 def zeros(limit: Limit) -> dict[str, Number]:

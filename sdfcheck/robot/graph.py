@@ -1480,6 +1480,13 @@ class Model(Scope):
         return found
 
     @lazy
+    def drivers(self) -> dict[Joint, Part]:
+        """The joints that something moves on command, each with the first that does."""
+        from sdfcheck.robot.parts.control import drivers_in
+
+        return drivers_in(self)
+
+    @lazy
     def control_by_name(self) -> dict[str, Ros2Control]:
         """The ``ros2_control`` blocks of a URDF robot, by name; of two of one name the first."""
         found: dict[str, Ros2Control] = {}

@@ -430,6 +430,11 @@ class Joint(Node):
         return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
 
     @property
+    def driver(self) -> Part | None:
+        """One that moves it on command: its joint in ``ros2_control``, a transmission, or a plugin of Gazebo."""
+        return self.model.drivers.get(self) if self.model is not None else None
+
+    @property
     def moves(self) -> bool:
         """Is it of a type of URDF that lets its child move?"""
         return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"

@@ -37,6 +37,13 @@ class PluginReference(NamedTuple):
     node: Node | None
 
     @property
+    def joint(self) -> Joint | None:
+        """The joint that has the name."""
+        from sdfcheck.robot.parts.joint import Joint
+
+        return self.node if isinstance(self.node, Joint) else None
+
+    @property
     def is_unresolved(self) -> bool:
         """Does it reach no joint or link of its kind, or a joint that libsdformat merges away?"""
         return self.node is None or self.node.kind != self.kind or _is_lumped(self.node)
@@ -150,8 +157,9 @@ class Plugin(Part):
 
     @lazy
     def drive(self) -> Drive | None:
-        """The differential drive that it makes, where it names one wheel on each side, and both are known."""
-        if "drive" not in self.filename.lower():
+        """The drive that it makes, where it names the wheels on each side, and they are known."""
+        name = self.filename.lower()
+        if "drive" not in name and "steering" not in name:
             return None
 
         return drive_of(self)
@@ -226,10 +234,11 @@ class Plugin(Part):
 # Differential drives: what the parameters of a plugin say, and where the wheels are.
 
 
-_LEFT = ("left_joint", "leftJoint")
-_RIGHT = ("right_joint", "rightJoint")
+_LEFT = ("left_joint", "leftJoint", "front_left_joint", "back_left_joint")
+_RIGHT = ("right_joint", "rightJoint", "front_right_joint", "back_right_joint")
 _SEPARATION = ("wheel_separation", "wheelSeparation")
 _RADIUS = ("wheel_radius", "wheelRadius")
+_BASE = ("wheel_base", "wheelbase")
 _DIAMETER = ("wheel_diameter", "wheelDiameter")
 
 
@@ -245,7 +254,7 @@ class Wheel(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """A drive with one wheel on each side."""
+    """A drive with one wheel on each side, or with several whose distance along the robot it takes as well."""
 
     left: Wheel
     right: Wheel
@@ -255,12 +264,25 @@ class Drive(NamedTuple):
     separation: Element | None
     radius: Element | None
     """The parameter of the radius or the diameter."""
+    base: Element | None = None
+    """The parameter of the distance of the axles."""
+    rear: Wheel | None = None
+    """The other wheel on the left."""
 
     @property
     def distance(self) -> float:
         """How far to the left of the right wheel the left one is, along its axis (m)."""
         pairs = zip(self.left.position, self.right.position, self.left.axis, strict=True)
         return sum((left - right) * along for left, right, along in pairs)
+
+    @property
+    def axle_distance(self) -> float:
+        """How far the wheels on the left are apart, across their axis (m); nan where there is one."""
+        if self.rear is None:
+            return math.nan
+        apart = [a - b for a, b in zip(self.left.position, self.rear.position, strict=True)]
+        along = sum(step * axis for step, axis in zip(apart, self.left.axis, strict=True))
+        return math.sqrt(max(0.0, math.hypot(*apart) ** 2 - along**2))
 
     @property
     def written_radius(self) -> float:
@@ -270,19 +292,22 @@ class Drive(NamedTuple):
 
 
 def drive_of(plugin: Plugin) -> Drive | None:
-    """The drive that a plugin makes; None for other plugins, several wheels a side, and what is not known."""
+    """The drive that a plugin makes; None for other plugins, more wheels a side, and what is not known."""
     model = _driven_model(plugin)
     given: dict[str, list[Element]] = {}
     for parameter in plugin.parameters:
         given.setdefault(parameter.name, []).append(parameter)
-    left, right = _only(given, _LEFT), _only(given, _RIGHT)
-    if model is None or left is None or right is None:
+    lefts, rights = ([each for name in names for each in given.get(name, ())] for names in (_LEFT, _RIGHT))
+    base = _only(given, _BASE)
+    if model is None or not 0 < len(lefts) == len(rights) <= (1 if base is None else 2):
         return None
-    wheels = [_wheel(model, name.content.strip()) for name in (left, right)]
-    if wheels[0] is None or wheels[1] is None or wheels[0].joint is wheels[1].joint:
+    wheels = [_wheel(model, name.content.strip()) for name in (lefts[0], rights[0], *lefts[1:])]
+    first, second, *rear = wheels
+    if first is None or second is None or first.joint is second.joint:
         return None
     radius = _only(given, (*_RADIUS, *_DIAMETER))
-    return Drive(wheels[0], wheels[1], left, right, _only(given, _SEPARATION), radius)
+    separation = _only(given, _SEPARATION)
+    return Drive(first, second, lefts[0], rights[0], separation, radius, base, rear[0] if rear else None)
 
 
 def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | None:

@@ -1,0 +1,84 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, accepts, warns
+from sdfcheck_rules.jnt.zero_limit import is_locked, zeros
+
+JOINT = (
+    '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="revolute"><parent link="a"/>'
+    '<child link="b"/><axis xyz="0 0 1"/>{}</joint>'
+)
+DRIVEN = (
+    JOINT
+    + '<ros2_control name="c" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>'
+    '<joint name="j"><command_interface name="position"/></joint></ros2_control></robot>'
+)
+TRANSMITTED = (
+    JOINT + '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j"/>'
+    "</transmission></robot>"
+)
+
+
+class PowerlessJoint(Rule):
+    """A joint that something drives has an effort or a velocity of 0.
+
+    Exporters write 0 where nobody has entered a number. Simulators take it for the limit that it is, so that the joint
+    does not follow its commands; planners find no way to move it, and Drake makes no actuator for a transmission.
+    Of 2,761 joints that are driven in public robots one has such a limit, in a test of Drake.
+    """
+
+    code = "JNT025"
+    name = "powerless-joint"
+    severity = Severity.WARNING
+    affects = {
+        Consumer.GAZEBO: warns("does not move the joint"),
+        Consumer.URDFDOM: accepts("takes it as it is"),
+    }
+    looks_at = (Limit,)
+
+    bad = (
+        Bad(
+            '<limit lower="-1" upper="1" effort="«0»" velocity="0"/>',
+            scaffold=DRIVEN,
+            says="effort and velocity of joint `j` are limited to 0, and `ros2_control` drives it",
+        ),
+        Bad(
+            '<limit lower="-1" upper="1" effort="5" velocity="«0»"/>',
+            scaffold=TRANSMITTED,
+            says="velocity of joint `j` is limited to 0, and `transmission` drives it",
+        ),
+    )
+    good = (
+        Good('<limit lower="-1" upper="1" effort="5" velocity="1"/>', scaffold=DRIVEN),
+        Good(
+            '<limit lower="-1" upper="1" effort="0" velocity="0"/>',
+            scaffold=DRIVEN.replace("command_interface", "state_interface"),
+            why="only its state is read",
+        ),
+        Good(
+            '<limit lower="-1" upper="1" effort="0" velocity="0"/>',
+            scaffold=IN_URDF_JOINT,
+            why="nothing drives it",
+        ),
+    )
+
+    @staticmethod
+    def applies(limit: Limit) -> bool:
+        return (
+            bool(zeros(limit))
+            and limit.joint.moves
+            and limit.joint.driver is not None
+            and not is_locked(limit)
+        )
+
+    def check(self, limit: Limit) -> Iterator[Diagnostic]:
+        found, driver = zeros(limit), limit.joint.driver
+        if driver is None:
+            return
+        names, (first, *_) = " and ".join(found), found.values()
+        verb = "are" if len(found) > 1 else "is"
+        what = "ros2_control" if driver.kind == "component" else driver.kind
+        yield self.diagnostic(
+            first,
+            f"{names} of {limit.joint.title} {verb} limited to 0, and `{what}` drives it",
+            labels={driver: "drives it"},
+        )
