@@ -12,9 +12,11 @@ import json
 import math
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
+from urllib.parse import unquote
 
 from sdfcheck.bodies.box import Box, around
 from sdfcheck.files.regular import MEGABYTE, read_regular
@@ -32,6 +34,8 @@ ENDINGS = {".stl": "STL", ".obj": "OBJ", ".dae": "COLLADA", ".gltf": "glTF", ".g
 """Ending of a file's name → the format that it promises."""
 _DEPTH = 200
 """Nodes in nodes that are followed."""
+_MOST_FILES = 100
+"""Files that one names."""
 _MOST = 20_000
 """Parts of one file that are placed."""
 
@@ -50,6 +54,8 @@ class Mesh(NamedTuple):
     """m for each unit of length in the file, which COLLADA alone says; it is applied to ``bounds``."""
     is_upright: bool = True
     """Do consumers agree on its axes? Not for glTF, which has y up."""
+    files: tuple[str, ...] = ()
+    """The files that it names: libraries of materials, pictures, buffers."""
 
 
 class Faulty(ValueError):
@@ -152,7 +158,10 @@ def _read_obj(data: bytes) -> Mesh:
     triangles = sum(max(len(face.split()) - 2, 0) for face in faces)
     if not triangles:
         raise Faulty("has no face")
-    return Mesh("OBJ", _bounds(corners), triangles)
+    named = re.findall(rb"^[ \t]*mtllib[ \t]+(.+?)[ \t\r]*$", data, re.MULTILINE)
+    return Mesh(
+        "OBJ", _bounds(corners), triangles, files=_names(name.decode(errors="replace") for name in named)
+    )
 
 
 def _read_collada(data: bytes) -> Mesh:
@@ -192,7 +201,10 @@ class _Collada:
                 boxes.append(corners @ transform[:3, :3].T + transform[:3, 3])
         if not boxes:
             raise Faulty("has no triangle")
-        return Mesh("COLLADA", _bounds(np.concatenate(boxes) * meter), triangles, unit=meter)
+        named = (each for image in self._all(self.root, "image") for each in self._all(image, "init_from"))
+        texts = (each.text or "".join(ref.text or "" for ref in self._all(each, "ref")) for each in named)
+        files = _names(unquote(text).strip().removeprefix("file://") for text in texts)
+        return Mesh("COLLADA", _bounds(np.concatenate(boxes) * meter), triangles, unit=meter, files=files)
 
     def _placed(self) -> Iterator[tuple[Points, Any]]:
         """Each geometry with its 4×4 transform; without a scene, all as they are."""
@@ -330,7 +342,14 @@ def _read_gltf(data: bytes) -> Mesh:
         boxes.append(corners @ transform[:3, :3].T + transform[:3, 3])
     if not boxes:
         raise Faulty("has no triangle")
-    return Mesh("glTF", _bounds(np.concatenate(boxes)), triangles, is_upright=False)
+    named = (each.get("uri", "") for kind in ("buffers", "images") for each in document.get(kind, ()))
+    files = _names(unquote(name) for name in named if not name.startswith("data:"))
+    return Mesh("glTF", _bounds(np.concatenate(boxes)), triangles, is_upright=False, files=files)
+
+
+def _names(found: Iterable[str]) -> tuple[str, ...]:
+    """The first names that are not empty, each once."""
+    return tuple(dict.fromkeys(islice((name.strip() for name in found if name.strip()), _MOST_FILES)))
 
 
 def _gltf_primitives(document: Mapping[str, Any]) -> Iterator[tuple[Points, Mapping[str, Any]]]:
@@ -422,7 +441,7 @@ def mesh_at(path: Path, read: Read = read_regular) -> Mesh:
     return found
 
 
-_EDITION = 1
+_EDITION = 3
 """To be counted up whenever files are measured in another way."""
 
 
@@ -455,7 +474,8 @@ def _kept(place: Path | None, key: str) -> Mesh | None:
     try:
         said, form, low, high, *rest = json.loads(read_regular(place, MEGABYTE))
         box = Box(tuple(low), tuple(high)) if low else None
-        return Mesh(form, box, *rest) if said == key else None
+        found = Mesh(form, box, *rest)
+        return found._replace(files=tuple(found.files)) if said == key else None
     except (OSError, ValueError, TypeError):
         return None
 

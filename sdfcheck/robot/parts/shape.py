@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.graph import Part
@@ -9,6 +10,8 @@ from sdfcheck.robot.parts import solids
 from sdfcheck.robot.values import Number, Vector, lazy, number
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from sdfcheck.bodies.box import Box
     from sdfcheck.bodies.mesh import Mesh
     from sdfcheck.robot.motion.poses import Pose
@@ -189,6 +192,15 @@ class Geometry(Part):
         return mesh_at(path, lambda file, limit: library.read(file, self.document, limit))
 
     @lazy
+    def missing_files(self) -> tuple[str, ...]:
+        """The files that its mesh file names, such as pictures, and that are not where it says."""
+        from sdfcheck.files.uris import locate
+
+        names = self.mesh.files if self.mesh is not None else ()
+        path = locate(self.document, self.uri).path if names else None
+        return () if path is None else tuple(name for name in names if not _is_beside(path, name))
+
+    @lazy
     def box(self) -> Box | None:
         """The box around it along its own axes (m), in plain numbers; None where its size is not known."""
         from sdfcheck.robot.motion.bounds import of_geometry
@@ -253,6 +265,19 @@ class Geometry(Part):
             return shape.attribute(name)
         child = shape.find(name)
         return child.own_value if child is not None else None
+
+
+_PICTURES = "../materials/textures"
+"""Where Gazebo looks for the pictures of a mesh, from its folder, if they are not there."""
+
+
+def _is_beside(path: Path, name: str) -> bool:
+    """Is there a file of this name, relative to a mesh? Some formats take several names with blanks between."""
+
+    def is_there(each: str) -> bool:
+        return any(os.path.isfile(path.parent / folder / each) for folder in ("", _PICTURES))
+
+    return is_there(name) or all(map(is_there, name.split()))
 
 
 class Surface(Part):

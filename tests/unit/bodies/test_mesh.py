@@ -221,3 +221,35 @@ def test_boxes() -> None:
     assert box.distance_to(Box((0.5, 1, 1), (9, 9, 9))) == 0
     assert around([None, box, Box((-1, 1, 1), (0, 1, 9))]) == Box((-1, 0, 0), (1, 2, 9))
     assert around([None]) is None
+
+
+COLLADA_WITH_PICTURES = """
+<COLLADA><library_images>
+<image><init_from>file://a%20b.png</init_from><extra><k>Map</k></extra></image>
+<image><init_from><ref>c.png</ref></init_from></image></library_images>
+<geometry id="g"><mesh><source id="p"><float_array>0 0 0 1 0 0 0 1 1</float_array></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1"/></mesh></geometry></COLLADA>
+"""
+GLTF_WITH_BUFFERS = """
+{"asset": {}, "buffers": [{"uri": "a%20b.bin"}, {"uri": "data:;base64,AA=="}], "images": [{"uri": "c.png"}],
+"accessors": [{"count": 3, "min": [0, 0, 0], "max": [1, 1, 1]}], "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "files"),
+    [
+        (
+            "a.obj",
+            "mtllib a b.mtl\r\nmtllib c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n",
+            ("a b.mtl", "c.mtl"),
+        ),
+        ("a.dae", COLLADA_WITH_PICTURES, ("a b.png", "c.png")),
+        ("a.gltf", GLTF_WITH_BUFFERS, ("a b.bin", "c.png")),
+    ],
+)
+def test_the_files_that_a_mesh_names(tmp_path: Path, name: str, text: str, files: tuple[str, ...]) -> None:
+    (tmp_path / name).write_bytes(text.encode())
+    assert read_mesh(tmp_path / name).files == files
+    assert [mesh_at(tmp_path / name).files for _ in range(2)] == [files, files]
