@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from sdfcheck.formats.topology import Displaced
     from sdfcheck.robot.includes.included import Included
     from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.origin import Origin
     from sdfcheck.robot.motion.poses import Pose
     from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.motion.tree import Tree
@@ -1478,6 +1479,13 @@ class Model(Scope):
                 if name:
                     found.setdefault(name, []).append(joint)
         return found
+
+    @lazy
+    def poses_at_rest(self) -> dict[Link, Origin]:
+        """The poses of the links of a robot of URDF in its root, all joints at zero, in plain numbers."""
+        from sdfcheck.robot.motion.origin import links_at_rest
+
+        return links_at_rest(self)
 
     @lazy
     def drivers(self) -> dict[Joint, Part]:

@@ -6,6 +6,7 @@ Without numpy: lint merges links with it, and numpy takes longer to load than mo
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from typing import TYPE_CHECKING, TypeAlias, cast
 
 from sdfcheck.formats.sdf.values import floats
@@ -15,8 +16,9 @@ from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Node
+    from sdfcheck.robot.graph import Model, Node
     from sdfcheck.robot.parts.joint import Joint
+    from sdfcheck.robot.parts.link import Link
 
 Triple: TypeAlias = tuple[float, float, float]
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
@@ -100,18 +102,29 @@ def pose_in(pose: Element | None) -> Origin:
 
 def in_model(joint: Joint) -> Origin | None:
     """Where a joint is in its model, all joints at zero; None where it hangs on nothing. Raises DescriptionError."""
-    link = joint.child_link
-    if link is None:
+    if joint.child_link is None or joint.model is None:
         return None
     if not joint.is_urdf:
         return _in_sdf(joint)
-    found, at = origin_in(joint.element), joint.parent_link
-    for _ in range(_DEEPEST):
-        above = at.parent_joints[0] if at is not None and at.parent_joints else None
-        if above is None:
-            return found
-        found, at = origin_in(above.element).followed_by(found), above.parent_link
-    return None
+    parent = joint.parent_link
+    frame = Origin() if parent is None else joint.model.poses_at_rest.get(parent)
+    return None if frame is None else frame.followed_by(origin_in(joint.element))
+
+
+def links_at_rest(model: Model) -> dict[Link, Origin]:
+    """The poses of the links of a robot of URDF in its root, all joints at zero; those that are known."""
+    tree = model.tree
+    found: dict[Link, Origin] = {}
+    waiting = [(root, Origin()) for root in tree.roots]
+    while waiting:
+        link, pose = waiting.pop()
+        found[link] = pose
+        for joint in tree.children.get(link, ()):
+            child = joint.child_link
+            if child is not None and tree.parents[child][0] is joint:
+                with suppress(DescriptionError):
+                    waiting.append((child, pose.followed_by(origin_in(joint.element))))
+    return found
 
 
 def _in_sdf(joint: Joint) -> Origin | None:

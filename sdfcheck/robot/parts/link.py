@@ -512,10 +512,7 @@ class Link(Node):
     @property
     def at_rest(self) -> Origin | None:
         """Its pose in its robot of URDF with all joints at zero, in plain numbers; None where that is not known."""
-        from sdfcheck.robot.motion.origin import Origin as Pose
-
-        joints = self.parent_joints
-        return joints[0].at_rest if joints else Pose()
+        return self.model.poses_at_rest.get(self)
 
     def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
         """The box around shapes that are all known; None in a macro of xacro, where more may be added."""
