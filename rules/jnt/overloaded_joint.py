@@ -103,7 +103,7 @@ def weights(model: Model) -> dict[Joint, list[float]]:
 
 
 def load_of(joint: Joint, carried: list[float] | None) -> float:
-    """What gravity asks of a joint (N·m or N), if that is several times its effort; else 0."""
+    """The torque or force of gravity on a joint (N·m or N), if that is several times its effort; else 0."""
     place, axis = joint.at_rest, joint.direction
     if carried is None or place is None or axis is None:
         return 0.0

@@ -7,7 +7,7 @@ MOST = 0.1
 """Of the distance: that of the wheels on one axle differs by less in 55 of 57 drives of public robots."""
 
 
-class MismatchedWheelBase(Rule):
+class MismatchedAxleDistance(Rule):
     """The axles of a vehicle are not as far apart as the plugin says.
 
     The plugin of an Ackermann or mecanum drive computes angles of steering, speeds of the wheels and odometry from
@@ -15,7 +15,7 @@ class MismatchedWheelBase(Rule):
     """
 
     code = "GEO016"
-    name = "mismatched-wheel-base"
+    name = "mismatched-axle-distance"
     severity = Severity.WARNING
     preview = True
     affects = {Consumer.GAZEBO: warns("turns by another angle")}
