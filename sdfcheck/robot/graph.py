@@ -1408,6 +1408,10 @@ class Builder(Protocol[Built_co]):
         """The robot that it makes of one."""
 
 
+_DRIVING = ("drive", "controller", "steering", "thruster")
+"""Words in the names of libraries of Gazebo that move joints."""
+
+
 class Model(Scope):
     """A model of SDFormat, or the robot of a URDF file.
 
@@ -1490,9 +1494,22 @@ class Model(Scope):
     @lazy
     def drivers(self) -> dict[Joint, Part]:
         """The joints that something moves on command, each with the first that does."""
-        from sdfcheck.robot.parts.control import drivers_in
+        found: dict[Joint, Part] = {}
+        for joint, driver in self._drives():
+            if joint is not None:
+                found.setdefault(joint, driver)
+        return found
 
-        return drivers_in(self)
+    def _drives(self) -> Iterator[tuple[Joint | None, Part]]:
+        for components in self.control_joints.values():
+            yield from ((component.joint, component) for component in components if component.commands)
+        for transmission in self.transmissions:
+            names = transmission.joint_names
+            yield from ((self.joints_by_name.get(name.text), transmission) for name in names)
+        for element in self.root.elements.get("plugin", ()):
+            plugin = cast("Plugin", self.root.part_of(element))
+            if plugin.kind == "plugin" and any(word in plugin.filename.lower() for word in _DRIVING):
+                yield from ((each.joint, plugin) for each in plugin.references if each.model is self)
 
     @lazy
     def control_by_name(self) -> dict[str, Ros2Control]:

@@ -438,31 +438,3 @@ def _is_sound(value: Value, attribute: UrdfAttribute) -> bool:
     if attribute.choices:
         return text in attribute.choices
     return attribute.name not in _COUNTS or (text.isdecimal() and int(text) > 0)
-
-
-# Joints that something drives.
-
-
-_DRIVING = ("drive", "controller", "steering", "thruster")
-"""Words in the names of libraries of Gazebo that move joints."""
-
-
-def drivers_in(model: Model) -> dict[Joint, Part]:
-    """The joints of a model that something moves on command, each with the first that does."""
-    found: dict[Joint, Part] = {}
-    for joint, driver in _drives(model):
-        if joint is not None:
-            found.setdefault(joint, driver)
-    return found
-
-
-def _drives(model: Model) -> Iterator[tuple[Joint | None, Part]]:
-    from sdfcheck.robot.parts.plugin import Plugin
-
-    for components in model.control_joints.values():
-        yield from ((component.joint, component) for component in components if component.commands)
-    for transmission in model.transmissions:
-        yield from ((model.joints_by_name.get(each.text), transmission) for each in transmission.joint_names)
-    for plugin in model.root.each(Plugin):
-        if any(word in plugin.filename.lower() for word in _DRIVING):
-            yield from ((each.joint, plugin) for each in plugin.references if each.model is model)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.graph import Model, Part
 from sdfcheck.robot.values import lazy
@@ -39,9 +39,7 @@ class PluginReference(NamedTuple):
     @property
     def joint(self) -> Joint | None:
         """The joint that has the name."""
-        from sdfcheck.robot.parts.joint import Joint
-
-        return self.node if isinstance(self.node, Joint) else None
+        return cast("Joint", self.node) if self.node is not None and self.node.kind == "joint" else None
 
     @property
     def is_unresolved(self) -> bool:
