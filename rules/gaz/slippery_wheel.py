@@ -34,6 +34,11 @@ class SlipperyWheel(Rule):
     code = "GAZ018"
     name = "slippery-wheel"
     severity = Severity.WARNING
+    remedy = """Give the wheel friction: 1 is rubber on a floor.
+
+    In SDFormat it is `<surface><friction><ode><mu>1</mu><mu2>1</mu2>` in the collision, in URDF `<mu1>` and
+    `<mu2>` in a `<gazebo>` block about the link.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("spins the wheel in place")}
     looks_at = (Plugin,)

@@ -24,6 +24,11 @@ class DetachedLink(Rule):
     code = "GEO015"
     name = "detached-link"
     severity = Severity.WARNING
+    remedy = """Move the joint to where the link meets its parent, or the shapes to the origin of the link.
+
+    The `origin` of a joint is in the frame of its parent link, in meters; that of a visual or collision is in the
+    frame of its own link. `sdfcheck view FILE` shows the gap.
+    """
     affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     selects = ("urdf:robot",)

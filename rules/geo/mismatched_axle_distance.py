@@ -17,6 +17,10 @@ class MismatchedAxleDistance(Rule):
     code = "GEO016"
     name = "mismatched-axle-distance"
     severity = Severity.WARNING
+    remedy = """Write the distance of the front axle from the rear one, which the joints of the wheels have.
+
+    If the number is right, move the joints.
+    """
     preview = True
     affects = {Consumer.GAZEBO: warns("turns by another angle")}
     looks_at = (Plugin,)

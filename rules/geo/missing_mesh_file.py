@@ -23,6 +23,11 @@ class MissingMeshFile(Rule):
     code = "GEO017"
     name = "missing-mesh-file"
     severity = Severity.WARNING
+    remedy = """Put the file where the mesh says, or export the mesh again with its pictures.
+
+    Paths in mesh files are relative to the folder of the mesh. If the colors do not matter, give the visual a
+    `material` of its own.
+    """
     preview = True
     affects = dict.fromkeys(Consumer, warns("draws it without its colors"))
     looks_at = (Model,)

@@ -30,6 +30,11 @@ class OverloadedJoint(Rule):
     code = "JNT026"
     name = "overloaded-joint"
     severity = Severity.INFO
+    remedy = """Compare the masses below the joint with the machine, then the effort with its drive.
+
+    `sdfcheck inertia FILE` lists the masses in kg; the effort is in N·m, or in N for a slide. If a spring or a
+    counterweight carries the load, ignore this finding.
+    """
     affects = dict.fromkeys(Consumer, warns("lets it give way"))
     looks_at = (Model,)
     selects = ("urdf:robot",)

@@ -29,6 +29,11 @@ class PowerlessJoint(Rule):
     code = "JNT025"
     name = "powerless-joint"
     severity = Severity.WARNING
+    remedy = """Write the greatest effort (N·m, or N of a slide) and velocity (rad/s or m/s) of the drive.
+
+    They are on the data sheet of the motor, after the gearbox. For a joint that nothing should move, take it out of
+    what drives it.
+    """
     affects = {
         Consumer.GAZEBO: warns("does not move the joint"),
         Consumer.URDFDOM: accepts("takes it as it is"),

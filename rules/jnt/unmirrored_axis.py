@@ -42,6 +42,11 @@ class UnmirroredAxis(Rule):
     code = "JNT024"
     name = "unmirrored-axis"
     severity = Severity.WARNING
+    remedy = """Turn the axis around, or exchange and negate the limits.
+
+    The mirror image of a turn about x or z is about the opposite axis, that of a turn about y about the same one.
+    `sdfcheck view FILE` moves both joints: with the same position they should be each other's mirror image.
+    """
     affects = dict.fromkeys(Consumer, warns("turns it the other way"))
     looks_at = (Model,)
     selects = ("urdf:robot",)

@@ -18,6 +18,10 @@ class MergedMeshes(Rule):
     code = "MUJ006"
     name = "merged-meshes"
     severity = Severity.ERROR
+    remedy = """Give the files different names.
+
+    Or set `strippath` to false, and write paths from the folder of the robot, without `package://`.
+    """
     default = False
     affects = {Consumer.MUJOCO: warns("gives both links one shape")}
     looks_at = (Model,)
