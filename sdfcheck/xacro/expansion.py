@@ -346,7 +346,9 @@ class Expander:
     def walls(self) -> Mapping[str, bool]:
         """The parts of the system that lock an expansion up, and whether they do so here."""
         here = Path.cwd()
-        answer = self._ask(Packages(here), path="", text="", arguments={}, partial=False, unprefixed=[], texts={})
+        answer = self._ask(
+            Packages(here), path="", text="", arguments={}, partial=False, unprefixed=[], texts={}
+        )
         walls: Mapping[str, bool] = answer["walls"]
         return walls
 

@@ -31,7 +31,7 @@ _FROM_ELSEWHERE = frozenset({"argument", "macro", "property"})
 
 
 class Undecided(Exception):
-    """What is asked for depends on a placeholder."""
+    """An expression, condition or address depends on a placeholder."""
 
 
 class Cautious(Interpreter):
@@ -70,7 +70,7 @@ class Perseverance:
         return self._attempt(text[1:], self._extend, text)
 
     def _attempt(self, text: str, function: Any, *arguments: Any) -> object:
-        """What a function gives for a text after its dollar, or the placeholder for it."""
+        """The value that a function gives for a text after its dollar, or the placeholder for it."""
         try:
             if MARK not in text:
                 return function(*arguments)
