@@ -39,6 +39,10 @@ def partly(folder: Path, content: str, limits: Limits | None = None) -> Expansio
         return expander.expand_partly(document)
 
 
+def kinds(expansion: Expansion) -> list[Failure]:
+    return [each.kind for each in expansion.problems if isinstance(each, ExpansionFailure)]
+
+
 @pytest.mark.parametrize(
     ("content", "root", "cause"),
     [
@@ -132,9 +136,7 @@ def test_a_block_is_not_evaluated_where_it_is_put(tmp_path: Path) -> None:
 def test_one_argument_and_one_folder_are_one_problem_each(tmp_path: Path) -> None:
     links = "".join(f'<link name="$(arg p)_{number}"/>' for number in range(3))
     tables = "".join(f"<link name=\"${{xacro.load_yaml('no_such/{number}.yaml')}}\"/>" for number in range(3))
-    problems = partly(tmp_path, links + tables).problems
-    kinds = [each.kind for each in problems if isinstance(each, ExpansionFailure)]
-    assert kinds == [Failure.ARGUMENT, Failure.FILE]
+    assert kinds(partly(tmp_path, links + tables)) == [Failure.ARGUMENT, Failure.FILE]
 
 
 def test_few_failures_are_reported(tmp_path: Path) -> None:
@@ -155,7 +157,7 @@ def test_few_failures_are_reported(tmp_path: Path) -> None:
 def test_nothing_goes_on_after_what_is_refused(tmp_path: Path, content: str) -> None:
     done = partly(tmp_path, f'<link name="$(arg p)"/>{content}')
     assert done.document is None
-    assert [problem.kind for problem in done.problems] in (
+    assert kinds(done) in (
         [Failure.REFUSED],
         [Failure.LIMIT],
         [Failure.RECURSION],
@@ -165,7 +167,7 @@ def test_nothing_goes_on_after_what_is_refused(tmp_path: Path, content: str) -> 
 def test_the_time_is_limited_as_ever(tmp_path: Path) -> None:
     loop = '<link name="${python.sum(1 for a in range(10**4) for b in range(10**4))}"/>'
     done = partly(tmp_path, f'<link name="$(arg p)"/>{loop}', Limits(cpu=1, wall=3))
-    assert [problem.kind for problem in done.problems] == [Failure.LIMIT]
+    assert kinds(done) == [Failure.LIMIT]
 
 
 def test_elements_without_the_prefix_are_taken_as_if_they_had_it(tmp_path: Path) -> None:
