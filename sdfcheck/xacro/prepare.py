@@ -114,7 +114,8 @@ def prepare(
     if outcomes and all(map(_lacks_packages_only, outcomes)):
         found = list(_unreached(found, document, shown))
     if not any(map(_stops, found)):
-        failures = [problem for each in (*expansions, *parts.values()) for problem in each.problems]
+        known = [*expansions, *(part for part in parts.values() if part.document is not None)]
+        failures = [problem for each in known for problem in each.problems]
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
     documents = tuple(_documents(expansions, document))
     explained = [with_reason(problem, document) for problem in _merged(found)]

@@ -8,6 +8,7 @@ a condition that nobody can decide, stay in the result as they are.
 from __future__ import annotations
 
 import os
+import re
 from typing import Any
 
 from sdfcheck.xacro.process import failure
@@ -28,6 +29,9 @@ _DECISIONS = frozenset(
 """Elements of xacro that bring no names but those of the properties in them."""
 _FROM_ELSEWHERE = frozenset({"macro", "property"})
 """The kinds of name that an element may define that is left as it is."""
+
+
+_WORD = re.compile(r"[^\W\d]\w*")
 
 
 class Undecided(Exception):
@@ -160,11 +164,16 @@ class Perseverance:
         for each in [element, *element.getElementsByTagName("*")]:
             name = each.getAttribute("name")
             if each.tagName == "xacro:property":
-                table = symbols
-                while table is not symbols.root:
-                    table._setitem(name, f"{MARK}{{{name}}}", unevaluated=False)
-                    table = table.parent if each.hasAttribute("scope") else symbols.root
+                for word in _WORD.findall(name):  # one, or what expressions make of a name that is none
+                    self._forget(word, symbols, is_outward=each.hasAttribute("scope"))
             elif each.tagName.startswith("xacro:") and each.tagName not in _DECISIONS:
                 self._is_open = True
                 if each.tagName == "xacro:macro":
                     macros.pop(name, None)
+
+    def _forget(self, name: str, table: Any, *, is_outward: bool) -> None:
+        """Let a property have no value in a table, and outside of it if that ``is_outward``."""
+        root = table.root
+        while table is not root:
+            table._setitem(name, f"{MARK}{{{name}}}", unevaluated=False)
+            table = table.parent if is_outward else root

@@ -192,3 +192,36 @@ def test_expand_refuses_what_xacro_refuses(tmp_path: Path) -> None:
     document = read(file.read_bytes(), file, Kind.XACRO)
     with Expander() as expander:
         assert expander.expand(document).document is None
+
+
+def test_settings_of_gazebo_in_a_branch_are_not_urdf(tmp_path: Path) -> None:
+    branch = '<gazebo><xacro:if value="false"><light name="l" type="point"/></xacro:if></gazebo>'
+    assert found(tmp_path, f'<link name="a">{MASS}</link>{branch}') == []
+
+
+def test_an_element_that_is_left_may_hold_what_is_lacking(tmp_path: Path) -> None:
+    links = '<link name="a"><inertial><mass value="1"/><xacro:gone/></inertial></link>'
+    assert found(tmp_path, f'<xacro:include filename="$(find no_such)/i.xacro"/>{links}') == [
+        ("XAC007", "no_such")
+    ]
+
+
+def test_shapes_of_links_that_are_not_known_may_hold_the_mass(tmp_path: Path) -> None:
+    off = MASS.replace("<mass", '<origin xyz="1 0 0"/><mass')
+    box = '<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision>'
+    link = f'<link name="a">{off}{box}</link>'
+    assert ("INR013", "1 0 0") in found(tmp_path, link)
+    assert ("INR013", "1 0 0") not in found(tmp_path, f'{link}<link name="$(arg p)b"/>')
+
+
+def test_comments_before_elements_of_xacro_are_dropped(tmp_path: Path) -> None:
+    content = '<!-- one: two --><xacro:arg name="a" default=""/><link name="a"><x>$(arg p)</x></link>'
+    done = partly(tmp_path, content)
+    assert done.text is not None
+    assert "one: two" not in done.text
+
+
+def test_a_name_with_a_hyphen_is_one_problem(tmp_path: Path) -> None:
+    content = f'<xacro:property name="wheel-radius" value="1"/><link name="a">{MASS}<visual><geometry>'
+    content += '<sphere radius="${wheel-radius}"/></geometry></visual></link>'
+    assert found(tmp_path, content) == [("XAC001", "wheel-radius")]
