@@ -31,6 +31,8 @@ _FROM_ELSEWHERE = frozenset({"macro", "property"})
 """The kinds of name that an element may define that is left as it is."""
 
 
+_WRONG_PARAMETERS = ("Invalid parameter", "Undefined parameters")
+"""The beginnings of xacro's messages about calls."""
 _WORD = re.compile(r"[^\W\d]\w*")
 
 
@@ -125,6 +127,16 @@ class Perseverance:
             node.appendChild(child)
 
     def _eval_alone(self, alone: Any, child: Any, macros: Any, symbols: Any) -> None:
+        written = dict(child.attributes.items()) if child.nodeType == child.ELEMENT_NODE else {}
+        error = self._failure(alone, macros, symbols)
+        if error is not None and str(error).startswith(_WRONG_PARAMETERS):
+            self._correct(child, written, macros, symbols)
+            error = self._failure(alone, macros, symbols)
+        if error is not None:
+            self._leave(child, macros, symbols)
+
+    def _failure(self, alone: Any, macros: Any, symbols: Any) -> Exception | None:
+        """Evaluate all in a node: the failure, which is noted."""
         stacks = self.xacro.filestack, self.xacro.macrostack
         depths = [len(stack or ()) for stack in stacks]
         include = self.tracer.include
@@ -135,7 +147,17 @@ class Perseverance:
             self.tracer.include = include
             for stack, depth in zip(stacks, depths, strict=True):
                 del (stack or [])[depth:]
-            self._leave(child, macros, symbols)
+            return error
+        return None
+
+    def _correct(self, call: Any, written: dict[str, str], macros: Any, symbols: Any) -> None:
+        """Give a call the parameters that its macro takes: any of those that it does not give may have been meant."""
+        names = [*self.tracer.resolve_macro(call.tagName[6:], macros, symbols)[2].params]
+        for name in [*call.attributes.keys()]:
+            call.removeAttribute(name)
+        for name in names:
+            if not name.startswith("*"):
+                call.setAttribute(name, written.get(name, f"{MARK}{{{name}}}"))
 
     def _note(self, error: Exception) -> None:
         """Report a failure, but for those that follow from a placeholder, or may; nothing goes on after some."""

@@ -80,6 +80,7 @@ def test_references_are_judged_where_all_links_are_known(
         '<xacro:unless value="${1 / 0}"><link name="lost"/></xacro:unless>',
         '<xacro:gone><link name="x"/></xacro:gone>',
         '<xacro:macro name="m" params="n"><link name="${n}"/></xacro:macro><xacro:m/>',
+        '<xacro:macro name="m" params="n:=x"><link name="${n}"/></xacro:macro><xacro:m nn="lost"/>',
     ],
 )
 def test_references_are_not_judged_where_links_may_be_missing(tmp_path: Path, content: str) -> None:
@@ -225,3 +226,14 @@ def test_a_name_with_a_hyphen_is_one_problem(tmp_path: Path) -> None:
     content = f'<xacro:property name="wheel-radius" value="1"/><link name="a">{MASS}<visual><geometry>'
     content += '<sphere radius="${wheel-radius}"/></geometry></visual></link>'
     assert found(tmp_path, content) == [("XAC001", "wheel-radius")]
+
+
+@pytest.mark.parametrize(("call", "wrong"), [('n="c" sice="2"', "sice"), ('n="c"', "xacro:m")])
+def test_a_call_with_wrong_parameters_goes_on(tmp_path: Path, call: str, wrong: str) -> None:
+    macro = (
+        '<xacro:macro name="m" params="n size{}"><link name="${{n}}"><inertial><mass value="-1"/></inertial><visual>'
+        '<geometry><sphere radius="${{size}}"/></geometry></visual></link></xacro:macro>'
+    ).format(":=-1" if "sice" in call else "")
+    reported = found(tmp_path, f"{macro}<xacro:m {call}/>")
+    assert ("XAC008", wrong) in reported
+    assert {text for code, text in reported if not code.startswith("XAC")} == {"-1", "inertial"}
