@@ -27,7 +27,7 @@ _DECISIONS = frozenset(
     {"xacro:attribute", "xacro:element", "xacro:if", "xacro:insert_block", "xacro:property", "xacro:unless"}
 )
 """Elements of xacro that bring no names but those of the properties in them."""
-_FROM_ELSEWHERE = frozenset({"macro", "property"})
+_FROM_ELSEWHERE = frozenset({"argument", "macro", "property"})
 """The kinds of name that an element may define that is left as it is."""
 
 
@@ -171,8 +171,6 @@ class Perseverance:
         if self._is_open and kind in _FROM_ELSEWHERE:
             return
         place = report.get("place") if not name or kind in {"macro", "property"} else None
-        if kind == "argument" and self._is_open:
-            name = ""  # what is left may declare it, and others
         folder = os.path.dirname(name) if kind == "file" else ""
         if folder and not os.path.isdir(folder):
             name = folder  # all that should be in it is missing for one reason

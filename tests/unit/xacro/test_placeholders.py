@@ -237,3 +237,8 @@ def test_a_call_with_wrong_parameters_goes_on(tmp_path: Path, call: str, wrong: 
     reported = found(tmp_path, f"{macro}<xacro:m {call}/>")
     assert ("XAC008", wrong) in reported
     assert {text for code, text in reported if not code.startswith("XAC")} == {"-1", "inertial"}
+
+
+def test_an_argument_that_a_package_may_declare_is_not_missing(tmp_path: Path) -> None:
+    include = '<xacro:include filename="$(find no_such)/arguments.xacro"/>'
+    assert found(tmp_path, f'{include}<link name="$(arg p)a"/>') == [("XAC007", "no_such")]
