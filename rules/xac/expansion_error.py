@@ -16,7 +16,7 @@ _HELP: Mapping[str, str] = {
     "refused": "an expansion may compute, and read files below the project and the package paths",
 }
 _MESSAGES: Mapping[str, str] = {
-    "argument": "argument `{detail}` has no value, so the file is not expanded",
+    "argument": "argument `{detail}` has no value, so what depends on it is not checked",
     "variable": "environment variable `{detail}` is not set for the expansion",
     "withheld": "environment variable `{detail}` is set, but not passed on to the expansion",
     "pattern": "no file matches `{detail}`, so nothing is included",
@@ -33,9 +33,10 @@ class ExpansionError(Rule):
     An expression fails, an included file is missing or malformed, a macro calls itself
     without end, or the expansion exceeds a limit (time, memory, files). The diagnostic is at
     the expression as it is written, and shows the macro calls and includes that lead
-    there. A substitution argument without a value is a warning: the file may be sound,
-    but it was not checked. So is what xacro does not stop for: a pattern that matches no
-    file, and a mistake in a branch or macro that is not reached.
+    there. The rest of the robot is expanded and checked, as far as it does not depend on
+    that. A substitution argument without a value is a warning: the file may be sound. So is
+    what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or
+    macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.

@@ -23,8 +23,8 @@ class UnknownPackage(Rule):
     Packages are found without ROS: by ``packages`` in the configuration or
     ``--package name=path``, by the ``package.xml`` files of the project and of
     ``package-paths``, and in ROS_PACKAGE_PATH and AMENT_PREFIX_PATH. A warning, since
-    the package may exist on the computer that the file is meant for; the file is not
-    expanded, and so not checked, without it.
+    the package may exist on the computer that the file is meant for; what depends on it
+    is not checked.
     """
 
     code = "XAC007"

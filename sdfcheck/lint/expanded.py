@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, explain, lint_document, look_at
@@ -10,9 +10,11 @@ from sdfcheck.lint.fold import fold, settle, without_repeats
 from sdfcheck.robot.includes.macros import parts_in_macros
 from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.expansion import Expander
+from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import prepare
 from sdfcheck.xacro.static.macro_survey import Bodies
 from sdfcheck.xacro.static.uncalled import unexpanded
+from sdfcheck.xacro.unknown import UnknownParts, has_unknown_value, is_unknown
 
 
 def lint_xacro(
@@ -31,8 +33,21 @@ def lint_xacro(
         found += settle(lint_document(expanded, dispatch), expanded, document)
     for expanded in prepared.partial:
         if expanded.root is not None:
-            found += settle(_lint_pieces(expanded, [expanded.root], dispatch), expanded, document)
+            found += settle(_lint_known(expanded, dispatch), expanded, document)
     return without_repeats(fold(found))
+
+
+def _lint_known(expanded: ExpandedDocument, dispatch: Dispatch) -> Iterator[Diagnostic]:
+    """The problems of a partial expansion that do not depend on what is not known."""
+    assert expanded.root is not None
+    if expanded.is_open:
+        found, depends = _lint_pieces(expanded, [expanded.root], dispatch), has_unknown_value
+    else:
+        found, depends = lint_document(expanded, dispatch), UnknownParts(expanded).touch
+    for each in found:
+        places = (expanded.written(span) for span in (each.span, *(label.span for label in each.labels)))
+        if not any(map(depends, places)) and not is_unknown(each.message.replace(each.span.text, "")):
+            yield each
 
 
 def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispatch) -> list[Diagnostic]:

@@ -99,9 +99,14 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
     first, *others = group
     if not others:
         return first
-    same_fix = all(other.fix == first.fix for other in others)
+    same_fix = all(_written(other.fix) == _written(first.fix) for other in others)
     message = f"{first.message} (in {len(group)} expansions)"
     return first._replace(message=message, fix=first.fix if same_fix else None)
+
+
+def _written(fix: Fix | None) -> object:
+    """A fix by what it writes, wherever macro calls and includes led to its places."""
+    return fix and (*fix[:1], *fix[2:], *(edit._replace(span=Span(*edit.span)) for edit in fix.edits))
 
 
 def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:

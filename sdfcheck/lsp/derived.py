@@ -66,7 +66,7 @@ def _expanded(workspace: Workspace, document: Document, arguments: Mapping[str, 
     expander, sets = workspace.caches.xacro(settings, document.path)
     if expander is None:
         raise WrongUsage("the setting expandXacro is off")
-    done = expand_as_launched(document, expander, {**(sets[0] if sets else {}), **arguments})
+    done = expand_as_launched(document, expander.expand, {**(sets[0] if sets else {}), **arguments})
     if done.document is None:
         first = done.problems[0].span if done.problems else document.source.span(0, 0)
         place = f"{first.source.path.name}:{first.begin.line}"

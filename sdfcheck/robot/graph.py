@@ -434,8 +434,8 @@ class Part:
 
     @property
     def is_unfinished(self) -> bool:
-        """Is it in a file for xacro, which will put something into it?"""
-        if self.document.kind is not Kind.XACRO or not self.is_given:
+        """Is it in a file for xacro, or in what xacro has made of one in part, and xacro will put something into it?"""
+        if not self.is_given or not (self.document.kind is Kind.XACRO or self.document.is_expanded):
             return False
         from sdfcheck.xacro.static.macro_survey import is_unfinished
 

@@ -618,6 +618,7 @@ class Document:
         "elements",
         "epilog",
         "included_by",
+        "is_open",
         "is_referred_to",
         "is_wellformed",
         "kind",
@@ -641,6 +642,8 @@ class Document:
         """The uris through which the file was reached, from the outside in; empty for one that was asked for."""
         self.is_referred_to = False
         """Was another document reached through an include in it?"""
+        self.is_open = False
+        """Are links or joints missing in it, or the names of some, as they are not known?"""
         self.is_wellformed = False
         """Did a strict parser take the text as it is?"""
         self.root: Element | None

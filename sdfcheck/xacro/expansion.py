@@ -247,7 +247,7 @@ class Surroundings(NamedTuple):
 
 
 class Expansion(NamedTuple):
-    """The outcome: a text and its document, or problems.
+    """The outcome: a text and its document, or problems; both, where a part was expanded.
 
     ``files`` are those that were read, the file itself first; ``arguments`` the names
     of those that the file takes or was given.
@@ -306,9 +306,11 @@ class Expander:
         return done._replace(problems=(*done.problems, *others))
 
     def expand_partly(self, document: Document, arguments: Mapping[str, str] | None = None) -> Expansion:
-        """Expand a document without the packages that are not found, as far as the rest does not need them.
+        """Expand what can be expanded of a document that xacro refuses; the problems are what stops xacro.
 
-        Includes from them, and calls of macros that nothing else defines, stay in it as they are.
+        An expression that has no value stays in it as a text, ``${…}`` or ``$(…)``, and so does all that
+        depends on it: elements of xacro's that are left have their names. Elements and calls that lack the
+        prefix of xacro are taken as if they had it.
         """
         return self._expand(document, arguments, is_partial=True)
 
@@ -323,6 +325,7 @@ class Expander:
             text=document.source.text,
             arguments=dict(arguments or {}),
             partial=is_partial,
+            unprefixed=_unprefixed(document) if is_partial else [],
             texts=dict(texts),
         )
         try:
@@ -343,7 +346,9 @@ class Expander:
     def walls(self) -> Mapping[str, bool]:
         """The parts of the system that lock an expansion up, and whether they do so here."""
         here = Path.cwd()
-        answer = self._ask(Packages(here), path="", text="", arguments={}, partial=False, texts={})
+        answer = self._ask(
+            Packages(here), path="", text="", arguments={}, partial=False, unprefixed=[], texts={}
+        )
         walls: Mapping[str, bool] = answer["walls"]
         return walls
 
@@ -371,6 +376,21 @@ def expand(
     document = what if isinstance(what, Document) else read(read_named(what), what, Kind.XACRO)
     with Expander(surroundings) as expander:
         return expander.expand(document, arguments)
+
+
+def _unprefixed(document: Document) -> list[tuple[str, int, int]]:
+    """The file, line and column of each element that a document uses without the prefix of xacro."""
+    from sdfcheck.xacro.static.definitions import visible_definitions
+    from sdfcheck.xacro.static.prefixes import missing_prefixes
+
+    files = [read.document for read in visible_definitions(document).readings]
+    names = (
+        span
+        for file in files
+        for problem in missing_prefixes(file)
+        for span in (problem.span, *problem.others)
+    )
+    return [(os.path.abspath(name.source.path), name.begin.line, name.begin.column - 1) for name in names]
 
 
 def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
@@ -409,7 +429,8 @@ def _expansion(
     expanded = ExpandedDocument(Source(document.path, text), provenance)
     if len(places) < 4 * len(expanded.elements):
         raise ValueError
-    return Expansion(text, expanded, (), read_files, tuple(map(str, answer["arguments"])))
+    problems = tuple(explain(failure, provenance, document) for failure in answer.get("failures", ()))
+    return Expansion(text, expanded, problems, read_files, tuple(map(str, answer["arguments"])))
 
 
 def _check(places: list[int], files: int, steps: int) -> None:

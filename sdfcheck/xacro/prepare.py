@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from sdfcheck.source.document import Document
 from sdfcheck.source.problems import SyntaxDefect
@@ -24,14 +24,15 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
     UnevaluatedExpression,
     UnknownPackage,
-    WrongMacroArguments,
     WrongXacroAttribute,
+    XacroIncludeCycle,
     dormant,
 )
 from sdfcheck.xacro.static import analysis
 from sdfcheck.xacro.static.definitions import is_robot
 from sdfcheck.xacro.static.project import is_included
 from sdfcheck.xacro.static.reasons import with_reason
+from sdfcheck.xacro.unknown import UnknownParts
 
 # Files that are only a part of a robot: another file includes them and has the rest.
 
@@ -66,10 +67,14 @@ _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
 
 
+_FINAL = frozenset({Failure.LIMIT, Failure.RECURSION, Failure.REFUSED, Failure.TEXT})
+"""After one of these nothing of a file is expanded."""
+
+
 class Prepared(NamedTuple):
     """``problems`` are those of the xacro file itself, ``documents`` its expansions.
 
-    ``partial`` are expansions without the packages that are not found.
+    ``partial`` are expansions of what can be expanded, where xacro refuses the file.
     """
 
     problems: tuple[Problem, ...]
@@ -89,35 +94,61 @@ def prepare(
     if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
         return Prepared((), ())
     found: list[Problem] = list(analysis.problems(document))
-    if expander is None or any(isinstance(each, _MISLEADING) for each in found) or not is_robot(document):
+    misread = {type(each) for each in found if isinstance(each, _MISLEADING)}
+    if expander is None or misread - {MissingXacroPrefix} or not is_robot(document):
         return Prepared(tuple(with_reason(problem, document) for problem in _merged(found)), ())
     sets = list(argument_sets) or [{}]
-    expansions = [expand_as_launched(document, expander, arguments) for arguments in sets]
+    expansions = [
+        expand_as_launched(document, expander.expand, arguments) for arguments in sets if not misread
+    ]
     parts = {
-        index: expander.expand_partly(document, arguments)
+        index: expand_as_launched(document, expander.expand_partly, arguments)
         for index, arguments in enumerate(sets)
-        if any(isinstance(problem, UnknownPackage) for problem in expansions[index].problems)
+        if misread or _goes_on(expansions[index])
     }
     shown = tuple(part.document for part in parts.values() if part.document is not None)
-    if all(parts.get(index, whole).document is not None for index, whole in enumerate(expansions)):
+    for part in shown:
+        part.library = document.library
+        part.is_open = not is_complete(part) or is_included(document) or not UnknownParts(part).is_whole
+    outcomes = [parts.get(index, whole) for index, whole in enumerate(expansions)]
+    if outcomes and all(map(_lacks_packages_only, outcomes)):
         found = list(_unreached(found, document, shown))
     if not any(map(_stops, found)):
-        failures = [problem for expansion in expansions for problem in expansion.problems]
+        known = [*expansions, *(part for part in parts.values() if part.document is not None)]
+        failures = [problem for each in known for problem in each.problems]
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
-    found += [problem for part in parts.values() for problem in part.problems if _is_certain(problem)]
     documents = tuple(_documents(expansions, document))
     explained = [with_reason(problem, document) for problem in _merged(found)]
     return Prepared(tuple(explained), documents, shown)
 
 
-def expand_as_launched(document: Document, expander: Expander, arguments: Mapping[str, str]) -> Expansion:
+def _goes_on(expansion: Expansion) -> bool:
+    """Can a part of a file be expanded that xacro refuses?"""
+    return expansion.document is None and not any(
+        isinstance(each, XacroIncludeCycle) or (isinstance(each, ExpansionFailure) and each.kind in _FINAL)
+        for each in expansion.problems
+    )
+
+
+def _lacks_packages_only(expansion: Expansion) -> bool:
+    """Was all of a file expanded but for packages that are not found?"""
+    return expansion.document is not None and all(
+        isinstance(each, UnknownPackage) for each in expansion.problems
+    )
+
+
+def expand_as_launched(
+    document: Document,
+    expand: Callable[[Document, Mapping[str, str]], Expansion],
+    arguments: Mapping[str, str],
+) -> Expansion:
     """An expansion; where arguments lack values, one with what a launch file of the project gives."""
-    whole = expander.expand(document, arguments)
+    whole = expand(document, arguments)
     if any(_is_missing_argument(problem) for problem in whole.problems):
         from sdfcheck.xacro.static.launches import launched_arguments
 
         for launched in launched_arguments(document):
-            expansion = expander.expand(document, {**launched, **arguments})
+            expansion = expand(document, {**launched, **arguments})
             if not any(_is_missing_argument(problem) for problem in expansion.problems):
                 return expansion
     return whole
@@ -125,13 +156,6 @@ def expand_as_launched(document: Document, expander: Expander, arguments: Mappin
 
 def _is_missing_argument(problem: Problem) -> bool:
     return isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT
-
-
-def _is_certain(problem: Problem) -> bool:
-    """Would xacro stop there whatever the packages hold that are not found?"""
-    if isinstance(problem, ExpansionFailure):
-        return problem.kind not in {Failure.LIMIT, Failure.REFUSED}
-    return isinstance(problem, WrongMacroArguments)
 
 
 def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[ExpandedDocument]:
@@ -173,7 +197,7 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
     names: dict[tuple[type, str], list[UndefinedMacro | UndefinedProperty]] = {}
     seen = set()
     for problem in found:
-        key = type(problem), problem.span
+        key = type(problem), _subject(problem)
         if key in seen:
             continue
         seen.add(key)
@@ -185,6 +209,15 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
         places = tuple(other.span for other in others)
         ends = tuple(end for one in (first, *others) for end in one.ends)
         yield first.changed(others=places, ends=ends)
+
+
+def _subject(problem: Problem) -> object:
+    """The subject of a problem: one package or argument that is not known is one problem wherever it is asked for."""
+    if isinstance(problem, UnknownPackage):
+        return problem.name
+    if isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT:
+        return problem.detail
+    return problem.span.source.path, problem.span.start, problem.span.end
 
 
 def is_complete(document: Document) -> bool:

@@ -431,9 +431,9 @@ class Link(Node):
     def solids(self) -> tuple[Shape, ...]:
         """The primitive shapes whose place in it is known: of its collisions, or of its visuals if it has none.
 
-        None in a macro of xacro, where more may be added.
+        None where xacro may add more.
         """
-        if self.document.kind is Kind.XACRO:
+        if self.document.kind is Kind.XACRO or self.is_unfinished:
             return ()
         shapes: tuple[Shape, ...] = self.collisions or self.visuals
         return tuple(
@@ -501,6 +501,8 @@ class Link(Node):
         """The same, with the links that fixed joints of URDF tie to it from below; None unless all are known."""
         from sdfcheck.robot.motion.bounds import with_fixed
 
+        if self.document.is_open:
+            return None
         return with_fixed(self)
 
     def distance_to(self, other: Link) -> float:
@@ -515,8 +517,8 @@ class Link(Node):
         return self.model.poses_at_rest.get(self)
 
     def _around(self, shapes: tuple[Shape, ...]) -> Box | None:
-        """The box around shapes that are all known; None in a macro of xacro, where more may be added."""
-        if self.document.kind is Kind.XACRO:
+        """The box around shapes that are all known; None where xacro may add more."""
+        if self.document.kind is Kind.XACRO or self.is_unfinished:
             return None
         from sdfcheck.robot.motion.bounds import of_shapes
 

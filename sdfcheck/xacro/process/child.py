@@ -9,7 +9,6 @@ import gc
 import json
 import mmap
 import os
-import re
 import select
 import signal
 import sys
@@ -29,14 +28,13 @@ from sdfcheck.files.packages import Packages
 from sdfcheck.xacro.language import ArgumentParser
 from sdfcheck.xacro.process import failure, sandbox, walls
 from sdfcheck.xacro.process.interpreter import Interpreter, TooMuch
+from sdfcheck.xacro.process.placeholders import MARK, Cautious, Perseverance
 from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
 
 RECURSION_LIMIT = 3000
 """Above Python's own, since following xacro and evaluating its expressions take frames too."""
 
 CRUMBS = 65536
-
-_FOUND = re.compile(r"\$\(find\s+([^\s$)]+)\s*\)")
 
 Request = dict[str, Any]
 Answer = dict[str, Any]
@@ -173,7 +171,10 @@ def expand(request: Request, packages: Packages, readable: sandbox.Readable, mem
     os.chdir(request["cwd"])
     os.environ.clear()
     os.environ.update(request["environment"])
-    _prepare(tracer, packages, is_partial=request["partial"])
+    is_partial = request["partial"]
+    tracer.unprefixed = frozenset(map(tuple, request["unprefixed"]))
+    _prepare(tracer, packages, Cautious if is_partial else Interpreter)
+    rest = Perseverance(xacro, tracer) if is_partial else None
     xacro.open = door = sandbox.Door(readable)
     sys.setrecursionlimit(RECURSION_LIMIT)
     sandbox.limit(request["limits"])
@@ -190,6 +191,9 @@ def expand(request: Request, packages: Packages, readable: sandbox.Readable, mem
         if len(text) > request["limits"]["output"]:
             raise TooMuch(f"the result is longer than {request['limits']['output']} bytes")
         answer = {"text": text, "places": places, "arguments": sorted(arguments)}
+        if rest is not None:
+            answer["text"] = text.replace(MARK, "$")
+            answer["failures"] = [{**each, "step": steps.number(each.get("step"))} for each in rest.reports]
     except BaseException as error:
         report = failure.describe(error, tracer)
         report["step"] = steps.number(report.get("step"))
@@ -200,26 +204,15 @@ def expand(request: Request, packages: Packages, readable: sandbox.Readable, mem
     return {**answer, "files": tracer.files, "steps": steps.rows, "others": sorted(set(others))}
 
 
-def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
-    """Put the evaluators, the search for packages and the notes in xacro's place for them.
-
-    A reference to a package that is not found is kept if the expansion may be partial.
-    """
+def _prepare(tracer: Tracer, packages: Packages, evaluator: type[Interpreter]) -> None:
+    """Put the evaluators, the search for packages and the notes in xacro's place for them."""
     absolute = xacro.abs_filename_spec
 
     def find(name: str) -> str:
         folder = packages.find(name)
-        if folder is None and is_partial:
-            return f"$(find {name})"
         if folder is None:
             raise failure.MissingPackage(name)
         return str(folder)
-
-    def is_left_out(filename: str) -> bool:
-        return any(packages.find(name) is None for name in _FOUND.findall(filename))
-
-    if is_partial:
-        tracer.is_left_out = is_left_out
 
     def variable(name: str) -> str:
         if name not in os.environ:
@@ -232,7 +225,7 @@ def _prepare(tracer: Tracer, packages: Packages, *, is_partial: bool) -> None:
 
     vars(minidom)["NodeList"] = Children
     _with_names(xacro.Macro)
-    Interpreter(xacro, substitution_args)
+    evaluator(xacro, substitution_args)
     xacro.parse_macro_arg = ArgumentParser()
     xacro.abs_filename_spec = locate
     substitution_args._eval_find = find

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from types import FrameType, TracebackType
 from typing import Any
@@ -120,7 +121,7 @@ def describe(error: BaseException, tracer: Tracer) -> Record:
 
 
 def _judge(error: BaseException, spot: Spot) -> Record:
-    root = list(_causes(error))[-1]
+    root = list(causes(error))[-1]
     message = str(root)
     for kinds, kind in _NAMED:
         if isinstance(root, kinds):
@@ -215,7 +216,7 @@ def _recursion(spot: Spot) -> Record:
     return {"kind": "other", "message": "the nesting is too deep"}
 
 
-def _causes(error: BaseException) -> Iterator[BaseException]:
+def causes(error: BaseException) -> Iterator[BaseException]:
     """The exception and those that xacro made it from."""
     cause: object = error
     while isinstance(cause, BaseException):
@@ -224,7 +225,14 @@ def _causes(error: BaseException) -> Iterator[BaseException]:
 
 
 def _frames(error: BaseException) -> Iterator[FrameType]:
-    for cause in _causes(error):
+    """The frames that led to an error, the outer ones first; where it was caught, others are still at work."""
+    callers: list[FrameType] = []
+    caller: FrameType | None = sys._getframe(1)
+    while caller is not None:
+        callers.append(caller)
+        caller = caller.f_back
+    yield from reversed(callers)
+    for cause in causes(error):
         trace: TracebackType | None = cause.__traceback__
         while trace is not None:
             yield trace.tb_frame

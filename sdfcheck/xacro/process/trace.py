@@ -8,7 +8,7 @@ the places. xacro's own code is not changed: a few of its functions are replaced
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 from xml.dom.expatbuilder import ExpatBuilderNS
 
@@ -74,11 +74,11 @@ class Tracer:
         self.texts = texts
         """Path → text, for files that are not read from disk: the one that is expanded, and others."""
         self.crumbs = crumbs
+        self.unprefixed: frozenset[tuple[str, int, int]] = frozenset()
+        """The elements, by file, line and column, that are taken for xacro's though they lack its prefix."""
         self.files: list[str] = []
         self.definitions: dict[str, Written] = {}
         self.include: Step | None = None
-        self.is_left_out: Callable[[str], bool] | None = None
-        """Whether an include is left as it is; where there is such a thing, unknown macros are, too."""
         self.body: Any = None
         self.call: Any = None
         """The macro body that is being copied, and the call that it is copied for."""
@@ -123,18 +123,9 @@ class Tracer:
             self.crumbs.at(data.place)
         if node.tagName[:6] != "xacro:":
             return False
-        if self.is_left_out is not None and not self.knows(node.tagName[6:], macros, symbols):
-            return True
         if data is not None and node.tagName != "xacro:call":
             self.call = Step("macro", node.tagName[6:], data.place, data.step)
         return self.handle_macro_call(node, macros, symbols)
-
-    def knows(self, name: str, macros: Any, symbols: Any) -> bool:
-        """Whether a macro is defined, or made up when it is called."""
-        try:
-            return name == "call" or bool(self.resolve_macro(name, macros, symbols))
-        except KeyError:
-            return False
 
     def take_macro(self, fullname: str, macros: Any, symbols: Any) -> Any:
         found = self.resolve_macro(fullname, macros, symbols)
@@ -142,8 +133,6 @@ class Tracer:
         return found
 
     def take_include(self, element: Any, macros: Any, symbols: Any, function: Any) -> None:
-        if self.is_left_out is not None and self.is_left_out(element.getAttribute("filename")):
-            return
         outer, data = self.include, element.getUserData(KEY)
         self.crumbs.at(data.place)
         self.include = Step("include", element.getAttribute("filename"), data.place, data.step)
@@ -175,6 +164,7 @@ class Builder(ExpatBuilderNS):
         super().__init__()
         self.tracer = tracer
         self.number = number
+        self.path = os.path.abspath(tracer.files[number])
 
     def start_element_handler(self, name: str, attributes: Any) -> None:
         super().start_element_handler(name, attributes)
@@ -182,3 +172,10 @@ class Builder(ExpatBuilderNS):
         place = (self.number, parser.CurrentLineNumber, parser.CurrentColumnNumber + 1)
         tracer = self.tracer
         self.curNode.setUserData(KEY, Written(place, tracer.include), tracer)
+
+    def end_element_handler(self, name: str) -> None:
+        node: Any = self.curNode
+        super().end_element_handler(name)
+        place: Place = node.getUserData(KEY).place
+        if self.tracer.unprefixed and (self.path, *place[1:]) in self.tracer.unprefixed:
+            node.tagName = node.nodeName = f"xacro:{node.tagName}"

@@ -59,7 +59,7 @@ class _BodyWalk(UrdfWalk):
             definition = place.children.get(child.name)
             if definition is not None:
                 self.element(child, definition)
-            elif not is_plain_call(child, visible_definitions(child.document)):
+            elif not place.open and not is_plain_call(child, visible_definitions(child.document)):
                 self.findings.unexpected(child, parent, place)
 
 

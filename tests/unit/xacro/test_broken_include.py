@@ -66,7 +66,9 @@ def test_a_definition_without_the_prefix_is_one_diagnostic(
     )
     robot = tmp_path / "main.urdf.xacro"
     robot.write_text(f'{HEAD}\n<xacro:include filename="part.xacro"/>\n<link name="b"/>{use}</robot>')
-    [alone] = sdfcheck.lint(robot, isolated=True).diagnostics
+    run = sdfcheck.lint(robot, isolated=True)
+    [alone] = [each for each in run.diagnostics if each.code.startswith("XAC")]
     assert alone.code == code
     assert alone.message.endswith(f" is not defined here: part.xacro:{line} lacks the prefix `xacro:`")
-    assert found(tmp_path) == [("XAC012", "part.xacro", 1), ("XAC012", "part.xacro", 0)]
+    of_xacro = [each for each in found(tmp_path) if each[0].startswith("XAC")]
+    assert of_xacro == [("XAC012", "part.xacro", 1), ("XAC012", "part.xacro", 0)]

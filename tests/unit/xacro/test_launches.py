@@ -104,7 +104,7 @@ def test_without_a_value_the_argument_is_missing(
 ) -> None:
     (package / "launch" / name).write_text(text)
     (message, *others) = found(capsys)
-    assert message.endswith("argument `side` has no value, so the file is not expanded [XAC001]")
+    assert message.endswith("argument `side` has no value, so what depends on it is not checked [XAC001]")
     assert all("[XAC001]" in other for other in others)
 
 
