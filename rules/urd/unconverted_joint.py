@@ -5,7 +5,7 @@ from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, acc
 OTHERWISE = (
     '<robot name="r"><link name="a"/><link name="b"/>'
     '<joint name="j" type="floating"><parent link="a"/><child link="b"/></joint>'
-    '<gazebo><joint name="j" type="ball"><parent>a</parent><child>b</child></joint></gazebo></robot>'
+    '<gazebo><joint name="j" type="ball"><pose relative_to="a"/><parent>a</parent><child>b</child></joint></gazebo></robot>'
 )
 
 
@@ -14,7 +14,7 @@ class UnconvertedJoint(Rule):
 
     libsdformat drops a floating or planar joint when it converts the robot, but still
     places the child relative to it, so that Gazebo refuses the result, unless a `<gazebo>` block
-    gives a joint of that name.
+    gives a joint or frame of that name.
     """
 
     code = "URD020"

@@ -57,8 +57,9 @@ def _is_custom(child: object) -> bool:
 
 
 def _all(node: Node) -> Iterator[Node]:
-    """A node and those below it, but what is in custom ones."""
+    """A node and those below it, but what is in plugins and custom ones."""
+    if node.name == "plugin" or _is_custom(node):
+        return
     yield node
     for child in node.elements():
-        if not _is_custom(child):
-            yield from _all(child)
+        yield from _all(child)

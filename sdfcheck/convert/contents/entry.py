@@ -9,6 +9,7 @@ from copy import copy
 
 import numpy as np
 
+from sdfcheck.convert.marks import MARKS
 from sdfcheck.formats.sdf.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
@@ -92,7 +93,7 @@ def entry_of(element: Element, definition: Definition | None, without: frozenset
     for name, text in element.attributes.items():
         if name == "name":
             made.own = text
-        else:
+        elif name not in MARKS:
             made.attributes[name] = text
     for child in element.children():
         if child.name not in without:

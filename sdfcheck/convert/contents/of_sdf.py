@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
+from sdfcheck.convert.marks import MARKS
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.errors import DescriptionError
@@ -126,7 +127,8 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
     customs = frozenset(child.name for child in element.children() if child.is_custom)
     made = entry_of(element, definition, without | customs)
     made.attributes = {name: text for name, text in made.attributes.items() if name not in _ENDS}
-    made.children += custom_entries((c for c in element.children() if c.name not in without), Kind.SDF)
+    others = (child for child in element.children() if child.name not in without | MARKS)
+    made.children += custom_entries(others, Kind.SDF)
     return made
 
 

@@ -20,8 +20,13 @@ from sdfcheck.robot.parts.shape import Material, Shape, Visual
 from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
-_KEPT = ("transmission", "ros2_control")
-"""What SDFormat has under a prefix only."""
+_TRANSLATED = {
+    "robot": frozenset({"frame", "gazebo", "joint", "link", "material", "origin"}),
+    "link": frozenset({"collision", "inertial", "visual"}),
+    "joint": frozenset({"axis", "child", "dynamics", "limit", "mimic", "origin", "parent"}),
+    "limit": frozenset({"effort", "lower", "upper", "velocity"}),
+}
+"""Element → the parts and attributes for which SDFormat has words; it has others under a prefix only."""
 _HINTS = frozenset({"preserveFixedJoint", "disableFixedJointLumping", "material"})
 _OF_MODELS = frozenset({"pose", "static", "frame", "joint", "link", "model", "include"})
 _MOTION = frozenset({"axis", "pose", "parent", "child"})
@@ -33,8 +38,7 @@ def of_urdf(model: Model) -> Contents:
     sdf = schema(NEWEST).root.children["model"]
     robot = found.add("model", "", Entry("model", "", model.element, sdf))
     _add_customs(robot, model.element.children(), ("drake:joint",))
-    for element in (element for name in _KEPT for element in model.element.children(name)):
-        kept = robot.add(custom_entry(element, Kind.URDF))
+    for kept in _add_own(robot, model.element):
         for actuator in (child for child in kept.children if child.name == "actuator"):
             # Vendor tags of it are the joint's.
             actuator.children = [child for child in actuator.children if ":" not in child.name]
@@ -55,6 +59,7 @@ def of_urdf(model: Model) -> Contents:
 def _link(found: Contents, link: Link, definition: Definition) -> None:
     made = found.add("link", link.name, Entry("link", "", link.element, definition))
     _add_customs(made, link.element.children())
+    _add_own(made, link.element)
     shapes = [(shape, _shape(shape, definition)) for shape in link.shapes]
     for shape, entry in shapes:
         found.shapes[shape.element] = entry
@@ -103,11 +108,16 @@ def _material(shape: Entry, material: Material) -> None:
 def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
     made = found.add("joint", joint.name, Entry("joint", "", joint.element, definition))
     _add_customs(made, joint.element.children())
+    _add_own(made, joint.element)
     for name in ("axis", "limit", "dynamics"):
         inner = joint.find(name)
         if inner is not None:
             _add_customs(made, inner.children())
             made.children += attribute_entries(inner)
+    limit = joint.find("limit")
+    for name, text in () if limit is None or joint.is_fixed else limit.attributes.items():
+        if name not in _TRANSLATED["limit"] and ":" not in name:
+            made.add(Entry(name, text, limit))
     for element in (element for block in joint.gazebo_blocks for element in block.element.children()):
         if (setting := settings("joint").get(element.name)) is not None:
             for path in setting.counterparts:
@@ -158,6 +168,13 @@ def _lay_over(entry: Entry, other: Entry) -> None:
             entry.add(child)
         else:
             _lay_over(there, child)
+
+
+def _add_own(made: Entry, element: Element) -> list[Entry]:
+    """What URDF alone has in an element, or nobody."""
+    translated = _TRANSLATED[element.name]
+    found = [child for child in element.children() if not child.is_custom and child.name not in translated]
+    return [made.add(custom_entry(child, Kind.URDF)) for child in found]
 
 
 def _add_customs(made: Entry, elements: Iterable[Element], without: tuple[str, ...] = ()) -> None:

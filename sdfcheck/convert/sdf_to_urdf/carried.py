@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import takewhile
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import Node, copied, declare, undeclared_prefixes
@@ -139,8 +140,8 @@ def _list(names: Mapping[str, str]) -> str:
 # Custom elements and attributes: carried over for their consumers, spelled as they are in URDF.
 
 
-_OF_URDF = frozenset(("urdf:ros2_control", "urdf:transmission"))
-"""The parts that the conversion from URDF to SDFormat keeps of a robot under a prefix."""
+_OF_URDF = "urdf:"
+"""The prefix under which the conversion from URDF to SDFormat keeps what URDF alone has."""
 
 
 def carry_custom(context: Context, node: Node, element: Element | None, scope: str) -> None:
@@ -148,15 +149,13 @@ def carry_custom(context: Context, node: Node, element: Element | None, scope: s
     if element is None:
         return
     for name, text in element.attributes.items():
-        if ":" not in name:
-            continue
-        declare(node, element, name.partition(":")[0], context.namespaces)
-        _carry_attribute(context, node, element, name, text, VendorTags(context, scope))
+        if ":" in name:
+            _carry_attribute(context, node, element, name, text, VendorTags(context, scope))
     for child in element.children():
         if not child.is_custom or child.name == PARAMETERS:
             continue
-        if node is context.root and child.name in _OF_URDF:
-            _give_back(context, child)
+        if child.name.startswith(_OF_URDF) and child.name != INERTIAL:
+            _give_back(context, node, child, scope)
             continue
         if VendorTags(context, scope).put(child, node):
             continue
@@ -173,6 +172,13 @@ def carry_custom(context: Context, node: Node, element: Element | None, scope: s
 def _carry_attribute(
     context: Context, node: Node, element: Element, name: str, text: str, tags: VendorTags
 ) -> None:
+    if name in {MERGED, NOTHING, PACKAGES}:
+        context.ledger.take(element, name)
+        return
+    if name.startswith(_OF_URDF):
+        _give_back_attribute(context, node, element, name, text)
+        return
+    declare(node, element, name.partition(":")[0], context.namespaces)
     if tags.is_ignored(name):
         message = (
             f"attribute `{name}` of {element.title} is left out: it is ignored here, and would not be in URDF"
@@ -187,15 +193,26 @@ def _carry_attribute(
         context.ledger.lose_attribute(element, name, message)
 
 
-def _give_back(context: Context, element: Element) -> None:
+def _give_back(context: Context, node: Node, element: Element, scope: str) -> None:
     """Write what came from URDF, and means something there only, as it was."""
     copy = copied(element)
     for name in [name for name in copy.attributes if name.startswith("xmlns:urdf")]:
         del copy.attributes[name]
-    copy.name = element.name.partition(":")[2]
-    follow_names(context, copy, element, "")
-    context.root.append(copy)
+    copy.attributes = {name.removeprefix(_OF_URDF): text for name, text in copy.attributes.items()}
+    copy.name = element.name.removeprefix(_OF_URDF)
+    follow_names(context, copy, element, scope)
+    node.append(copy)
     context.ledger.take_whole(element)
+
+
+def _give_back_attribute(context: Context, node: Node, element: Element, name: str, text: str) -> None:
+    """Write an attribute that came from URDF as it was, where nothing is written under its name."""
+    own = name.removeprefix(_OF_URDF)
+    if node.attributes.setdefault(own, text) == text and name not in {JOINT, LINK, PARENT}:
+        context.ledger.take(element, name)
+        return
+    message = f"attribute `{name}` of {element.title} is left out: it means nothing here"
+    context.ledger.lose_attribute(element, name, message)
 
 
 def carry_parts(context: Context, node: Node, element: Element, scope: str, *parts: str) -> None:

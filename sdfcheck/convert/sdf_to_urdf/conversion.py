@@ -13,6 +13,7 @@ from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.ledger import TEXT, Ledger, Words
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
+from sdfcheck.convert.rewrite.separated import is_marked, separated
 from sdfcheck.convert.rewrite.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.convert.sdf_to_urdf.carried import (
     around_root,
@@ -237,6 +238,8 @@ def convert(
     source = document
     if needs_writing_out(document):
         document, _ = written_out(document)
+    if is_marked(document):
+        document = separated(document)
     scope = choose(document, options.model)
     try:
         context = _prepare(scope, options, folder or document.path.parent)

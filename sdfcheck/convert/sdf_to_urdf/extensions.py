@@ -145,7 +145,8 @@ def _keep_springs(context: Context, axis: Element, reference: str) -> None:
             message = (
                 f"`{name}` ({value.content}) is kept as a gazebo extension, which libsdformat alone reads"
             )
-            context.ledger.note(LossKind.KEPT_AS_EXTENSION, value, message, Severity.INFO)
+            severity = Severity.WARNING if context.natives else Severity.INFO  # Drake reads it in SDFormat
+            context.ledger.note(LossKind.KEPT_AS_EXTENSION, value, message, severity)
     for name, default in (("stiffness", 1e8), ("dissipation", 1.0)):
         value = limit.find(name) if limit is not None else None
         if value is not None and value.own_value.number == default:

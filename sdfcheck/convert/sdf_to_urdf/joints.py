@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind, refusal
+from sdfcheck.convert.marks import MERGED
 from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, carry_parts
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions, keep_joint
@@ -141,7 +144,9 @@ def add_edge(context: Context, edge: Edge) -> None:
     parent, child = context.link_name(edge.parent), context.link_name(edge.child)
     below = context.layout.joint_links.get(edge.child)
     carried = below[0] if below is not None else child
-    if joint.kind in TWO_AXES:
+    if _is_for_drake(context, edge, joint):
+        written = _add_unsupported(context, edge, joint, parent, carried)
+    elif joint.kind in TWO_AXES:
         written = _add_two_axes(context, edge, joint, parent, carried)
     elif joint.kind == "screw":
         written = _add_screw(context, edge, joint, parent, carried)
@@ -241,7 +246,8 @@ def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
                 message = f"the mimic of {joint.element.title} is left out: the joint is fixed"
                 context.ledger.lose(LossKind.DROPPED_MIMIC, mimic, message)
             context.ledger.take_all(axis)
-    context.blob(name).add("preserveFixedJoint", "true")
+    if MERGED not in joint.element.attributes:
+        context.blob(name).add("preserveFixedJoint", "true")
 
 
 def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
@@ -319,6 +325,8 @@ def _report_split(context: Context, joint: Joint, by: str, between: str) -> None
         f"URDF has no {joint.kind} joint: {joint.element.title} is written as {by}, "
         f"with the new link `{between}` of {SMALL.mass:g} kg"
     )
+    if context.natives:
+        message += f"; Drake takes contacts between `{joint.parent}` and `{joint.child}` into account now"
     context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message)
 
 
@@ -336,15 +344,23 @@ def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, ch
     if policy is Unsupported.FLOATING and joint.element.name == "joint":
         keep_joint(context, joint, in_parent=True)
         message += ", and kept for libsdformat"
-    if policy is Unsupported.FLOATING and _is_for_drake(context, edge, joint):
+    severity = Severity.ERROR
+    if _is_for_drake(context, edge, joint):
         node = _add_for_drake(context, edge, joint, parent, child)
         message += ", and as `drake:joint` for Drake"
-    context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message, Severity.ERROR)
+        severity = Severity.WARNING
+    context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message, severity)
     return node
 
 
 def _is_for_drake(context: Context, edge: Edge, joint: Joint) -> bool:
-    return bool(context.natives) and joint.kind in {"ball", "curvilinear"} and not edge.is_reversed
+    """Is it a joint that Drake has in URDF, in a description that is written for it?"""
+    if not context.natives or edge.is_reversed or context.options.ball is not Unsupported.FLOATING:
+        return False
+    if joint.kind == "universal":  # there it turns about x, then y
+        directions = [axis.direction for axis in joint.axes]
+        return len(directions) == 2 and bool(np.allclose(directions, np.eye(3)[:2], atol=1e-9))
+    return joint.kind in {"ball", "curvilinear", "screw"}
 
 
 def _add_for_drake(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
@@ -352,6 +368,14 @@ def _add_for_drake(context: Context, edge: Edge, joint: Joint, parent: str, chil
     node = context.root.add("drake:joint", name=context.joints[joint.name], type=joint.kind)
     _connect(node, parent, child, *_start(context, edge))
     axis = joint.element.find("axis")
+    if joint.kind == "screw":
+        node.add("axis", xyz=shortened(joint.axes[0].direction))
+        node.add("drake:screw_thread_pitch", value=number(joint.pitch * 2 * math.pi))
+        if 0 < joint.axes[0].effort < math.inf:
+            message = (
+                f"Drake reads no effort of screw {joint.element.title} in URDF: its actuator has no limit"
+            )
+            context.ledger.note(LossKind.CHANGED_LIMIT, joint.element, message)
     dynamics = axis.find("dynamics") if axis is not None else None
     damping = dynamics.find("damping") if dynamics is not None else joint.element.find("drake:damping")
     if damping is not None:

@@ -8,6 +8,7 @@ import numpy as np
 
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.marks import NOTHING
 from sdfcheck.convert.sdf_to_urdf.carried import (
     carry_comments,
     carry_custom,
@@ -175,6 +176,9 @@ def add_link(context: Context, name: str) -> None:
 
 def _add_inertial(context: Context, node: Node, link: Link) -> None:
     inertial = _inertial(context, link)
+    if NOTHING in inertial.element.attributes:
+        context.ledger.take_whole(inertial.element)
+        return
     if not inertial.is_given:
         if link.body is not None:
             message = (

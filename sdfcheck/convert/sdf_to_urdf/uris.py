@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.marks import PACKAGES
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.document import Element
@@ -17,7 +18,9 @@ def mesh_uri(context: Context, uri: str, element: Element) -> str:
 
     A relative path is meant from the file that it is in, and must lead from the result.
     """
-    if context.options.package_uris and uri.startswith("model://"):
+    package = uri.removeprefix("model://").partition("/")[0]
+    given_back = package in context.scope.element.attributes.get(PACKAGES, "").split()
+    if (context.options.package_uris or given_back) and uri.startswith("model://"):
         written = f"package://{uri.removeprefix('model://')}"
         context.ledger.note(
             LossKind.CHANGED_URI, element, f"`{uri}` is written as `{written}`", Severity.INFO

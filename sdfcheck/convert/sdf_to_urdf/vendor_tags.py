@@ -19,7 +19,7 @@ from sdfcheck.source.sniff import Kind
 
 _ACTUATOR = "actuator"
 _SIMPLE = "transmission_interface/SimpleTransmission"
-_DRIVEN = frozenset({"revolute", "continuous", "prismatic"})
+_DRIVEN = frozenset({"revolute", "continuous", "prismatic", "screw"})
 _MATERIAL = "material/"
 _INTERFACE = "hardware_interface/EffortJointInterface"
 

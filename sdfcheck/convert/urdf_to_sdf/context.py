@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind
+from sdfcheck.convert.marks import LINK
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
@@ -86,6 +87,8 @@ class Context:
     namespaces: dict[str, str] = field(default_factory=dict)
     """Prefix → what it is at the root of the result."""
     reported: set[str] = field(default_factory=set)
+    packages: list[str] = field(default_factory=list)
+    """Packages whose files are named as those of models."""
     vendors: VendorTags = field(init=False)
     """The writer of vendors' tags in SDFormat."""
 
@@ -117,6 +120,11 @@ class Context:
         for child in element.children():
             if child.is_custom and self.ledger.is_free(child):
                 self.keep(child, node)
+
+    def mark(self, node: Node, link: str) -> None:
+        """Say on a node which link of the source it is of, where that became part of another."""
+        if self.options.has_frames and self.plan.is_merged(link):
+            node.attributes[LINK] = self.plan.names.links[link]
 
     def carry_attributes(self, element: Element, node: Node) -> None:
         """Write the attributes of an element that are not of URDF, under the prefix that they have or ours."""

@@ -11,6 +11,7 @@ from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.loss import LossKind, refusal
+from sdfcheck.convert.marks import PACKAGES
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.gazebo_blocks import Extensions, FollowedNames
@@ -194,6 +195,8 @@ class _Writer:
         self.links = Links(context, self.materials)
         self.materials.uri = self.links.uri
         self.joints = Joints(context)
+        self.frames: dict[str, list[Node]] = {}
+        """Merged link → the frames that its joint and it leave."""
         self.carriers = {joint.child: joint for joint in reversed(list(robot.joints.values()))}
         self.sdf = Node("sdf", None, version=str(context.options.version))
         self.actuators: list[tuple[Element, Node | Comment | Words]] = []
@@ -222,6 +225,7 @@ class _Writer:
             else:
                 self._entry(entry)
         self._drive()
+        self._keep_inertials()
         extensions = Extensions(self.context)
         for block in later:
             extensions.apply(block, self.model)
@@ -284,6 +288,7 @@ class _Writer:
 
     def _drive(self) -> None:
         """Put what vendors say of actuators into the joints, when all are there."""
+        self.context.vendors.report_actuators(self.context.joints)
         for entry, kept in self.actuators:
             part = root_of(entry.document).part_of(entry)
             done = (
@@ -325,12 +330,21 @@ class _Writer:
             self.joints.write(joint, self.model)
         elif self.context.options.has_frames:
             child = self.robot.links[joint.child].element
-            self.model.children += self.joints.leave_frame(joint, child)
+            self.frames[joint.child] = self.joints.leave_frame(joint, child)
+            self.model.children += self.frames[joint.child]
         else:
             self.joints.merge(joint)
 
+    def _keep_inertials(self) -> None:
+        """Write the inertials that were summed up where their links are, or the frames that those became."""
+        for name, own in self.links.own_inertials.items():
+            frames = self.frames.get(name)
+            (self.context.links[name] if frames is None else frames[-1]).append(own)
+
     def _declare(self) -> None:
-        """Declare the prefixes that the text uses, as the source does."""
+        """Say which packages became models, and declare the prefixes that the text uses, as the source does."""
+        if self.context.packages:
+            self.model.attributes[PACKAGES] = " ".join(self.context.packages)
         for prefix in sorted(undeclared_prefixes(self.model)):
             given = self.context.namespaces.get(prefix) or self.root.declared.get(prefix)
             uri = given or _NAMESPACES.get(prefix) or f"urn:{prefix}"

@@ -464,6 +464,8 @@ class _LinkPart:
             return
         if entry.name in _PLACED and not np.array_equal(self.offset, np.eye(4)):
             self._move(entry, made)
+        if entry.name in _PLACED:
+            self.context.mark(made, self.reference)
         link.append(made)
 
     def _move(self, entry: Element, made: Node) -> None:

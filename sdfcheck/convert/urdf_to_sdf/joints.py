@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.marks import JOINT, PARENT
 from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.plan import WORLD, is_for_drake
 from sdfcheck.convert.vendor_spelling import uses
@@ -152,7 +153,10 @@ class Joints:
             context.carry(element.find("origin"), pose)
         world = joint.parent == WORLD or context.plan.is_world(joint.parent)
         parent = WORLD if world else names.links[context.plan.home[joint.parent][0]]
-        context.carry(element.find("parent"), node.add("parent", parent))
+        end = node.add("parent", parent)
+        if not world:
+            context.mark(end, joint.parent)
+        context.carry(element.find("parent"), end)
         context.carry(element.find("child"), node.add("child", names.links[joint.child]))
         if joint.kind == "fixed":
             self._idle(element)
@@ -358,13 +362,14 @@ class Joints:
 
 def frame_of(joint: Joint, context: Context) -> tuple[Node, Node]:
     """The frames that a merged joint and its child leave behind, attached to the link that survives."""
-    plan = context.plan
+    plan, names = context.plan, context.plan.names
     survivor, outer = plan.home[joint.parent]
     pose = outer @ inverse(plan.robot.links[joint.parent].pose) @ joint.pose
     nodes = []
-    for name in (plan.names.joints[joint.name], plan.names.links[joint.child]):
-        node = Node("frame", None, name=name, attached_to=plan.names.links[survivor])
+    for name in (names.joints[joint.name], names.links[joint.child]):
+        node = Node("frame", None, name=name, attached_to=names.links[survivor])
         if (text := pose_of(pose)) is not None:
             node.add("pose", text)
         nodes.append(node)
+    nodes[1].attributes.update({JOINT: names.joints[joint.name], PARENT: names.links[joint.parent]})
     return nodes[0], nodes[1]

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind, refusal
+from sdfcheck.convert.marks import INERTIAL
 from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
 from sdfcheck.convert.urdf_to_sdf.plan import legal
@@ -107,6 +108,8 @@ class Materials:
             context.lose(texture, LossKind.CHANGED_MATERIAL, text)
             return
         context.carry(texture, node.reach("pbr", "metal").add("albedo_map", self.uri(texture, file)))
+        if uses(context.plan.root, "drake"):
+            node.add("drake:diffuse_map", self.uri(texture, file))
         if node.find("diffuse") is None:
             # Without a color of its own the map would be multiplied by black.
             node.add("diffuse", "1 1 1 1")
@@ -178,12 +181,15 @@ class Links:
         self.context = context
         self.materials = materials
         self._names: dict[tuple[str, str], dict[str, int]] = {}
+        self.own_inertials: dict[str, Node] = {}
+        """Link of the source → its own inertial, where that of the link that survives is a sum."""
 
     def fill(self, element: Element, survivor: str, offset: Array) -> None:
         """Write what is in a link into the node of the link that survives, at a 4×4 pose in it."""
         context, plan = self.context, self.context.plan
         node = context.links[survivor]
-        merged = plan.is_merged(element.attributes.get("name", ""))
+        name = element.attributes.get("name", "")
+        merged = plan.is_merged(name)
         if not merged:
             context.carry_attributes(element, node)
         inertial = element.find("inertial")
@@ -193,14 +199,21 @@ class Links:
                     node.children.append(child)
             elif child is inertial:
                 self._enter_inertial(child, node)
-                if not merged and survivor not in plan.supplied and plan.bodies.get(survivor) is None:
-                    self._inertial(child, node.add("inertial"))
+                self._written(child, node, name, survivor)
             elif isinstance(child, Element) and child.name in {"visual", "collision"}:
                 self._shape(child, node, survivor, offset)
             elif isinstance(child, Element) and child.name != "inertial":
                 context.keep(child, node)
         if not merged:
             self._weigh(inertial, survivor, node)
+
+    def _written(self, inertial: Element, node: Node, name: str, survivor: str) -> None:
+        """The author's numbers: as they are, or beside the sum that they are part of."""
+        plan = self.context.plan
+        if name == survivor and survivor not in plan.supplied and plan.bodies.get(survivor) is None:
+            self._inertial(inertial, node.add("inertial"))
+        elif self.context.options.has_frames and plan.is_summed(name, survivor):
+            self.own_inertials[name] = self._inertial(inertial, Node(INERTIAL))
 
     def _enter_inertial(self, inertial: Element, node: Node) -> None:
         self.context.carry_comments(inertial, node)
@@ -220,7 +233,7 @@ class Links:
         if inertial is not None:
             self._customs_of(inertial, made)
 
-    def _inertial(self, element: Element, node: Node) -> None:
+    def _inertial(self, element: Element, node: Node) -> Node:
         """The author's own numbers."""
         origin = element.find("origin")
         pose = pose_of(origin_of(element)) if is_quaternion(element) else pose_text(element)
@@ -231,7 +244,9 @@ class Links:
         moments = node.add("inertia")
         for name in _MOMENTS:
             moments.add(name, spaced(inertia.attributes.get(name, "0")) if inertia is not None else "0")
-        self._customs_of(element, node)
+        if node.name != INERTIAL:
+            self._customs_of(element, node)
+        return node
 
     def _customs_of(self, inertial: Element, node: Node) -> None:
         """Write the custom data of an inertial and its parts where it belongs."""
@@ -272,6 +287,7 @@ class Links:
         shape, name = held
         node = link.add(part.name, None, name=self._name(part, survivor))
         context.came_from[id(node)] = link_of(part)
+        context.mark(node, link_of(part))
         context.shapes[part] = link, node
         context.ledger.take(part)
         context.carry_attributes(part, node)
@@ -336,6 +352,7 @@ class Links:
                 f"`package://{package}` is written `model://{package}`: its folder must be found as a model"
             )
             context.note(element, LossKind.CHANGED_URI, message, Severity.INFO)
+            context.packages.append(package)
         return f"model://{rest}"
 
     def _name(self, part: Element, survivor: str) -> str:

@@ -119,6 +119,10 @@ class Plan:
     def is_merged(self, link: str) -> bool:
         return self.home[link][0] != link
 
+    def is_summed(self, link: str, survivor: str) -> bool:
+        """Is a link's mass part of that of the link that survives, computed from several?"""
+        return self.bodies.get(survivor) is not None and _mass(self.robot.links[link]) > 0
+
     def is_world(self, link: str) -> bool:
         return self.has_world and link == WORLD
 

@@ -7,15 +7,17 @@ from collections.abc import Callable, Iterator, Mapping
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
-from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
+from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings, uses
 from sdfcheck.convert.writer import Node
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.parts.control import Transmission
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _SIMPLE = "SimpleTransmission"
 """The only kind of transmission that Drake looks into."""
+_DRIVABLE = frozenset({"revolute", "continuous", "prismatic", "screw"})
 
 
 class VendorTags:
@@ -115,18 +117,32 @@ class VendorTags:
 
     def drive(self, transmission: Transmission, joints: Mapping[str, Node]) -> set[Element]:
         """Put what vendors say of an actuator into the written joint that it drives; returns what was put there."""
-        kind = transmission.type_value
-        names, actuators = transmission.joint_names, transmission.actuators
-        if kind is None or _SIMPLE not in kind.text or not names or not actuators:
-            return set()
-        joint = joints.get(names[0].text)
+        joint = joints.get(_driven(transmission))
         if joint is None or joint.attributes.get("type") == "fixed":
             return set()
         done = set()
-        for child in actuators[0].children():
+        for child in transmission.actuators[0].children():
             if joint.find(child.name) is None and self.put(child, joint):
                 done.add(child)
         return done
+
+    def report_actuators(self, joints: Mapping[str, Node]) -> None:
+        """Drake drives joints with a transmission in URDF, and in SDFormat those with an effort other than 0."""
+        if not uses(self.plan.root, "drake"):
+            return
+        models = root_of(self.plan.root.document).models
+        driven = {name for each in models[0].transmissions if (name := _driven(each))}
+        for name, joint in self.plan.robot.joints.items():
+            if name not in joints or joint.kind not in _DRIVABLE or not joint.axes:
+                continue
+            effort = joint.axes[0].effort
+            if name not in driven and effort != 0:
+                what = "an actuator in SDFormat: it has an effort, and no transmission"
+            elif name in driven and effort == 0:
+                what = "no actuator in SDFormat: its effort is 0"
+            else:
+                continue
+            self.lose(joint.element, LossKind.CHANGED_DEFAULT, f"Drake gives {joint.element.title} {what}")
 
     # Frames
 
@@ -143,6 +159,13 @@ class VendorTags:
         texts = (" ".join(element.attributes.get(name, "").split()) or "0 0 0" for name in ("xyz", "rpy"))
         node.add("pose", " ".join(texts))
         return node
+
+
+def _driven(transmission: Transmission) -> str:
+    """The joint that Drake drives by a transmission; empty where it looks at nothing in it."""
+    kind, names = transmission.type_value, transmission.joint_names
+    is_read = kind is not None and _SIMPLE in kind.text and names and transmission.actuators
+    return names[0].text if is_read else ""
 
 
 def without(node: Node, source: Element, gone: set[Element]) -> None:

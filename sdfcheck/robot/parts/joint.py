@@ -292,8 +292,9 @@ class Joint(Node):
 
     @property
     def is_replaced(self) -> bool:
-        """In URDF: do ``<gazebo>`` blocks give Gazebo a joint of its name?"""
-        others = self.model.extended.children("joint") if self.model is not None else ()
+        """In URDF: do ``<gazebo>`` blocks give Gazebo a joint or frame of its name?"""
+        extended = self.model.extended if self.model is not None else None
+        others = (*extended.children("joint"), *extended.children("frame")) if extended is not None else ()
         return any(other.get("name") == self.name for other in others)
 
     @property

@@ -125,7 +125,7 @@ def test_a_clean_robot_loses_nothing() -> None:
 def test_merging_reports_the_link_and_keeps_its_name() -> None:
     done = convert(ARM, Options(fixed_joints=FixedJoints.MERGE))
     assert kinds(done) == [LossKind.MERGED_LINK]
-    assert '<frame name="tip" attached_to="rod">' in done.text
+    assert '<frame name="tip" attached_to="rod"' in done.text
 
 
 def test_a_link_without_mass_stays() -> None:

@@ -1,0 +1,16 @@
+"""The marks by which SDFormat that was URDF becomes the same URDF again: attributes and elements under ``urdf:``.
+
+They say nothing of the robot, and are not compared.
+"""
+
+JOINT, PARENT = "urdf:joint", "urdf:parent"
+"""On a frame that was a link: the frame that was its joint, and what that joint was fixed to."""
+LINK = "urdf:link"
+"""On a shape, sensor or end of a joint: the link that it was of."""
+INERTIAL = "urdf:inertial"
+"""In a frame that was a link, or a link that others became part of: its own inertial."""
+PACKAGES = "urdf:packages"
+"""On a model: the packages whose files are named as those of models."""
+MERGED, NOTHING = "urdf:merged", "urdf:nothing"
+"""For the way back alone: a joint that was merged, and the inertial of a link that has none."""
+MARKS = frozenset({JOINT, PARENT, LINK, INERTIAL, PACKAGES, MERGED, NOTHING})

@@ -1,0 +1,216 @@
+"""Links that became part of another when URDF was converted, as links again.
+
+That conversion leaves marks (:mod:`sdfcheck.convert.marks`). Where inertials were summed up, and the sum has been
+changed since, its parts are not known any more, and the links stay together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NOTHING, PARENT
+from sdfcheck.convert.rewrite.include_expansion import Rendered
+from sdfcheck.convert.rewrite.tidy import Branch, branch_of
+from sdfcheck.convert.writer import numbers
+from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.motion.flatten import mechanism_of
+from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.poses import PoseError, written_pose
+from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
+from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import Document, Element
+
+_MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+_EQUAL = 1e-9
+
+
+def is_marked(document: Document) -> bool:
+    """Has a document frames that were links?"""
+    return document.root is not None and any(map(_was_link, document.root.walk()))
+
+
+def _was_link(element: Element) -> bool:
+    return element.name == "frame" and JOINT in element.attributes and PARENT in element.attributes
+
+
+def separated(document: Document) -> Document:
+    """The document with those frames as links and joints; itself where that is not known."""
+    kept: set[str] = set()
+    while True:
+        made = _Separation(document, frozenset(kept))
+        if not made.survivors:
+            return document
+        changed = set(made.unequal())
+        if not changed:
+            return made.document
+        kept |= changed
+
+
+class _Separation:
+    """A document in which the links that became part of others are apart; those in ``kept`` stay as they are."""
+
+    def __init__(self, document: Document, kept: frozenset[str]) -> None:
+        assert document.root is not None
+        self.before = document
+        self.survivors: dict[str, list[str]] = {}
+        root = branch_of(document.root)
+        for model in [branch for branch in root.walk() if branch.name == "model"]:
+            self._separate(model, kept)
+        self.document = Rendered(document, root)
+
+    def _separate(self, model: Branch, kept: frozenset[str]) -> None:
+        frames = {one.attributes.get("name", ""): one for one in model.children if one.name == "frame"}
+        links = {one.attributes.get("name", ""): one for one in model.children if one.name == "link"}
+        for name, frame in frames.items():
+            joint = frames.get(frame.attributes.get(JOINT, ""))
+            survivor = frame.attributes.get("attached_to", "")
+            parent = frame.attributes.get(PARENT, "")
+            is_known = joint is not None and survivor in links and (parent in links or parent in frames)
+            if joint is None or not is_known or survivor in kept:
+                continue
+            if joint.attributes.get("attached_to") != survivor:
+                continue
+            self.survivors.setdefault(survivor, []).append(name)
+            _to_joint(joint, name, parent)
+        for survivor, names in self.survivors.items():
+            has_own = any(frames[name].find(INERTIAL) is not None for name in names if name in frames)
+            apart = {name: _to_link(frames[name]) for name in names if name in frames}
+            if survivor in links:
+                _take_apart(links[survivor], apart, has_own)
+        for joint in model.children:
+            end = joint.find("parent") if joint.name == "joint" else None
+            if end is not None and any(
+                end.attributes.get(LINK) in names for names in self.survivors.values()
+            ):
+                end.text = end.attributes.pop(LINK)
+
+    def unequal(self) -> Iterator[str]:
+        """The links whose mass is not that of their parts."""
+        try:
+            pairs = [
+                (mechanism_of(before), mechanism_of(after))
+                for before, after in zip(_models(self.before), _models(self.document), strict=True)
+            ]
+        except (DescriptionError, PoseError):
+            yield from self.survivors
+            return
+        for before, after in pairs:
+            for survivor, names in self.survivors.items():
+                if survivor in before.links and not _is_sum(before, after, survivor, names):
+                    yield survivor
+
+
+def _models(document: Document) -> list[Model]:
+    return list(root_of(document).each(Model))
+
+
+def _to_joint(frame: Branch, child: str, parent: str) -> None:
+    """The frame that a fixed joint has left becomes the joint."""
+    place = _pose(frame)
+    frame.name = "joint"
+    frame.attributes = {
+        "name": frame.attributes["name"],
+        "type": "fixed",
+        MERGED: "true",
+        **{name: text for name, text in frame.attributes.items() if ":" in name},
+    }
+    frame.parts[:0] = [place, Branch("parent", parent), Branch("child", child)]
+
+
+def _pose(frame: Branch) -> Branch:
+    """The pose of a frame, which is in what it is attached to where it says nothing else."""
+    pose = frame.find("pose") or Branch("pose", "0 0 0 0 0 0")
+    if pose in frame.parts:
+        frame.parts.remove(pose)
+    pose.attributes.setdefault("relative_to", frame.attributes.get("attached_to", ""))
+    return pose
+
+
+def _to_link(frame: Branch) -> Branch:
+    place, inertial = _pose(frame), frame.find(INERTIAL)
+    frame.name = "link"
+    frame.attributes = {
+        name: text for name, text in frame.attributes.items() if name not in {JOINT, PARENT, "attached_to"}
+    }
+    frame.parts.insert(0, place)
+    if inertial is None:
+        frame.parts.insert(1, _none())
+    else:
+        inertial.name = "inertial"
+    return frame
+
+
+def _none() -> Branch:
+    """The inertial of a link that URDF gives none."""
+    made = Branch("inertial", **{NOTHING: "true"})
+    moments = Branch("inertia")
+    moments.parts += [Branch(name, "0") for name in _MOMENTS]
+    made.parts += [Branch("mass", "0"), moments]
+    return made
+
+
+def _take_apart(link: Branch, apart: Mapping[str, Branch], has_own: bool) -> None:
+    """Give the links what was theirs."""
+    for part in list(link.children):
+        owner = apart.get(part.attributes.get(LINK, ""))
+        if owner is not None:
+            link.parts.remove(part)
+            del part.attributes[LINK]
+            pose = part.find("pose")
+            if part.name in {"visual", "collision"} or pose is not None:
+                _place_in(part, pose, link, owner)
+            owner.parts.append(part)
+    if not has_own:
+        return
+    own, total = link.find(INERTIAL), link.find("inertial")
+    if total is not None:
+        link.parts.remove(total)
+    if own is None:
+        link.parts.append(_none())
+    else:
+        own.name = "inertial"
+
+
+def _place_in(part: Branch, pose: Branch | None, link: Branch, owner: Branch) -> None:
+    """Say where a part is in its own link, which has a pose in the one that it was in."""
+    place = owner.find("pose")
+    assert place is not None
+    offset = _matrix(place)
+    if (pose is not None and pose.attributes.get("relative_to")) or np.array_equal(offset, np.eye(4)):
+        return
+    here = inverse(offset) @ (_matrix(pose) if pose is not None else np.eye(4))
+    made = Branch("pose", numbers((*here[:3, 3], *to_rpy(here[:3, :3]))))
+    if pose is not None:
+        part.put(made)
+        made.origin = pose.origin
+    else:
+        part.parts.insert(0, made)
+
+
+def _matrix(pose: Branch) -> Array:
+    return np.eye(4) if pose.origin is None else written_pose(pose.origin)
+
+
+def _is_sum(before: Mechanism, after: Mechanism, survivor: str, names: Sequence[str]) -> bool:
+    whole = before.links[survivor].body
+    total: MassProperties | None = None
+    for name in (survivor, *names):
+        link = after.links[name]
+        if link.body is None or link.body.mass == 0:
+            continue
+        seen = link.body.seen_from(inverse(after.links[survivor].pose) @ link.pose)
+        total = seen if total is None else total.joined_with(seen)
+    if whole is None or total is None:
+        return whole is total
+    return all(
+        np.allclose(one, other, rtol=_EQUAL, atol=_EQUAL)
+        for one, other in (
+            (whole.mass, total.mass),
+            (whole.center, total.center),
+            (whole.moments, total.moments),
+        )
+    )
