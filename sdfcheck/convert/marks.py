@@ -11,6 +11,8 @@ INERTIAL = "urdf:inertial"
 """In a frame that was a link, or a link that others became part of: its own inertial."""
 PACKAGES = "urdf:packages"
 """On a model: the packages whose files are named as those of models."""
+EMPTY = "urdf:empty"
+"""In an element that is kept under the prefix: its attributes without a value, of which libsdformat complains."""
 MERGED, NOTHING = "urdf:merged", "urdf:nothing"
 """For the way back alone: a joint that was merged, and the inertial of a link that has none."""
-MARKS = frozenset({JOINT, PARENT, LINK, INERTIAL, PACKAGES, MERGED, NOTHING})
+MARKS = frozenset({EMPTY, JOINT, PARENT, LINK, INERTIAL, PACKAGES, MERGED, NOTHING})

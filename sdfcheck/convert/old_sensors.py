@@ -1,4 +1,4 @@
-"""Sensors in ``<gazebo>`` blocks as they were written up to 1.5, in today's words."""
+"""Parts of links in ``<gazebo>`` blocks as they were written up to 1.6, in today's words."""
 
 from __future__ import annotations
 
@@ -11,11 +11,20 @@ from sdfcheck.source.document import Comment
 
 _SINCE = Version(1, 6)
 """From here on the noise of an imu is said for each axis."""
+_RELATIVE = Version(1, 7)
+"""From here on ``relative_to`` of a pose says what was its ``frame``."""
 _IMU = "//imu"
 
 
 def renew(node: Node, version: Version) -> bool:
-    """Say the noise of the imus in a copied element as a version has it; was there any?"""
+    """Say the noise of the imus, and the frames of poses, in a copied element as a version has them.
+
+    True if there was noise.
+    """
+    if version >= _RELATIVE:
+        for pose in [*_all(node)]:
+            if pose.name == "pose" and (frame := pose.attributes.pop("frame", None)):
+                pose.attributes.setdefault("relative_to", frame)
     changed = False
     if version >= _SINCE:
         for imu in [*_all(node)]:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
-from sdfcheck.consumers.reaction import READS, Consumer, Verdict
+from sdfcheck.consumers.reaction import READS, Consumer, Reaction, Verdict
 from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.obstacles import OWN_CONSUMER
@@ -14,6 +14,15 @@ from sdfcheck.source.document import Document, Element
 
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""
+
+
+def _refuses(reaction: Reaction) -> bool:
+    return reaction.verdict is Verdict.REJECT
+
+
+def _drops(reaction: Reaction) -> bool:
+    """Does it read the file without a part that is written there?"""
+    return reaction.verdict is Verdict.WARN and reaction.words.startswith("drops")
 
 
 def new_errors(
@@ -46,15 +55,23 @@ def new_errors(
     return [*known, *map(to_diagnostic, sorted(losses, key=lambda loss: (loss.span.start, loss.message)))]
 
 
-def refused(found: Iterable[Diagnostic], consumers: Iterable[Consumer]) -> list[tuple[Consumer, Diagnostic]]:
-    """The findings for which consumers refuse a file."""
+def refused(
+    found: Iterable[Diagnostic], consumers: Iterable[Consumer], reacts: Callable[[Reaction], bool] = _refuses
+) -> list[tuple[Consumer, Diagnostic]]:
+    """The findings for which consumers refuse a file, or react otherwise."""
     wanted = {consumer.value: consumer for consumer in consumers}
     return [
         (wanted[name], one)
         for one in found
         for name, reaction in one.affects
-        if name in wanted and reaction.verdict is Verdict.REJECT
+        if name in wanted and reacts(reaction)
     ]
+
+
+def judges(result: Document) -> tuple[Consumer, ...]:
+    """The consumers whose verdict on a result counts."""
+    readers = (consumer for consumer, kinds in READS.items() if result.kind.value in kinds)
+    return tuple(consumer for consumer in readers if consumer in OWN_CONSUMER.values())
 
 
 def new_refusals(
@@ -62,25 +79,26 @@ def new_refusals(
 ) -> tuple[list[Diagnostic], tuple[Consumer, Diagnostic] | None]:
     """The verdict of the consumers of a result.
 
-    The errors for which they refuse the result, though they read the source, which does not have them; or a
-    finding for which they refuse the result, as the source has it, too.
+    The errors for which they refuse the result, or drop a part of it, though they read the source, which does
+    not have them; or a finding for which they refuse the result, as the source has it, too.
     """
-    consumers = [consumer for consumer, kinds in READS.items() if result.kind.value in kinds]
-    consumers = [one for one in consumers if one in OWN_CONSUMER.values()]
-    before = tuple(before)
+    consumers = judges(result)
+    before, after = tuple(before), tuple(after)
     known = {consumer for consumer, _ in refused(before, consumers)}
     had = {one.code for one in before if one.severity is Severity.ERROR}
+    all_before = {one.code for one in before}
     found = refused(after, consumers)
-    if not found:
+    dropped = [one for _, one in refused(after, consumers, _drops) if one.code not in all_before]
+    if not found and not dropped:
         return [], None
     counterparts = _Counterparts(source, result)
+    fresh = [one for consumer, one in found if consumer not in known and one.code not in had]
     losses = {
         loss_at(counterparts.of(one), LossKind.UNSOUND_RESULT, _text(one), Severity.ERROR)
-        for consumer, one in found
-        if consumer not in known and one.code not in had
+        for one in (*fresh, *dropped)
     }
     ordered = sorted(losses, key=lambda loss: (loss.span.start, loss.message))
-    return [to_diagnostic(loss) for loss in ordered], None if losses else found[0]
+    return [to_diagnostic(loss) for loss in ordered], found[0] if found and not losses else None
 
 
 class _Blocks:

@@ -53,6 +53,12 @@ class Node:
         """The child elements, or those of that name."""
         return (c for c in self.children if isinstance(c, Node) and (name is None or c.name == name))
 
+    def walk(self) -> Iterator[Node]:
+        """The element, and all below it."""
+        yield self
+        for child in self.elements():
+            yield from child.walk()
+
     def find(self, name: str) -> Node | None:
         """The first child element of that name."""
         return next(self.elements(name), None)

@@ -149,7 +149,7 @@ def references(file: Path) -> tuple[dict[Reference, str], set[str]]:
 
 
 def _local(element: etree._Element) -> str:
-    return etree.QName(element).localname
+    return element.tag.rpartition("}")[2].rpartition(":")[2]
 
 
 def _texts(holder: etree._Element) -> Iterator[tuple[str, str]]:

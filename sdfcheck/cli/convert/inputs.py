@@ -15,10 +15,10 @@ from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.engine import lint_document
-from sdfcheck.lint.obstacles import ELSEWHERE, obstacles, own_consumer
+from sdfcheck.lint.engine import Dispatch, lint_document
+from sdfcheck.lint.obstacles import ELSEWHERE, OWN_CONSUMER, obstacles, own_consumer
 from sdfcheck.lint.rulebook.rulebook import RuleBook
-from sdfcheck.lint.select import SILENT
+from sdfcheck.lint.select import SILENT, Choice
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -64,6 +64,8 @@ class Reader:
 
     def __init__(self, around: Around, *, lint: bool = True, expand: bool = True) -> None:
         self._book = RuleBook(SILENT, None)
+        consumers = tuple(consumer.value for consumer in OWN_CONSUMER.values())
+        self._verdicts = RuleBook(Choice(preview=True), consumers)
         self._around = around
         self._lint = lint
         self._expands = expand
@@ -150,7 +152,15 @@ class Reader:
             found = new_errors(source, before, result, after)
         if found:
             return Judgement(found)
-        return Judgement(*new_refusals(source, given.found, result, after))
+        others = self._others(settings, given.file)
+        after = [*after, *lint_document(result, others)]
+        before = [*given.found, *lint_document(source, others)]
+        return Judgement(*new_refusals(source, before, result, after))
+
+    def _others(self, settings: Settings, file: Path) -> Dispatch:
+        """The rules that predict what the consumers of results do, and are not asked for: those in preview, too."""
+        asked = (facts.code for facts in self._book.active(settings, file, tuple(ELSEWHERE)).facts)
+        return self._verdicts.dispatch(settings, file, (*ELSEWHERE, *asked))
 
 
 def _unexpanded(judged: Input) -> Input:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 
 from sdfcheck.convert.contents.entry import Entry
+from sdfcheck.convert.marks import MARKS
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
@@ -33,7 +34,7 @@ def custom_entry(element: Element, kind: Kind) -> Entry:
     for name, text in element.attributes.items():
         if name.removeprefix(_KEPT) == "name":
             made.own = text
-        else:
+        elif text and name not in MARKS:
             made.attributes[name.removeprefix(_KEPT)] = text
     made.children += [custom_entry(child, kind) for child in element.children()]
     return made

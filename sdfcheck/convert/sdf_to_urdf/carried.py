@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import takewhile
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT
+from sdfcheck.convert.marks import EMPTY, INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import Node, copied, declare, undeclared_prefixes
@@ -198,7 +198,9 @@ def _give_back(context: Context, node: Node, element: Element, scope: str) -> No
     copy = copied(element)
     for name in [name for name in copy.attributes if name.startswith("xmlns:urdf")]:
         del copy.attributes[name]
-    copy.attributes = {name.removeprefix(_OF_URDF): text for name, text in copy.attributes.items()}
+    for part in copy.walk():
+        part.attributes.update(dict.fromkeys(part.attributes.pop(EMPTY, "").split(), ""))
+        part.attributes = {name.removeprefix(_OF_URDF): text for name, text in part.attributes.items()}
     copy.name = element.name.removeprefix(_OF_URDF)
     follow_names(context, copy, element, scope)
     node.append(copy)

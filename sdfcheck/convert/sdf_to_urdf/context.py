@@ -42,6 +42,8 @@ class Context:
     root: Node
     between: set[str] = field(default_factory=set)
     """Links of the URDF that are no more than a place between two joints, with a mass that is given to them."""
+    heavier: set[str] = field(default_factory=set)
+    """Source links whose mass is written as one that libsdformat takes for a mass."""
     begins_in_world: bool = False
     """Is the URDF's root a link for the world?"""
     blobs: dict[str, Node] = field(default_factory=dict)

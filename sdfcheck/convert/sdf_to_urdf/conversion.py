@@ -478,4 +478,5 @@ def _correspondence(context: Context) -> Correspondence:
         unlimited=min(context.options.unlimited, 1e15),
         dropped_joints=frozenset({joint.name for joint in context.made.loops} | context.floating),
         dropped_geometries=frozenset(kinds - HELD - context.natives),
+        changed_bodies=frozenset(context.heavier),
     )

@@ -11,6 +11,7 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.old_sensors import renew
 from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, follow_names
 from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.plan import WORLD
 from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text, shortened
 from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.sdf.version import NEWEST
@@ -71,9 +72,10 @@ def keep_static(context: Context, static: Element) -> None:
     context.ledger.take(static, TEXT)
 
 
-def keep_base(context: Context, joint: str, pose: Array) -> None:
-    """Keep where a floating joint is: libsdformat drops the joint, and still places its child by it."""
-    context.blob().add("frame", name=joint, attached_to="__model__").add("pose", pose_text(pose))
+def keep_base(context: Context, joint: str, pose: Array, parent: str = "__model__") -> None:
+    """Keep where a floating or planar joint is: libsdformat drops the joint, and still places its child by it."""
+    parent = "__model__" if parent == WORLD else parent
+    context.blob().add("frame", name=joint, attached_to=parent).add("pose", pose_text(pose))
 
 
 def keep_frame(context: Context, name: str, link: str, pose: Array, frame: RobotNode) -> None:

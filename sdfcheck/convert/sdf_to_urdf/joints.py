@@ -11,12 +11,13 @@ from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.marks import MERGED
 from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, carry_parts
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions, keep_joint
+from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions, keep_base, keep_joint
 from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.options import Unsupported
 from sdfcheck.convert.sdf_to_urdf.plan import Edge
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
 from sdfcheck.convert.writer import Node, number
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import SMALL
 from sdfcheck.robot.motion.mechanism import Axis, Joint
@@ -126,8 +127,6 @@ def add_mimic(context: Context, node: Node, joint: Joint, axis: Axis) -> None:
 # Joints: where they are, how they move, what stops them.
 
 
-_DAMPINGS = 3
-"""Of a planar joint; Drake takes fewer for none."""
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
 
 
@@ -214,10 +213,15 @@ def _add_planar(context: Context, edge: Edge, joint: Joint, parent: str, child: 
     """A ``drake:joint`` of SDFormat is a plain joint of URDF, which has planar ones."""
     node = context.root.add("joint", name=context.joints[joint.name], type="planar")
     _connect(node, parent, child, *_start(context, edge))
+    keep_base(context, context.joints[joint.name], _start(context, edge)[0], parent)
     node.add("axis", xyz="0 0 1")
-    if (damping := joint.element.find("drake:damping")) is not None:
-        text = " ".join(damping.content.split())
-        node.add("dynamics", damping=text if len(text.split()) == _DAMPINGS else "0 0 0")
+    if (damping := joint.element.find("drake:damping")) is not None and any(
+        values := floats(damping.content) or ()
+    ):
+        message = (
+            f"the damping of planar {joint.element.title} is left out: urdfdom refuses {len(values)} numbers"
+        )
+        context.ledger.lose(LossKind.DROPPED_ELEMENT, damping, message)
     return node
 
 
@@ -344,6 +348,8 @@ def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, ch
     if policy is Unsupported.FLOATING and joint.element.name == "joint":
         keep_joint(context, joint, in_parent=True)
         message += ", and kept for libsdformat"
+    elif policy is Unsupported.FLOATING:
+        keep_base(context, name, _start(context, edge)[0], parent)
     severity = Severity.ERROR
     if _is_for_drake(context, edge, joint):
         node = _add_for_drake(context, edge, joint, parent, child)

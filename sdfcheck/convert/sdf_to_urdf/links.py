@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sdfcheck.consumers.gazebo import LEAST
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.marks import NOTHING
@@ -157,6 +158,8 @@ def _canonical(element: Element) -> tuple[object, ...]:
 # Links with their inertials, visuals and collisions.
 
 
+_KEPT = 2 * LEAST
+"""The mass (kg) of a link for which libsdformat does not drop it, and no more."""
 _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
@@ -216,6 +219,14 @@ def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial
     """As its author wrote it, in the frame in which it was written."""
     tensor = inertial.tensor._asdict()
     mass = float(inertial.mass)
+    if 0 < mass <= LEAST:
+        message = (
+            f"{link.element.title} has {number(mass)} kg, for which libsdformat drops it when it reads URDF: "
+            f"{number(_KEPT)} kg are written"
+        )
+        context.ledger.note(LossKind.CHANGED_INERTIA, inertial.element, message)
+        context.heavier.add(link.name)
+        mass = _KEPT
     pose = link.pose @ written_pose(inertial.element.find("pose"))
     _write(context, node, link, context.layout.within(link.name, pose), mass, tensor)
     moments = (inertial.moments[name] for name in ("ixx", "iyy", "izz"))

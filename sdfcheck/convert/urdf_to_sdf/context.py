@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind
-from sdfcheck.convert.marks import LINK
+from sdfcheck.convert.marks import EMPTY, LINK
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
@@ -219,11 +219,16 @@ class Context:
         text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
         self.note(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
         own = made.attributes.get("name")
-        if own is not None and node.name == "model" and not self.plan.names.claim(own):
+        if own and node.name == "model" and not self.plan.names.claim(own):
             # libsdformat requires different names of everything in a model, known to it or not.
             made.attributes = {
                 f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
             }
+        for part in made.walk():
+            # It complains about attributes without a value, too.
+            if empty := [name for name, text in part.attributes.items() if not text]:
+                part.attributes = {name: text for name, text in part.attributes.items() if text}
+                part.attributes[EMPTY] = " ".join(empty)
         node.append(made)
 
     def name_anew(self, element: Element, made: Node, node: Node) -> None:

@@ -82,9 +82,14 @@ def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
             links[part] = Link(link.name, link.pose, link.element, body, link.geometries)
     joints = {}
     free = free_joints(plan, context.options)
+    blocks = plan.root.children("gazebo")
+    kept = {part.attributes.get("name") for block in blocks for part in block.children("joint")}
     for name, joint in robot.joints.items():
         if name in free:
-            continue  # what floats stays where it is, whatever moves
+            # What floats stays where it is, whatever moves; a joint of a block in its place ties it to its parent.
+            if name in kept:
+                joints[name] = replace(joint, kind="fixed", axes=())
+            continue
         changes: dict[str, Any] = dict(context.overruled.get(plan.names.joints[name], {}))
         axes = tuple(_unbounded(replace(axis, **changes)) for axis in joint.axes)
         if name in context.lost_mimics:

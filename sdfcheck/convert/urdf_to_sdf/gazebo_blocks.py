@@ -12,7 +12,7 @@ from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.old_sensors import renew
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
-from sdfcheck.convert.urdf_to_sdf.plan import OF_JOINTS, legal
+from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, legal
 from sdfcheck.convert.writer import Node, copied, numbers
 from sdfcheck.formats.sdf.values import floats, number
 from sdfcheck.formats.urdf.table import TRUE, UrdfElement, extension, settings
@@ -312,7 +312,7 @@ class Extensions:
     def _native(self, entry: Element, model: Node) -> None:
         """Parts that are SDFormat already; their names must differ from those of the robot."""
         joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
-        if entry.name == "frame" and joint is not None and joint.kind == "floating":
+        if entry.name == "frame" and joint is not None and joint.kind in {"floating", *FOR_DRAKE}:
             # It replaces the joint, in whose place it is, for libsdformat.
             self.context.ledger.take_whole(entry)
             return

@@ -84,7 +84,7 @@ OWN = f"""<robot name="r">
 <calibration rising="0.1"/></joint>
 <transmission name="t"><type>x</type><joint name="j"/><actuator name="a"/></transmission>
 <ros2_control name="c" type="system"><joint name="j"/></ros2_control>
-<mujoco><compiler meshdir="m"/></mujoco>
+<mujoco><compiler meshdir="m" note=""/></mujoco>
 </robot>"""
 
 
@@ -99,6 +99,7 @@ def test_what_urdf_alone_has_comes_back_as_itself() -> None:
         "<ros2_control name",
     ):
         assert part in done.text
+    assert '<compiler meshdir="m" note=""/>' in done.text
     assert "urdf:" not in done.text
     assert 'filename="package://p/a.stl"' in done.text
 

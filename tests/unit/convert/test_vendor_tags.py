@@ -252,9 +252,9 @@ def to_urdf(text: str) -> str:
         (
             sdf(joint="<frame name='p' attached_to='a'><pose>0 0 1 0 0 0</pose></frame>"
                       "<drake:joint name='j' type='planar'><drake:parent>p</drake:parent>"
-                      "<drake:child>b</drake:child><drake:damping>1 2 3</drake:damping></drake:joint>"),
+                      "<drake:child>b</drake:child><drake:damping>0 0 0</drake:damping></drake:joint>"),
             ('<joint name="j" type="planar"><origin xyz="0 0 1"/><parent link="a"/><child link="b"/>'
-            '<axis xyz="0 0 1"/><dynamics damping="1 2 3"/></joint>'),
+            '<axis xyz="0 0 1"/></joint>'),
         ),
         (
             sdf(joint="<joint name='j' type='ball'><parent>a</parent><child>b</child></joint>"),
