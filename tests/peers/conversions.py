@@ -221,7 +221,7 @@ def _judged(done: Done, answers: dict[Engine, dict[Path, Answer]]) -> Iterator[F
     is_read = own is not None and answers[own][job.source].is_accepted
     if not done.is_written:
         code, message = done.why
-        if is_read and code not in CANNOT:
+        if is_read and code not in CANNOT and "choose one with --model" not in message:
             yield Finding("false refusal", job.name, f"{code} {message}")
         return
     readers = [engine for engine in ENGINES[job.kind] if engine in answers]

@@ -98,7 +98,10 @@ def _place(entry: Entry, link: Link) -> None:
 def _joint(element: Element) -> Entry:
     definition = _definition(element, "joint")
     made = _entry(element, definition, _OF_JOINTS)
-    made.attributes.pop("type", None)
+    if made.attributes.pop("type", None) == "fixed":
+        made.children = [
+            c for c in made.children if c.element is None or not c.element.name.startswith("urdf:")
+        ]
     for name in ("axis", "axis2"):
         axis, inner = element.find(name), definition.children.get(name) if definition is not None else None
         if axis is None:

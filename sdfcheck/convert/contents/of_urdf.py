@@ -9,6 +9,7 @@ from collections.abc import Iterable
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
+from sdfcheck.convert.marks import SCRIPTS
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.urdf.table import settings
@@ -22,9 +23,10 @@ from sdfcheck.source.sniff import Kind
 
 _TRANSLATED = {
     "robot": frozenset({"frame", "gazebo", "joint", "link", "material", "origin"}),
-    "link": frozenset({"collision", "inertial", "visual"}),
+    "collision": frozenset({"geometry", "origin"}),
     "joint": frozenset({"axis", "child", "dynamics", "limit", "mimic", "origin", "parent"}),
     "limit": frozenset({"effort", "lower", "upper", "velocity"}),
+    "visual": frozenset({"geometry", "material", "origin"}),
 }
 """Element → the parts and attributes for which SDFormat has words; it has others under a prefix only."""
 _HINTS = frozenset({"preserveFixedJoint", "disableFixedJointLumping", "material"})
@@ -59,26 +61,41 @@ def of_urdf(model: Model) -> Contents:
 def _link(found: Contents, link: Link, definition: Definition) -> None:
     made = found.add("link", link.name, Entry("link", "", link.element, definition))
     _add_customs(made, link.element.children())
-    _add_own(made, link.element)
     shapes = [(shape, _shape(shape, definition)) for shape in link.shapes]
     for shape, entry in shapes:
         found.shapes[shape.element] = entry
-    for element in (element for block in link.gazebo_blocks for element in block.element.children()):
-        name = element.name
-        setting = settings("link").get(name)
-        if name in {"visual", "collision"}:
-            for entry in (entry for shape, entry in shapes if shape.kind == name):
-                _lay_over(entry, entry_of(element, definition.children.get(name)))
-        elif setting is not None:
-            text = setting.translated(text_of_setting(element))
-            for path in setting.counterparts:
-                if path[0] == "collision":
-                    for entry in (entry for shape, entry in shapes if shape.kind == "collision"):
-                        entry.reach(path[1:], element).text = text
-                else:
-                    made.reach(path, element).text = text
-        elif name not in _HINTS and name not in settings("joint") and not _is_of_joint(link, element):
-            _add(made, element)
+    for block in link.gazebo_blocks:
+        for element in block.element.children():
+            _of_block(made, link, element, shapes)
+
+
+def _of_block(made: Entry, link: Link, element: Element, shapes: list[tuple[Shape, Entry]]) -> None:
+    """What a block says of a link."""
+    name = element.name
+    setting = settings("link").get(name)
+    if name in {"visual", "collision"}:
+        for entry in (entry for shape, entry in shapes if shape.kind == name):
+            _lay_over(entry, entry_of(element, entry.definition))
+    elif setting is not None:
+        text = setting.translated(text_of_setting(element))
+        for path in setting.counterparts:
+            if path[0] == "collision":
+                for entry in (entry for shape, entry in shapes if shape.kind == "collision"):
+                    entry.reach(path[1:], element).text = text
+            else:
+                made.reach(path, element).text = text
+    elif name == "material":
+        _script(element, [entry for shape, entry in shapes if shape.kind == "visual"])
+    elif name not in _HINTS and name not in settings("joint") and not _is_of_joint(link, element):
+        _add(made, element)
+
+
+def _script(element: Element, visuals: Iterable[Entry]) -> None:
+    """The script of classic Gazebo that a block has for the visuals of a link."""
+    if name := text_of_setting(element):
+        for visual in visuals:
+            for part, text in (("name", name), ("uri", SCRIPTS)):
+                visual.reach(("material", "script", part), element).text = text
 
 
 def _is_of_joint(link: Link, element: Element) -> bool:
@@ -89,6 +106,7 @@ def _is_of_joint(link: Link, element: Element) -> bool:
 def _shape(shape: Shape, definition: Definition) -> Entry:
     made = Entry(shape.kind, "", shape.element, definition.children.get(shape.kind))
     _add_customs(made, shape.element.children())
+    _add_own(made, shape.element)
     geometry = shape.geometry.shape_element
     _add_customs(made, () if geometry is None else geometry.children())
     if isinstance(shape, Visual) and shape.own_material.is_given:
@@ -108,7 +126,8 @@ def _material(shape: Entry, material: Material) -> None:
 def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
     made = found.add("joint", joint.name, Entry("joint", "", joint.element, definition))
     _add_customs(made, joint.element.children())
-    _add_own(made, joint.element)
+    if not joint.is_fixed:  # of one that was merged nothing is left but a frame
+        _add_own(made, joint.element)
     for name in ("axis", "limit", "dynamics"):
         inner = joint.find(name)
         if inner is not None:

@@ -6,14 +6,15 @@ changed since, its parts are not known any more, and the links stay together.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NOTHING, PARENT
+from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NONE, NOTHING, PARENT, WAS
 from sdfcheck.convert.rewrite.include_expansion import Rendered
 from sdfcheck.convert.rewrite.tidy import Branch, branch_of
 from sdfcheck.convert.writer import numbers
+from sdfcheck.formats.sdf.values import number
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
@@ -65,28 +66,25 @@ class _Separation:
     def _separate(self, model: Branch, kept: frozenset[str]) -> None:
         frames = {one.attributes.get("name", ""): one for one in model.children if one.name == "frame"}
         links = {one.attributes.get("name", ""): one for one in model.children if one.name == "link"}
+        apart: dict[str, Branch] = {}
         for name, frame in frames.items():
-            joint = frames.get(frame.attributes.get(JOINT, ""))
-            survivor = frame.attributes.get("attached_to", "")
+            joint, survivor = (
+                frames.get(frame.attributes.get(JOINT, "")),
+                frame.attributes.get("attached_to", ""),
+            )
             parent = frame.attributes.get(PARENT, "")
-            is_known = joint is not None and survivor in links and (parent in links or parent in frames)
-            if joint is None or not is_known or survivor in kept:
-                continue
-            if joint.attributes.get("attached_to") != survivor:
+            is_known = survivor in links and survivor not in kept and (parent in links or parent in frames)
+            if joint is None or joint.attributes.get("attached_to") != survivor or not is_known:
                 continue
             self.survivors.setdefault(survivor, []).append(name)
+            apart[name] = frame
             _to_joint(joint, name, parent)
-        for survivor, names in self.survivors.items():
-            has_own = any(frames[name].find(INERTIAL) is not None for name in names if name in frames)
-            apart = {name: _to_link(frames[name]) for name in names if name in frames}
-            if survivor in links:
-                _take_apart(links[survivor], apart, has_own)
-        for joint in model.children:
-            end = joint.find("parent") if joint.name == "joint" else None
-            if end is not None and any(
-                end.attributes.get(LINK) in names for names in self.survivors.values()
-            ):
-                end.text = end.attributes.pop(LINK)
+        for survivor in self.survivors.keys() & links.keys():
+            own = {name: one for name, one in apart.items() if one.attributes.get("attached_to") == survivor}
+            for one in own.values():
+                _to_link(one)
+            _take_apart(links[survivor], own)
+        _restore_names(model, apart.keys())
 
     def unequal(self) -> Iterator[str]:
         """The links whose mass is not that of their parts."""
@@ -102,6 +100,26 @@ class _Separation:
             for survivor, names in self.survivors.items():
                 if survivor in before.links and not _is_sum(before, after, survivor, names):
                     yield survivor
+
+
+def _restore_names(model: Branch, apart: Container[str]) -> None:
+    """Let joints and plugins name the links that are apart again."""
+    for part in model.walk():
+        end = part.find("parent") if part.name == "joint" else None
+        if end is not None and end.attributes.get(LINK) in apart:
+            end.text = end.attributes.pop(LINK)
+        if part.name == "plugin" and any(one.attributes.get(WAS, "") in apart for one in part.children):
+            _as_before(part)
+
+
+def _as_before(plugin: Branch) -> None:
+    """Give the parameters of a plugin the texts that they had."""
+    for part in [part for part in plugin.children if WAS in part.attributes]:
+        before = part.attributes.pop(WAS)
+        if before == NONE:
+            plugin.parts.remove(part)
+        else:
+            part.text = before
 
 
 def _models(document: Document) -> list[Model]:
@@ -130,7 +148,7 @@ def _pose(frame: Branch) -> Branch:
     return pose
 
 
-def _to_link(frame: Branch) -> Branch:
+def _to_link(frame: Branch) -> None:
     place, inertial = _pose(frame), frame.find(INERTIAL)
     frame.name = "link"
     frame.attributes = {
@@ -141,7 +159,6 @@ def _to_link(frame: Branch) -> Branch:
         frame.parts.insert(1, _none())
     else:
         inertial.name = "inertial"
-    return frame
 
 
 def _none() -> Branch:
@@ -153,7 +170,7 @@ def _none() -> Branch:
     return made
 
 
-def _take_apart(link: Branch, apart: Mapping[str, Branch], has_own: bool) -> None:
+def _take_apart(link: Branch, apart: Mapping[str, Branch]) -> None:
     """Give the links what was theirs."""
     for part in list(link.children):
         owner = apart.get(part.attributes.get(LINK, ""))
@@ -164,15 +181,21 @@ def _take_apart(link: Branch, apart: Mapping[str, Branch], has_own: bool) -> Non
             if part.name in {"visual", "collision"} or pose is not None:
                 _place_in(part, pose, link, owner)
             owner.parts.append(part)
-    if not has_own:
-        return
     own, total = link.find(INERTIAL), link.find("inertial")
+    if own is None and not any(map(_has_mass, apart.values())):
+        return
     if total is not None:
         link.parts.remove(total)
     if own is None:
         link.parts.append(_none())
     else:
         own.name = "inertial"
+
+
+def _has_mass(link: Branch) -> bool:
+    inertial = link.find("inertial")
+    mass = inertial.find("mass") if inertial is not None else None
+    return mass is not None and number(mass.text) != 0
 
 
 def _place_in(part: Branch, pose: Branch | None, link: Branch, owner: Branch) -> None:
@@ -200,7 +223,7 @@ def _is_sum(before: Mechanism, after: Mechanism, survivor: str, names: Sequence[
     total: MassProperties | None = None
     for name in (survivor, *names):
         link = after.links[name]
-        if link.body is None or link.body.mass == 0:
+        if link.body is None:
             continue
         seen = link.body.seen_from(inverse(after.links[survivor].pose) @ link.pose)
         total = seen if total is None else total.joined_with(seen)

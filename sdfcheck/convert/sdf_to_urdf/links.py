@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from sdfcheck.consumers.gazebo import LEAST
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.marks import NOTHING
+from sdfcheck.convert.marks import NOTHING, SCRIPTS
 from sdfcheck.convert.sdf_to_urdf.carried import (
     carry_comments,
     carry_custom,
@@ -124,6 +124,13 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
     meant = [[_canonical(extra) for extra in extras] for extras in each]
     if any(other != meant[0] for other in meant[1:]):
         return False
+    if script := _script(each[0]):
+        context.blob(context.links[link.name]).add("material", script)
+        for extra in (extra for extras in each for extra in extras):
+            context.ledger.take(extra)
+            for one in extra.children("script"):
+                context.ledger.take_whole(one)
+        return True
     blob = context.blob(context.links[link.name]).add(role)
     blob.children.extend(copied(extra) for extra in each[0])
     for extra in (extra for extras in each for extra in extras):
@@ -134,6 +141,17 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
     )
     context.ledger.note(LossKind.KEPT_AS_EXTENSION, each[0][0], message, Severity.INFO)
     return True
+
+
+def _script(extras: Sequence[Element]) -> str:
+    """The name of a script of classic Gazebo, where the extras are no more than that; else nothing."""
+    material = extras[0]
+    said = [part for part in material.children() if part.name not in _COLOR]
+    is_script = material.name == "material" and [part.name for part in said] == ["script"]
+    if len(extras) > 1 or not is_script or material.attributes:
+        return ""
+    texts = {part.name: part.content for part in said[0].children()}
+    return texts["name"] if texts.keys() == {"name", "uri"} and texts["uri"] == SCRIPTS else ""
 
 
 def _extras(part: Element) -> Iterator[Element]:

@@ -199,7 +199,7 @@ class Context:
             declare(made, element, prefix, self.namespaces)
         return made
 
-    def keep(self, element: Element, node: Node) -> None:
+    def keep(self, element: Element, node: Node, severity: Severity = Severity.INFO) -> None:
         """Carry something over that the target has no word for, under a prefix of its own."""
         if element.name.startswith("xacro:"):
             text = f"{element.title} is left out: nobody has expanded it"
@@ -217,7 +217,7 @@ class Context:
         self.ledger.take_whole(element)
         made.name = f"{KEPT}:{made.name}"
         text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
-        self.note(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
+        self.note(element, LossKind.KEPT_AS_EXTENSION, text, severity)
         own = made.attributes.get("name")
         if own and node.name == "model" and not self.plan.names.claim(own):
             # libsdformat requires different names of everything in a model, known to it or not.

@@ -348,8 +348,8 @@ class _Writer:
 
     def _declare(self) -> None:
         """Say which packages became models, and declare the prefixes that the text uses, as the source does."""
-        if self.context.packages:
-            self.model.attributes[PACKAGES] = " ".join(self.context.packages)
+        if packages := " ".join(self.context.packages):
+            self.model.attributes[PACKAGES] = packages
         for prefix in sorted(undeclared_prefixes(self.model)):
             given = self.context.namespaces.get(prefix) or self.root.declared.get(prefix)
             uri = given or _NAMESPACES.get(prefix) or f"urn:{prefix}"

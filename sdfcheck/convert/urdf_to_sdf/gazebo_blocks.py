@@ -10,6 +10,7 @@ import numpy as np
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.marks import NONE, SCRIPTS, WAS
 from sdfcheck.convert.old_sensors import renew
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, legal
@@ -172,12 +173,18 @@ class FollowedNames:
                 survivor, offset = self.context.plan.home.get(element.content, ("", np.eye(4)))
                 if survivor in self.context.links:
                     self._move(plugin, made, offset)
+                    self._mark(node, element)
                     node.text = self.context.plan.names.links[survivor]
                     text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
                     self.context.note(element, kind, text, Severity.INFO)
                     continue
             text = f"<{element.name}> of {plugin.title} stays as it is, but {what}"
             self.context.note(element, kind, text)
+
+    def _mark(self, node: Node, before: Element | None) -> None:
+        """Say on a parameter what it was."""
+        if self.context.options.has_frames:
+            node.attributes[WAS] = NONE if before is None or not before.content else before.content
 
     def _renamed(self, name: str) -> str:
         """The new name of a link or joint; a link goes before a joint of its name."""
@@ -202,6 +209,7 @@ class FollowedNames:
         place = offset @ transform(from_rpy(*angles), position)
         rows = (tuple(map(float, place[:3, 3])), to_rpy(place[:3, :3]))
         for (name, one), row in zip(given.items(), rows, strict=True):
+            self._mark(made.reach(name), one)
             made.reach(name).text = numbers(row)
             if one is not None:
                 text = f"<{name}> of {plugin.title} is from the link that is left"
@@ -229,7 +237,6 @@ def _pairs(element: Element, node: Node) -> Iterator[tuple[Element, Node]]:
 _KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
 _PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
 _BOUNDS = frozenset({"lower", "upper", "effort", "velocity", "damping", "friction"})
-_SCRIPTS = "file://media/materials/scripts/gazebo.material"
 
 
 class Extensions:
@@ -307,7 +314,7 @@ class Extensions:
         elif entry.is_custom or self.context.allows(entry.name):
             self._native(entry, model)
         else:
-            self.context.keep(entry, model)
+            self.context.keep(entry, model, Severity.WARNING)
 
     def _native(self, entry: Element, model: Node) -> None:
         """Parts that are SDFormat already; their names must differ from those of the robot."""
@@ -353,7 +360,7 @@ class Extensions:
             else:
                 joint.append(made)
         else:
-            context.keep(entry, joint)
+            context.keep(entry, joint, Severity.WARNING)
 
     def _axis(self, entry: Element, joint: Node) -> None:
         """Limits and dynamics for Gazebo go before those of the joint; where it turns is for the joint to say."""
@@ -406,7 +413,7 @@ class _LinkPart:
         elif entry.is_custom or context.allows(f"link/{name}"):
             self._native(entry, link)
         else:
-            context.keep(entry, link)
+            context.keep(entry, link, Severity.WARNING)
 
     def _setting(self, entry: Element, setting: UrdfElement, link: Node) -> None:
         self.context.ledger.take(entry, TEXT, "value")
@@ -448,7 +455,7 @@ class _LinkPart:
                 material.children.remove(script)
             made = Node("script")
             made.add("name", text_of_setting(entry))
-            made.add("uri", _SCRIPTS)
+            made.add("uri", SCRIPTS)
             material.children.insert(0, made)
         if visuals and self.context.once("script"):
             name = text_of_setting(entry)

@@ -203,9 +203,17 @@ class Links:
             elif isinstance(child, Element) and child.name in {"visual", "collision"}:
                 self._shape(child, node, survivor, offset)
             elif isinstance(child, Element) and child.name != "inertial":
-                context.keep(child, node)
+                self._keep(child, node, name)
         if not merged:
             self._weigh(inertial, survivor, node)
+
+    def _keep(self, child: Element, node: Node, name: str) -> None:
+        """What SDFormat has no word for, with a mark of its link."""
+        count = len(node.children)
+        self.context.keep(child, node)
+        for made in node.children[count:]:
+            if isinstance(made, Node):
+                self.context.mark(made, name)
 
     def _written(self, inertial: Element, node: Node, name: str, survivor: str) -> None:
         """The author's numbers: as they are, or beside the sum that they are part of."""

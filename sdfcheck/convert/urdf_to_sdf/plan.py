@@ -120,8 +120,11 @@ class Plan:
         return self.home[link][0] != link
 
     def is_summed(self, link: str, survivor: str) -> bool:
-        """Is a link's mass part of that of the link that survives, computed from several?"""
-        return self.bodies.get(survivor) is not None and _mass(self.robot.links[link]) > 0
+        """Are a link's mass properties part of those of the link that survives, or beside them?"""
+        given = self.robot.links[link].body is not None
+        return given and (
+            link != survivor or (self.bodies.get(survivor) is not None and survivor not in self.supplied)
+        )
 
     def is_world(self, link: str) -> bool:
         return self.has_world and link == WORLD

@@ -65,9 +65,9 @@ def test_plugins_of_a_merged_link_get_its_offset() -> None:
     )
     plugin = '<plugin name="p" filename="p.so"><bodyName>imu</bodyName><xyzOffset>0 2 0</xyzOffset></plugin>'
     done = converted(f"{links}{joint}<gazebo>{plugin}</gazebo>")
-    assert "<bodyName>base</bodyName>" in done.text
-    assert "<xyzOffset>-1 0 0</xyzOffset>" in done.text
-    assert "<rpyOffset>0 0 1.5707963267948966</rpyOffset>" in done.text
+    assert '<bodyName urdf:was="imu">base</bodyName>' in done.text
+    assert '<xyzOffset urdf:was="0 2 0">-1 0 0</xyzOffset>' in done.text
+    assert '<rpyOffset urdf:was="none">0 0 1.5707963267948966</rpyOffset>' in done.text
     assert done.verification is not None
     assert done.verification.is_equal, done.verification.differences
 

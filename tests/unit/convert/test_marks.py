@@ -26,6 +26,7 @@ TOOL = f"""<robot name="r">
 <joint name="to_tip" type="fixed">{ENDS.format("tool", "tip")}</joint>
 <joint name="j" type="continuous">{ENDS.format("tip", "finger")}<axis xyz="0 0 1"/></joint>
 <gazebo reference="tip"><sensor name="s" type="imu"><pose>0 1 0 0 0 0</pose></sensor></gazebo>
+<gazebo><plugin name="p" filename="f"><bodyName>tip</bodyName><rpyOffset>0 0 1</rpyOffset></plugin></gazebo>
 </robot>"""
 HEAVY = TOOL.replace('<link name="tip"/>', f'<link name="tip">{INERTIAL.format(2)}</link>')
 
