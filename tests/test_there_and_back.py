@@ -1,4 +1,4 @@
-"""A model that becomes URDF and SDF again is the same robot, except for reported losses."""
+"""What becomes the other format and comes back is the same robot, except for reported losses."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.ledger import models
+from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import read
-from tests.there_and_back import there_and_back, untold
+from tests.there_and_back import back_and_there, there_and_back, untold, unwarned
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 FILES = sorted(
@@ -28,3 +29,23 @@ def test_every_change_is_reported(path: Path) -> None:
     document.library = Library()
     changes, losses = there_and_back(document)
     assert not list(untold(changes, losses))
+
+
+ROBOTS = [
+    path
+    for path in sorted(
+        (*(FIXTURES / "convert" / "urdf-to-sdf").glob("*/input.urdf"), *(FIXTURES / "robots").rglob("*.urdf"))
+    )
+    if "with_mistakes" not in path.parts
+]
+
+
+@pytest.mark.parametrize("path", ROBOTS, ids=lambda path: f"{path.parent.name}/{path.name}")
+def test_every_change_of_a_robot_is_a_warning(path: Path) -> None:
+    document = read(path.read_bytes(), path)
+    document.library = Library()
+    try:
+        changes, losses = back_and_there(document)
+    except NotConvertible as error:
+        pytest.skip(error.loss.message)
+    assert not list(unwarned(changes, losses))

@@ -1,4 +1,4 @@
-"""From SDF to URDF and back: the changes in the robot, and the losses that report them."""
+"""From one format to the other and back: the changes in the robot, and the losses that report them."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, convert
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options as BackOptions
+from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.document import Document, read
 
 _REPORTED_BY = (
@@ -56,6 +57,42 @@ def there_and_back(document: Document) -> tuple[list[Change], list[Loss]]:
     found = compare_files(document, read(back.text.encode(), Path("back.sdf")))
     changes = [change for _, group in found.changes for change in group]
     return changes, [*there.losses, *back.losses]
+
+
+def back_and_there(document: Document) -> tuple[list[Change], list[Loss]]:
+    """The differences between a URDF robot and what it is after being SDFormat, and the losses of both ways.
+
+    Names of shapes that had none are left out: SDFormat requires them. Raises NotConvertible.
+    """
+    there = urdf_to_sdf(document, BackOptions())
+    back = convert(read(there.text.encode(), Path("there.sdf")), Options(loops=Loops.CUT))
+    for done in (there, back):
+        assert done.verification is not None
+        assert done.verification.is_equal, done.verification.differences
+    found = compare_files(document, read(back.text.encode(), Path("back.urdf")))
+    changes = [change for _, group in found.changes for change in group]
+    named = [one for one in changes if not (one.what.startswith("name of a") and one.before == "none")]
+    return named, [*there.losses, *back.losses]
+
+
+_THE_SAME = {LossKind.UNSUPPORTED_GEOMETRY, LossKind.KEPT_AS_EXTENSION}
+"""Losses that are infos where something else says the same: shapes in parts, and settings that cost names of shapes."""
+
+
+def unwarned(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
+    """The changes of a robot that no warning names."""
+    told = [loss for loss in losses if loss.severity is not Severity.INFO or loss.kind in _THE_SAME]
+    for change in changes:
+        if change.what.endswith("@relative_to"):
+            continue  # to the link that it is in
+        if change.what.startswith("transmission") and change.before == "none":
+            continue  # Drake wants one for each joint that is driven
+        names = {
+            word for text in (change.name, change.before, change.after) for word in re.split("[`:/ ]+", text)
+        }
+        names |= set(re.split("[`:/]+", change.what))
+        if not any(_names_any(loss, names - {""}) for loss in told):
+            yield f"{change.part} {change.name}: {change.what} {change.before} → {change.after}"
 
 
 def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:

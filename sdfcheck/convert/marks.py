@@ -13,10 +13,12 @@ PACKAGES = "urdf:packages"
 """On a model: the packages whose files are named as those of models."""
 EMPTY = "urdf:empty"
 """In an element that is kept under the prefix: its attributes without a value, of which libsdformat complains."""
+BLOCK = "urdf:block"
+"""On an element that is kept under the prefix: it was in a ``<gazebo>`` block."""
 WAS, NONE = "urdf:was", "none"
 """On a parameter of a plugin about a link: its text before the link became part of another."""
 MERGED, NOTHING = "urdf:merged", "urdf:nothing"
 """For the way back alone: a joint that was merged, and the inertial of a link that has none."""
 SCRIPTS = "file://media/materials/scripts/gazebo.material"
 """Where the scripts are that a ``<material>`` of a ``<gazebo>`` block names."""
-MARKS = frozenset({EMPTY, JOINT, PARENT, LINK, INERTIAL, PACKAGES, WAS, MERGED, NOTHING})
+MARKS = frozenset({BLOCK, EMPTY, JOINT, PARENT, LINK, INERTIAL, PACKAGES, WAS, MERGED, NOTHING})

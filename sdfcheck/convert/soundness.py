@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 
 from sdfcheck.consumers.reaction import READS, Consumer, Reaction, Verdict
 from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
+from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.obstacles import OWN_CONSUMER
 from sdfcheck.source.document import Document, Element
@@ -86,9 +87,15 @@ def new_refusals(
     before, after = tuple(before), tuple(after)
     known = {consumer for consumer, _ in refused(before, consumers)}
     had = {one.code for one in before if one.severity is Severity.ERROR}
+    assert source.root is not None
     all_before = {one.code for one in before}
     found = refused(after, consumers)
-    dropped = [one for _, one in refused(after, consumers, _drops) if one.code not in all_before]
+    # What only Drake reads is said where it is written.
+    dropped = [
+        one
+        for _, one in refused(after, consumers, _drops)
+        if one.code not in all_before and not uses(source.root, "drake")
+    ]
     if not found and not dropped:
         return [], None
     counterparts = _Counterparts(source, result)

@@ -129,9 +129,11 @@ class Reference(NamedTuple):
     number: int
 
 
-def references(file: Path) -> tuple[dict[Reference, str], set[str]]:
-    """The texts that may name a part, and the names that parts have."""
+def references(file: Path, model: str = "") -> tuple[dict[Reference, str], set[str]]:
+    """The texts that may name a part, and the names that parts have; of one model, if one is named."""
     root = _tree(file)
+    tops = (*root.findall("model"), *root.findall("world/model"))
+    root = next((one for one in tops if model and one.get("name") == model), root)
     names = {one.get("name", "") for one in root.iter(etree.Element) if _local(one) in _PARTS}
     if root.tag == "robot":
         # Shapes without a name get one from libsdformat, which users write in their sensors.
@@ -166,7 +168,7 @@ def _leads(text: str, names: set[str]) -> bool:
 
 def broken(done: Done) -> Iterator[Finding]:
     """The references that resolve in the source, and neither do so in the result nor are reported."""
-    before, names = references(done.job.source)
+    before, names = references(done.job.source, done.job.model)
     after, new_names = references(done.job.target)
     messages = [message for _, _, message in done.reported]
     for reference, text in before.items():

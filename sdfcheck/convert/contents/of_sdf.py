@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
-from sdfcheck.convert.marks import MARKS
+from sdfcheck.convert.marks import BLOCK, MARKS
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.robot.errors import DescriptionError
@@ -26,6 +26,7 @@ _OF_JOINTS = frozenset(
 _OF_AXES = frozenset({"xyz", "use_parent_model_frame", "mimic", "limit", "dynamics"})
 _LIMITS = frozenset({"lower", "upper", "effort", "velocity"})
 _DYNAMICS = frozenset({"damping", "friction"})
+_MOTION = frozenset({"axis", "child", "parent", "pose"})
 _ENDS = {"parent": "", "child": ""}
 
 
@@ -130,9 +131,22 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
     customs = frozenset(child.name for child in element.children() if child.is_custom)
     made = entry_of(element, definition, without | customs)
     made.attributes = {name: text for name, text in made.attributes.items() if name not in _ENDS}
-    others = (child for child in element.children() if child.name not in without | MARKS)
+    others = (
+        child
+        for child in element.children()
+        if child.name not in without | MARKS and not _is_kept_idle(child)
+    )
     made.children += custom_entries(others, Kind.SDF)
     return made
+
+
+def _is_kept_idle(element: Element) -> bool:
+    """Is it kept from URDF where its format says nothing: in a link, or in a block about how a joint moves?"""
+    local = element.name.removeprefix("urdf:")
+    if local == element.name or element.parent is None:
+        return False
+    holder = element.parent.name
+    return holder == "joint" and local in _MOTION if BLOCK in element.attributes else holder == "link"
 
 
 def _add_custom(shape: Entry, element: Element) -> None:

@@ -203,8 +203,11 @@ def _give_back(context: Context, node: Node, element: Element, scope: str) -> No
         part.attributes = {name.removeprefix(_OF_URDF): text for name, text in part.attributes.items()}
     copy.name = element.name.removeprefix(_OF_URDF)
     follow_names(context, copy, element, scope)
-    node.append(copy)
     context.ledger.take_whole(element)
+    if copy.attributes.pop("block", None) is None:
+        node.append(copy)
+    else:
+        context.blob(node.attributes["name"] if node.name in {"link", "joint"} else "").append(copy)
 
 
 def _give_back_attribute(context: Context, node: Node, element: Element, name: str, text: str) -> None:

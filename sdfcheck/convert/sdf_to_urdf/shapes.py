@@ -99,4 +99,8 @@ def add_shape(context: Context, node: Node, geometry: Geometry, scope: str) -> N
         attributes["radius"], attributes["length"] = (number(size) for size in geometry.size)
     if geometry.kind in context.natives:
         name = f"drake:{name}"
+        message = (
+            f"the {geometry.kind} of {geometry.element.title} is written as `{name}`, which Drake alone reads"
+        )
+        context.ledger.note(LossKind.UNSUPPORTED_GEOMETRY, shape, message)
     carry_custom(context, node.add("geometry").add(name, **attributes), shape, scope)

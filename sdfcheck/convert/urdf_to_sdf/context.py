@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind
-from sdfcheck.convert.marks import EMPTY, LINK
+from sdfcheck.convert.marks import BLOCK, EMPTY, LINK
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
@@ -199,7 +199,7 @@ class Context:
             declare(made, element, prefix, self.namespaces)
         return made
 
-    def keep(self, element: Element, node: Node, severity: Severity = Severity.INFO) -> None:
+    def keep(self, element: Element, node: Node, *, of_block: bool = False) -> None:
         """Carry something over that the target has no word for, under a prefix of its own."""
         if element.name.startswith("xacro:"):
             text = f"{element.title} is left out: nobody has expanded it"
@@ -217,7 +217,9 @@ class Context:
         self.ledger.take_whole(element)
         made.name = f"{KEPT}:{made.name}"
         text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
-        self.note(element, LossKind.KEPT_AS_EXTENSION, text, severity)
+        self.note(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
+        if of_block:
+            made.attributes[BLOCK] = "true"
         own = made.attributes.get("name")
         if own and node.name == "model" and not self.plan.names.claim(own):
             # libsdformat requires different names of everything in a model, known to it or not.

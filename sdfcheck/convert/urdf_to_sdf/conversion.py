@@ -323,10 +323,11 @@ class _Writer:
         """A link for what the link `world` carries, fixed to the world."""
         names = self.context.plan.names
         link = names.links[name]
-        joint = self.model.add("joint", None, name=names.free(f"{WORLD}_joint"), type="fixed")
+        own = names.free(f"{WORLD}_joint")
+        joint = self.model.add("joint", None, name=own, type="fixed")
         joint.add("parent", WORLD)
         joint.add("child", link)
-        text = f"what link `{WORLD}` carries goes to link `{link}`, fixed to the world"
+        text = f"what link `{WORLD}` carries goes to link `{link}`, which joint `{own}` fixes to the world"
         self.context.note(self.robot.links[name].element, LossKind.RENAMED, text)
 
     def _joint(self, name: str) -> None:

@@ -169,7 +169,8 @@ class FollowedNames:
                 text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
                 self.context.note(element, kind, text, Severity.INFO)
                 continue
-            if element.parent is plugin and element.name in _WITH_OFFSET:
+            in_sensor = plugin.parent is not None and plugin.parent.name == "sensor"
+            if element.parent is plugin and element.name in _WITH_OFFSET and not in_sensor:
                 survivor, offset = self.context.plan.home.get(element.content, ("", np.eye(4)))
                 if survivor in self.context.links:
                     self._move(plugin, made, offset)
@@ -178,8 +179,15 @@ class FollowedNames:
                     text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
                     self.context.note(element, kind, text, Severity.INFO)
                     continue
+            # A plugin of a sensor names the frame that it publishes in, which is there for others.
+            is_frame = (
+                element.name in _WITH_OFFSET
+                and kind is LossKind.MERGED_LINK
+                and self.context.options.has_frames
+            )
+            severity = Severity.INFO if is_frame else Severity.WARNING
             text = f"<{element.name}> of {plugin.title} stays as it is, but {what}"
-            self.context.note(element, kind, text)
+            self.context.note(element, kind, text, severity)
 
     def _mark(self, node: Node, before: Element | None) -> None:
         """Say on a parameter what it was."""
@@ -314,7 +322,7 @@ class Extensions:
         elif entry.is_custom or self.context.allows(entry.name):
             self._native(entry, model)
         else:
-            self.context.keep(entry, model, Severity.WARNING)
+            self.context.keep(entry, model, of_block=True)
 
     def _native(self, entry: Element, model: Node) -> None:
         """Parts that are SDFormat already; their names must differ from those of the robot."""
@@ -360,7 +368,7 @@ class Extensions:
             else:
                 joint.append(made)
         else:
-            context.keep(entry, joint, Severity.WARNING)
+            context.keep(entry, joint, of_block=True)
 
     def _axis(self, entry: Element, joint: Node) -> None:
         """Limits and dynamics for Gazebo go before those of the joint; where it turns is for the joint to say."""
@@ -413,7 +421,7 @@ class _LinkPart:
         elif entry.is_custom or context.allows(f"link/{name}"):
             self._native(entry, link)
         else:
-            context.keep(entry, link, Severity.WARNING)
+            context.keep(entry, link, of_block=True)
 
     def _setting(self, entry: Element, setting: UrdfElement, link: Node) -> None:
         self.context.ledger.take(entry, TEXT, "value")

@@ -376,7 +376,7 @@ class Links:
         names[name] = 0
         if own and name != own:
             text = f"{part.name} `{own}` is named `{name}`"
-            self.context.note(part, LossKind.RENAMED, text, Severity.INFO)
+            self.context.note(part, LossKind.RENAMED, text)
         return name
 
 

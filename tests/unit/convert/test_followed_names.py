@@ -88,3 +88,18 @@ def test_an_offset_that_is_not_three_numbers_is_reported(written: str) -> None:
     assert "xyzOffset" not in moved.text
     at_its_place = converted(links + joint.format("") + f"<gazebo>{plugin}</gazebo>")
     assert not [loss for loss in at_its_place.losses if "Offset" in loss.message]
+
+
+def test_the_frame_of_a_plugin_in_a_sensor_stays() -> None:
+    """libsdformat rewrites such names in plugins of the model alone; programs look for the frame in ROS."""
+    links = f'<link name="base">{_MASS}</link><link name="eye"/>'
+    joint = (
+        '<joint name="j" type="fixed"><parent link="base"/><child link="eye"/><origin xyz="1 0 0"/></joint>'
+    )
+    plugin = '<plugin name="p" filename="p.so"><frameName>eye</frameName></plugin>'
+    sensor = f'<gazebo reference="eye"><sensor name="s" type="camera">{plugin}</sensor></gazebo>'
+    done = converted(links + joint + sensor)
+    assert "<frameName>eye</frameName>" in done.text
+    assert "xyzOffset" not in done.text
+    assert done.verification is not None
+    assert done.verification.is_equal, done.verification.differences

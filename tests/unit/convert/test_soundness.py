@@ -7,11 +7,14 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
+from sdfcheck.consumers.reaction import warns
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.convert.soundness import new_refusals
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.document import Document, read
 
 LINK = (
@@ -160,3 +163,27 @@ def test_a_package_is_named_once() -> None:
     done = urdf_to_sdf(robot(meshes), Options(package_uris=PackageUris.MODEL))
     assert done.text.count("model://") == 3
     assert [loss.kind for loss in done.losses].count(LossKind.CHANGED_URI) == 2
+
+
+def test_what_a_consumer_of_the_result_drops_is_an_error() -> None:
+    """The source has nothing of the kind, which that consumer reads in full."""
+    source = read(b'<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>', Path("m.sdf"))
+    result = read(b'<robot name="m"><link name="a"/></robot>', Path("m.urdf"))
+    assert result.root is not None
+    found = Diagnostic(
+        "URD014",
+        "massless-moving-link",
+        Severity.WARNING,
+        "link `a` is dropped",
+        result.root.span,
+        affects=(("gazebo", warns("drops the link and those below it")),),
+    )
+    errors, refusal = new_refusals(source, (), result, (found,))
+    assert [one.code for one in errors] == ["CNV031"]
+    assert refusal is None
+    assert new_refusals(source, (found,), result, (found,)) == ([], None)
+    for_drake = read(
+        b'<sdf version="1.9" xmlns:drake="http://drake.mit.edu"><model name="m"><link name="a"/></model></sdf>',
+        Path("m.sdf"),
+    )
+    assert new_refusals(for_drake, (), result, (found,)) == ([], None)
