@@ -1,4 +1,4 @@
-"""What becomes the other format and comes back is the same robot, except for reported losses."""
+"""A robot that becomes the other format and comes back is the same, except for reported losses."""
 
 from __future__ import annotations
 

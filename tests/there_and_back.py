@@ -81,7 +81,7 @@ _THE_SAME = {LossKind.UNSUPPORTED_GEOMETRY, LossKind.KEPT_AS_EXTENSION}
 
 def unwarned(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
     """The changes of a robot that no warning names."""
-    told = [loss for loss in losses if loss.severity is not Severity.INFO or loss.kind in _THE_SAME]
+    reported = [loss for loss in losses if loss.severity is not Severity.INFO or loss.kind in _THE_SAME]
     for change in changes:
         if change.what.endswith("@relative_to"):
             continue  # to the link that it is in
@@ -91,7 +91,7 @@ def unwarned(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
             word for text in (change.name, change.before, change.after) for word in re.split("[`:/ ]+", text)
         }
         names |= set(re.split("[`:/]+", change.what))
-        if not any(_names_any(loss, names - {""}) for loss in told):
+        if not any(_names_any(loss, names - {""}) for loss in reported):
             yield f"{change.part} {change.name}: {change.what} {change.before} → {change.after}"
 
 

@@ -90,7 +90,7 @@ def new_refusals(
     assert source.root is not None
     all_before = {one.code for one in before}
     found = refused(after, consumers)
-    # What only Drake reads is said where it is written.
+    # Parts that only Drake reads are reported where they are written.
     dropped = [
         one
         for _, one in refused(after, consumers, _drops)

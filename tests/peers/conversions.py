@@ -195,13 +195,13 @@ def _ask(engine: Engine, files: Sequence[Path], models: Sequence[Path]) -> dict[
 
 
 def _complaints(answer: Answer) -> Counter[str]:
-    """What it complains of, without places and names, which differ between formats."""
+    """Its complaints, without places and names, which differ between formats."""
     lines = (re.sub(r"\x1b\[[0-9;]*m", "", line) for line in answer.messages)
     return Counter(re.sub(r"\[.*?\]|line \d+|/\S+", "", line) for line in lines if COMPLAINT.match(line))
 
 
 def judged(done: Sequence[Done], models: Sequence[Path]) -> Iterator[Finding]:
-    """What consumers have against results, and what was refused that they read."""
+    """The findings of consumers about results, and robots that they read and that were refused."""
     engines = [engine for engine in NAMED if is_installed(engine)]
     sources = {kind: sorted({one.job.source for one in done if one.job.kind is kind}) for kind in ENGINES}
     written = {

@@ -7,6 +7,7 @@ from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
 from sdfcheck.convert.marks import BLOCK, MARKS
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.urdf.table import settings
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import MergedFrame, Model, World
 from sdfcheck.robot.motion.poses import PoseError
@@ -26,7 +27,7 @@ _OF_JOINTS = frozenset(
 _OF_AXES = frozenset({"xyz", "use_parent_model_frame", "mimic", "limit", "dynamics"})
 _LIMITS = frozenset({"lower", "upper", "effort", "velocity"})
 _DYNAMICS = frozenset({"damping", "friction"})
-_MOTION = frozenset({"axis", "child", "parent", "pose"})
+_OF_BLOCKS = frozenset({"axis", "child", "material", "parent", "pose"})
 _ENDS = {"parent": "", "child": ""}
 
 
@@ -141,12 +142,14 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
 
 
 def _is_kept_idle(element: Element) -> bool:
-    """Is it kept from URDF where its format says nothing: in a link, or in a block about how a joint moves?"""
+    """Is it kept from URDF, where it meant nothing: in a link, or in a block for a joint or about another kind?"""
     local = element.name.removeprefix("urdf:")
     if local == element.name or element.parent is None:
         return False
     holder = element.parent.name
-    return holder == "joint" and local in _MOTION if BLOCK in element.attributes else holder == "link"
+    if BLOCK not in element.attributes:
+        return holder == "link"
+    return local in (settings("joint") if holder == "link" else _OF_BLOCKS)
 
 
 def _add_custom(shape: Entry, element: Element) -> None:

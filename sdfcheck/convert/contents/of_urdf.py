@@ -10,6 +10,7 @@ from collections.abc import Iterable
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
 from sdfcheck.convert.marks import SCRIPTS
+from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.formats.sdf.schema import Definition, schema
 from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.urdf.table import settings
@@ -22,6 +23,8 @@ from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
 _TRANSLATED = {
+    "axis": frozenset({"xyz"}),
+    "dynamics": frozenset({"damping", "friction"}),
     "robot": frozenset({"frame", "gazebo", "joint", "link", "material", "origin"}),
     "collision": frozenset({"geometry", "origin"}),
     "joint": frozenset({"axis", "child", "dynamics", "limit", "mimic", "origin", "parent"}),
@@ -70,7 +73,7 @@ def _link(found: Contents, link: Link, definition: Definition) -> None:
 
 
 def _of_block(made: Entry, link: Link, element: Element, shapes: list[tuple[Shape, Entry]]) -> None:
-    """What a block says of a link."""
+    """The settings that a block has for a link."""
     name = element.name
     setting = settings("link").get(name)
     if name in {"visual", "collision"}:
@@ -121,6 +124,8 @@ def _material(shape: Entry, material: Material) -> None:
         shape.reach(("material", "diffuse"), color).text = " ".join(rgba)
     if texture is not None and (file := texture.attributes.get("filename", "").strip()):
         shape.reach(("material", "pbr", "metal", "albedo_map"), texture).text = file
+        if texture.document.root is not None and uses(texture.document.root, "drake"):
+            shape.reach(("material", "drake:diffuse_map"), texture).text = file
 
 
 def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
@@ -133,10 +138,12 @@ def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
         if inner is not None:
             _add_customs(made, inner.children())
             made.children += attribute_entries(inner)
-    limit = joint.find("limit")
-    for name, text in () if limit is None or joint.is_fixed else limit.attributes.items():
-        if name not in _TRANSLATED["limit"] and ":" not in name:
-            made.add(Entry(name, text, limit))
+            own = inner.attributes.items() if not joint.is_fixed else ()
+            made.children += [
+                Entry(key, text, inner)
+                for key, text in own
+                if key not in _TRANSLATED[name] and ":" not in key
+            ]
     for element in (element for block in joint.gazebo_blocks for element in block.element.children()):
         if (setting := settings("joint").get(element.name)) is not None:
             for path in setting.counterparts:

@@ -234,15 +234,24 @@ def convert(
         WrongUsage: the document has no model, or several and none is chosen.
         NotConvertible: URDF cannot say it, or it cannot be worked out.
     """
-    options = options or Options()
+    options, folder = options or Options(), folder or document.path.parent
     source = document
     if needs_writing_out(document):
         document, _ = written_out(document)
     if is_marked(document):
-        document = separated(document)
+        done = _converted(source, separated(document), options, folder, verified=verified)
+        if done.verification is None or done.verification.is_equal:
+            return done
+    return _converted(source, document, options, folder, verified=verified)
+
+
+def _converted(
+    source: Document, document: Document, options: Options, folder: Path, *, verified: bool
+) -> Conversion:
+    """Convert a document, as which the source is read."""
     scope = choose(document, options.model)
     try:
-        context = _prepare(scope, options, folder or document.path.parent)
+        context = _prepare(scope, options, folder)
         _write(context)
     except (DescriptionError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None

@@ -86,7 +86,7 @@ def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
     kept = {part.attributes.get("name") for block in blocks for part in block.children("joint")}
     for name, joint in robot.joints.items():
         if name in free:
-            # What floats stays where it is, whatever moves; a joint of a block in its place ties it to its parent.
+            # A floating link stays where it is, whatever moves; a joint of a block in its place ties it to its parent.
             if name in kept:
                 joints[name] = replace(joint, kind="fixed", axes=())
             continue

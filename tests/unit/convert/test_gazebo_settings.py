@@ -51,7 +51,7 @@ def test_words_that_libsdformat_does_not_translate_change_no_collision(setting: 
     name = setting[1 : setting.index(">")]
     text = converted(setting)
     assert f"<{name}>" not in text
-    assert f"<urdf:{name}>" in text
+    assert f'<urdf:{name} urdf:block="true">' in text
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""What the conversion from URDF merges or renames comes back with the next one."""
+"""Links that the conversion from URDF merges, and parts that URDF alone has, come back."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ OWN = f"""<robot name="r">
 </robot>"""
 
 
-def test_what_urdf_alone_has_comes_back_as_itself() -> None:
+def test_parts_that_urdf_alone_has_come_back_as_themselves() -> None:
     done = back(there(OWN))
     assert not changes(OWN, done.text)
     for part in (

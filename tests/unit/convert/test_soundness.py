@@ -165,7 +165,7 @@ def test_a_package_is_named_once() -> None:
     assert [loss.kind for loss in done.losses].count(LossKind.CHANGED_URI) == 2
 
 
-def test_what_a_consumer_of_the_result_drops_is_an_error() -> None:
+def test_a_part_that_a_consumer_of_the_result_drops_is_an_error() -> None:
     """The source has nothing of the kind, which that consumer reads in full."""
     source = read(b'<sdf version="1.9"><model name="m"><link name="a"/></model></sdf>', Path("m.sdf"))
     result = read(b'<robot name="m"><link name="a"/></robot>', Path("m.urdf"))
