@@ -5,7 +5,8 @@ from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, acc
 OTHERWISE = (
     '<robot name="r"><link name="a"/><link name="b"/>'
     '<joint name="j" type="floating"><parent link="a"/><child link="b"/></joint>'
-    '<gazebo><joint name="j" type="ball"><pose relative_to="a"/><parent>a</parent><child>b</child></joint></gazebo></robot>'
+    '<gazebo><joint name="j" type="ball"><pose relative_to="a"/><parent>a</parent><child>b</child></joint></gazebo>'
+    "</robot>"
 )
 
 
