@@ -12,6 +12,7 @@ from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.obstacles import OWN_CONSUMER
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.sniff import Kind
 
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""
@@ -43,7 +44,7 @@ def new_errors(
     own = [one for one in before if blocks.hold(one)]
     had = Counter(one.code for one in before) - Counter(one.code for one in own)
     now = Counter(one.code for one in found)
-    fresh = [one for one in found if now[one.code] > had[one.code]]
+    fresh = [one for one in found if now[one.code] > had[one.code] and not _came_back(source, one)]
     repeated = {(one.code, one.message) for one in fresh}
     known = [one for one in own if (one.code, one.message) in repeated]
     said = {(one.code, one.message) for one in known}
@@ -106,6 +107,12 @@ def new_refusals(
     }
     ordered = sorted(losses, key=lambda loss: (loss.span.start, loss.message))
     return [to_diagnostic(loss) for loss in ordered], found[0] if found and not losses else None
+
+
+def _came_back(source: Document, error: Diagnostic) -> bool:
+    """Is it about something that the source keeps from URDF under a prefix, where it had the same error?"""
+    name = error.span.text
+    return source.kind is Kind.SDF and name.isidentifier() and source.source.contains(f"urdf:{name}")
 
 
 class _Blocks:

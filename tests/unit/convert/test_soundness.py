@@ -187,3 +187,14 @@ def test_a_part_that_a_consumer_of_the_result_drops_is_an_error() -> None:
         Path("m.sdf"),
     )
     assert new_refusals(for_drake, (), result, (found,)) == ([], None)
+
+
+def test_errors_of_urdf_that_come_back_stop_nothing(tmp_path: Path) -> None:
+    axis = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1" acceleration="9"/>'
+    joint = f'<joint name="j" type="revolute"><parent link="l"/><child link="b"/>{axis}</joint>'
+    other = LINK.format("").replace('name="l"', 'name="b"')
+    (tmp_path / "r.urdf").write_text(f'<robot name="r">{LINK.format("")}{other}{joint}</robot>')
+    there, back = tmp_path / "r.sdf", tmp_path / "back.urdf"
+    assert main(["convert", "urdf-to-sdf", str(tmp_path / "r.urdf"), "-o", str(there), "--isolated"]) == 0
+    assert main(["convert", "sdf-to-urdf", str(there), "-o", str(back), "--isolated"]) == 0
+    assert 'acceleration="9"' in back.read_text()
