@@ -15,8 +15,9 @@ _ADDRESSES = frozenset({"filename", "parameters", "texture", "uri"})
 """Attributes and elements that are addresses of files: nothing else in the robot depends on them."""
 _SHAPING = frozenset({"child", "inertia", "joint", "link", "mass", "name", "parent", "reference", "type"})
 """Attributes and elements on which the links and joints depend that consumers build."""
-_SHAPED = frozenset({"inertial", "joint", "link", "robot"})
-"""Elements that have another meaning for the robot with another child in them."""
+
+_SHAPED = frozenset({"inertial", "joint", "link", "robot", "visual"})
+"""Elements that have another meaning for the robot with another child in them, or define a material for others."""
 
 
 def is_unknown(text: str) -> bool:
@@ -30,7 +31,7 @@ def has_unknown_value(span: Span) -> bool:
 
 
 class UnknownParts:
-    """``is_whole``: all links and joints are there, and what consumers build of them does not depend on the rest."""
+    """``is_whole``: all links, joints and materials are there, and what is built of them does not depend on the rest."""
 
     def __init__(self, document: ExpandedDocument) -> None:
         self._provenance = document.provenance

@@ -50,7 +50,7 @@ ARGUED: dict[Consumer, dict[str, str]] = {
         "URD019": URDFDOM_3,
     },
     Consumer.MUJOCO: {
-        "GEO005 MUJ001 MUJ002": MISSING,
+        "GEO005 MUJ001 MUJ002 MUJ006": MISSING,
     },
 }
 """Rules on the examples of which, or examples on which, a consumer differs from what is reported, and why."""

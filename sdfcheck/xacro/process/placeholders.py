@@ -184,7 +184,7 @@ class Perseverance:
         for each in [element, *element.getElementsByTagName("*")]:
             name = each.getAttribute("name")
             if each.tagName == "xacro:property":
-                for word in _WORD.findall(name):  # one, or what expressions make of a name that is none
+                for word in _WORD.findall(name):  # one, or what expressions would make one of
                     self._forget(word, symbols, is_outward=each.hasAttribute("scope"))
             elif each.tagName.startswith("xacro:") and each.tagName not in _DECISIONS:
                 self._is_open = True

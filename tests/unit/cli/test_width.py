@@ -138,10 +138,8 @@ def test_missing_packages_fit(run: Run) -> None:
 
 def test_rules_fit(run: Run, width: int) -> None:
     rows = run("rules")
-    assert rows[0].split() == ["rule", "name", "severity", "fix", "summary"]
-    summaries = rows[0].index("summary")
-    assert all(row[summaries - 2 : summaries] == "  " for row in rows)
-    assert any(row.endswith("…") for row in rows) or width > 100
+    assert rows[0].split() == ["rule", "name", "severity", "fix"]
+    assert not any(row.endswith("…") for row in rows)
     assert any(len(row) > width - 12 for row in rows)
     assert run("rule", "NS003")[0].strip()
 
