@@ -31,7 +31,7 @@ def has_unknown_value(span: Span) -> bool:
 
 
 class UnknownParts:
-    """``is_whole``: all links, joints and materials are there, and what is built of them does not depend on the rest."""
+    """``is_whole``: all links, joints and materials are there; the rest decides nothing about what is built of them."""
 
     def __init__(self, document: ExpandedDocument) -> None:
         self._provenance = document.provenance
