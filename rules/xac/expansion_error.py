@@ -35,8 +35,8 @@ class ExpansionError(Rule):
     the expression as it is written, and shows the macro calls and includes that lead
     there. The rest of the robot is expanded and checked, as far as it does not depend on
     that. A substitution argument without a value is a warning: the file may be sound. So is
-    what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or
-    macro that is not reached.
+    a file that is not there for the default of an argument, and what xacro does not stop for: a
+    pattern that matches no file, and a mistake in a branch or macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.
@@ -69,6 +69,11 @@ class ExpansionError(Rule):
             says="`yes` is neither true nor false",
         ),
         Bad('<xacro:include filename="«missing.xacro»"/>', file=FILE, says="no such file"),
+        Bad(
+            '<xacro:arg name="kind" default="kind_7"/><xacro:include filename="«$(arg kind)/a.xacro»"/>',
+            file=FILE,
+            says="no such file or directory; the default of argument `kind` is `kind_7`",
+        ),
         Bad('<link name="«$(arg prefix)»a"/>', file=FILE, says="argument `prefix` has no value"),
         Bad(
             '<xacro:macro name="m" params="n"><«xacro:m» n="${n + 1}"/></xacro:macro><xacro:m n="0"/>',
@@ -87,6 +92,8 @@ class ExpansionError(Rule):
         kind = problem.kind.value
         reason = problem.reason
         advice = _HELP.get(kind, "").format(detail=problem.detail) or (None if reason is None else "")
+        if reason is not None and reason.argument:
+            advice = _HELP["argument"].format(detail=reason.argument)
         is_dormant = problem.is_dormant and kind != "pattern"
         own = dict(unless_reached(is_dormant=is_dormant, help=advice))
         labels = {reason.place: reason.label} if reason and reason.place else {}
@@ -94,7 +101,7 @@ class ExpansionError(Rule):
             labels[problem.cause] = "here"
         if kind == "argument" and reason is not None:
             own["help"] = ""
-        elif kind in {"argument", "pattern"}:
+        elif kind in {"argument", "pattern"} or (reason is not None and reason.argument):
             own["severity"] = Severity.WARNING
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))

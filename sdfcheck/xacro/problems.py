@@ -128,13 +128,15 @@ class Failure(Enum):
 class Reason(Record):
     """Why xacro stops at something, in words, and a place that has to do with it.
 
-    ``cause`` is a fault that is reported by itself where its file is looked at.
+    ``cause`` is a fault that is reported by itself where its file is looked at; ``argument``
+    one whose default leads there, so that another value may be meant.
     """
 
     words: str
     place: Span | None = None
     label: str = ""
     cause: Span | None = None
+    argument: str = ""
 
 
 class ExpansionFailure(Record):

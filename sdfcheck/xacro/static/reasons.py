@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 import re
+from pathlib import Path
 
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.text import Span
@@ -16,7 +17,13 @@ from sdfcheck.xacro.problems import (
     UndefinedMacro,
     UndefinedProperty,
 )
-from sdfcheck.xacro.static.definitions import Definitions, Property, lacks_prefix, visible_definitions
+from sdfcheck.xacro.static.definitions import (
+    Definitions,
+    Property,
+    lacks_prefix,
+    reading,
+    visible_definitions,
+)
 from sdfcheck.xacro.static.prefixes import missing_prefixes
 from sdfcheck.xacro.value_sources import givers
 
@@ -176,14 +183,26 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     if "package://" in name:
         package, _, rest = name.partition("package://")[2].partition("/")
         return Reason(f"xacro does not know `package://`: write `$(find {package})/{rest}`")
-    if not why.startswith("no such file") or document.library is None or "$" in name:
+    if not why.startswith("no such file") or "$" in name:
         return None
     path = problem.span.source.path.parent / name
-    try:
-        near = [each.name for each in path.parent.iterdir() if each.name.casefold() == path.name.casefold()]
-    except OSError:
-        return None
-    return Reason(f"did you mean `{near[0]}`?") if near else None
+    if document.library is not None and path.parent.is_dir():
+        for each in path.parent.iterdir():
+            if each.name.casefold() == path.name.casefold():
+                return Reason(f"did you mean `{each.name}`?")
+    return _of_default(path, document)
+
+
+def _of_default(path: Path, document: Document) -> Reason | None:
+    """The argument of a file whose default names what is missing: with another value the path may be there."""
+    read = reading(document)
+    missing = next((each.name for each in (*reversed(path.parents), path) if not each.exists()), "")
+    for name, default in read.arguments.items():
+        if default and default == missing:
+            place = read.argument_elements[name].attribute("default")
+            words = f"the default of argument `{name}` is `{default}`"
+            return Reason(words, place.span if place is not None else None, "its default", argument=name)
+    return None
 
 
 def _late(span: Span, place: Span) -> Reason | None:
