@@ -28,7 +28,7 @@ _REPORTED_BY = (
         "link: visual .*/(cast_shadows|transparency|laser_retro|visibility_flags|layer)",
         {LossKind.DROPPED_ELEMENT},
     ),
-    ("link: .*/density", {LossKind.CHANGED_INERTIA}),
+    ("link: (mass|.*/density)", {LossKind.CHANGED_INERTIA}),
     ("joint: axis/limit/.*", {LossKind.DROPPED_ELEMENT}),
     ("model: (plugin|transmission) .*", {LossKind.KEPT_AS_EXTENSION}),
     ("link: (visual|collision)( `.*` shape)?", {LossKind.UNSUPPORTED_GEOMETRY}),

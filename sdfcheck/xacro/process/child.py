@@ -16,9 +16,8 @@ import time
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any, BinaryIO, SupportsIndex
+from typing import Any, BinaryIO
 from xml.dom import minidom
-from xml.dom.minicompat import NodeList
 
 import xacro
 import yaml  # noqa: F401 - xacro loads it late, and then nothing may be loaded any more
@@ -28,6 +27,7 @@ from sdfcheck.files.packages import Packages
 from sdfcheck.xacro.language import ArgumentParser
 from sdfcheck.xacro.process import failure, sandbox, walls
 from sdfcheck.xacro.process.interpreter import Interpreter, TooMuch
+from sdfcheck.xacro.process.nodes import Children
 from sdfcheck.xacro.process.placeholders import MARK, Cautious, Perseverance
 from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
 
@@ -233,28 +233,6 @@ def _prepare(tracer: Tracer, packages: Packages, evaluator: type[Interpreter]) -
     substitution_args._eval_env = variable
     substitution_args._eval_dict["env"] = variable
     tracer.install()
-
-
-class Children(NodeList[Any]):
-    """The children of a node; one is looked for where the last one was found.
-
-    xacro replaces the nodes of a file one after the other, and would go through all before each.
-    """
-
-    __slots__ = ("_near",)
-    _WINDOW = 32
-
-    def index(self, node: Any, *between: SupportsIndex) -> int:
-        near = getattr(self, "_near", 0)
-        try:
-            found = super().index(node, *(between or (max(0, near - self._WINDOW), near + self._WINDOW)))
-        except ValueError:
-            found = super().index(node, *between)
-        self._near = found
-        return found
-
-    def remove(self, node: Any) -> None:
-        del self[self.index(node)]
 
 
 class Names:

@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from typing import Any
 from xml.dom.expatbuilder import ExpatBuilderNS
 
+from sdfcheck.xacro.process.nodes import MANY, ManyChildren
+
 KEY = "place"
 
 Place = tuple[int, int, int]
@@ -176,6 +178,8 @@ class Builder(ExpatBuilderNS):
     def end_element_handler(self, name: str) -> None:
         node: Any = self.curNode
         super().end_element_handler(name)
+        if len(node.childNodes) > MANY:
+            node.childNodes = ManyChildren(node.childNodes)
         place: Place = node.getUserData(KEY).place
         if self.tracer.unprefixed and (self.path, *place[1:]) in self.tracer.unprefixed:
             node.tagName = node.nodeName = f"xacro:{node.tagName}"
