@@ -145,7 +145,7 @@ def _inertia(body: MassProperties | None) -> Json | None:
     return {
         "mass": finite(body.mass),
         "pose": flat(transform),
-        "box": [math.sqrt(side) if side > 0 else 0.0 for side in sides],
+        "box": [finite(math.sqrt(side)) if side > 0 else 0.0 for side in sides],
         "isPossible": all(side >= -1e-9 * max(map(abs, sides), default=0.0) for side in sides),
     }
 
