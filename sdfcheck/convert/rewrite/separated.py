@@ -6,6 +6,7 @@ changed since, its parts are not known any more, and the links stay together.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Container, Iterator, Mapping, Sequence
 
 import numpy as np
@@ -34,15 +35,22 @@ def is_marked(document: Document) -> bool:
     return document.root is not None and any(map(_was_link, document.root.walk()))
 
 
-def _was_link(element: Element) -> bool:
+def _was_link(element: Element | Branch) -> bool:
     return element.name == "frame" and JOINT in element.attributes and PARENT in element.attributes
+
+
+_Survivor = tuple[Element | None, str]
+"""A model, and a link of it that others became part of."""
 
 
 def separated(document: Document) -> Document:
     """The document with those frames as links and joints; itself where that is not known."""
-    kept: set[str] = set()
+    kept: set[_Survivor] = set()
     while True:
-        made = _Separation(document, frozenset(kept))
+        try:
+            made = _Separation(document, kept)
+        except (DescriptionError, PoseError):
+            return document
         if not made.survivors:
             return document
         changed = set(made.unequal())
@@ -54,52 +62,59 @@ def separated(document: Document) -> Document:
 class _Separation:
     """A document in which the links that became part of others are apart; those in ``kept`` stay as they are."""
 
-    def __init__(self, document: Document, kept: frozenset[str]) -> None:
+    def __init__(self, document: Document, kept: Container[_Survivor]) -> None:
         assert document.root is not None
         self.before = document
-        self.survivors: dict[str, list[str]] = {}
+        self.survivors: dict[_Survivor, list[str]] = {}
         root = branch_of(document.root)
         for model in [branch for branch in root.walk() if branch.name == "model"]:
             self._separate(model, kept)
         self.document = Rendered(document, root)
 
-    def _separate(self, model: Branch, kept: frozenset[str]) -> None:
-        frames = {one.attributes.get("name", ""): one for one in model.children if one.name == "frame"}
-        links = {one.attributes.get("name", ""): one for one in model.children if one.name == "link"}
-        apart: dict[str, Branch] = {}
+    def _separate(self, model: Branch, kept: Container[_Survivor]) -> None:
+        frames, links = _by_name(model, "frame"), _by_name(model, "link")
+        parts: dict[str, dict[str, Branch]] = {}
+        """Link → what became part of it, by name."""
         for name, frame in frames.items():
-            joint, survivor = (
-                frames.get(frame.attributes.get(JOINT, "")),
-                frame.attributes.get("attached_to", ""),
-            )
-            parent = frame.attributes.get(PARENT, "")
-            is_known = survivor in links and survivor not in kept and (parent in links or parent in frames)
-            if joint is None or joint.attributes.get("attached_to") != survivor or not is_known:
+            if not _was_link(frame):
                 continue
-            self.survivors.setdefault(survivor, []).append(name)
-            apart[name] = frame
-            _to_joint(joint, name, parent)
-        for survivor in self.survivors.keys() & links.keys():
-            own = {name: one for name, one in apart.items() if one.attributes.get("attached_to") == survivor}
+            joint, parent = frame.attributes[JOINT], frame.attributes[PARENT]
+            survivor = frame.attributes.get("attached_to", "")
+            if (
+                survivor in links
+                and (model.origin, survivor) not in kept
+                and joint in frames.keys() - {name}
+                and frames[joint].attributes.get("attached_to") == survivor
+                and parent in links.keys() | frames.keys() - {name, joint}
+            ):
+                parts.setdefault(survivor, {})[name] = frame
+                _to_joint(frames[joint], name, parent)
+        for survivor, own in parts.items():
+            self.survivors[model.origin, survivor] = list(own)
             for one in own.values():
                 _to_link(one)
             _take_apart(links[survivor], own)
-        _restore_names(model, apart.keys())
+        _restore_names(model, {name for own in parts.values() for name in own})
 
-    def unequal(self) -> Iterator[str]:
-        """The links whose mass is not that of their parts."""
-        try:
-            pairs = [
-                (mechanism_of(before), mechanism_of(after))
-                for before, after in zip(_models(self.before), _models(self.document), strict=True)
-            ]
-        except (DescriptionError, PoseError):
-            yield from self.survivors
-            return
-        for before, after in pairs:
-            for survivor, names in self.survivors.items():
-                if survivor in before.links and not _is_sum(before, after, survivor, names):
-                    yield survivor
+    def unequal(self) -> Iterator[_Survivor]:
+        """The links whose mass is not that of their parts, as far as both are known."""
+        for before, after in zip(_models(self.before), _models(self.document), strict=True):
+            own = [one for one in self.survivors if one[0] is before.element]
+            try:
+                whole, apart = (mechanism_of(before), mechanism_of(after)) if own else (None, None)
+            except (DescriptionError, PoseError):
+                yield from own
+                continue
+            for one in own:
+                if whole is None or apart is None or not _is_sum(whole, apart, one[1], self.survivors[one]):
+                    yield one
+
+
+def _by_name(model: Branch, kind: str) -> dict[str, Branch]:
+    """The parts of a model of one kind whose names nothing else of that kind has."""
+    named = [(one.attributes.get("name", ""), one) for one in model.children if one.name == kind]
+    counts = Counter(name for name, _ in named)
+    return {name: one for name, one in named if name and counts[name] == 1}
 
 
 def _restore_names(model: Branch, apart: Container[str]) -> None:
@@ -219,6 +234,8 @@ def _matrix(pose: Branch) -> Array:
 
 
 def _is_sum(before: Mechanism, after: Mechanism, survivor: str, names: Sequence[str]) -> bool:
+    if survivor not in before.links or not after.links.keys() >= {survivor, *names}:
+        return False
     whole = before.links[survivor].body
     total: MassProperties | None = None
     for name in (survivor, *names):

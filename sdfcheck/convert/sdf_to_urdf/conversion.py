@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.ledger import TEXT, Ledger, Words
-from sdfcheck.convert.loss import LossKind, refusal
+from sdfcheck.convert.loss import LossKind, NotConvertible, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.rewrite.separated import is_marked, separated
 from sdfcheck.convert.rewrite.written_out import WrittenOut, needs_writing_out, written_out
@@ -239,9 +240,11 @@ def convert(
     if needs_writing_out(document):
         document, _ = written_out(document)
     if is_marked(document):
-        done = _converted(source, separated(document), options, folder, verified=verified)
-        if done.verification is None or done.verification.is_equal:
-            return done
+        # Marks that somebody has changed since may say what URDF cannot: then the document counts as it is.
+        with suppress(NotConvertible):
+            done = _converted(source, separated(document), options, folder, verified=verified)
+            if done.verification is None or done.verification.is_equal:
+                return done
     return _converted(source, document, options, folder, verified=verified)
 
 

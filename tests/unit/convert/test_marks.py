@@ -10,6 +10,7 @@ from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.convert.sdf_to_urdf.options import Options as SdfToUrdf
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.source.document import Document, read
@@ -74,6 +75,41 @@ def test_a_sum_that_was_changed_keeps_its_links_together() -> None:
 def test_a_frame_whose_joint_is_gone_stays_a_frame() -> None:
     made = there(TOOL).replace('urdf:joint="to_tip"', 'urdf:joint="other"')
     assert '<frame name="tip"' in back(made).text
+
+
+MARK = 'urdf:joint="to_tip"'
+CHANGES = [
+    (MARK, 'urdf:joint=""'),
+    (MARK, 'urdf:joint="tip"'),
+    ('urdf:parent="tool"', 'urdf:parent="tip"'),
+    ('urdf:parent="tool"', 'urdf:parent="gone"'),
+    ('<frame name="tip"', '<frame name="to_tip"'),
+    ('<frame name="tip"', "<frame"),
+    ('<frame name="to_tip"', "<frame"),
+    ('attached_to="base" urdf', 'attached_to="finger" urdf'),
+    ("<urdf:inertial>", "<urdf:inertial><mass/>"),
+    ("<urdf:inertial>", "<urdf:inertial><pose>0 0 nan 0 0 0</pose>"),
+    ("</model>", '<model name="n"><link name="base"/></model></model>'),
+]
+
+
+@pytest.mark.parametrize(("before", "after"), CHANGES)
+def test_marks_that_were_changed_count_as_far_as_they_are_known(before: str, after: str) -> None:
+    made = there(HEAVY, merge=True)
+    assert before in made
+    done = convert(document(made.replace(before, after), "robot.sdf"))
+    assert '<link name="finger">' in done.text
+    assert done.verification is not None
+    assert done.verification.is_equal
+
+
+def test_a_model_beside_has_names_of_its_own() -> None:
+    made = there(HEAVY, merge=True)
+    start, end = made.index("<model"), made.index("</model>") + len("</model>")
+    other = made[start:end].replace('<model name="r"', '<model name="other"')
+    for beside in (other, '<model name="other"><link name="base"/></model>'):
+        done = convert(document(made[:end] + beside + made[end:], "robot.sdf"), SdfToUrdf(model="r"))
+        assert not changes(HEAVY, done.text)
 
 
 OWN = f"""<robot name="r">
