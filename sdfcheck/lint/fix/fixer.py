@@ -28,6 +28,9 @@ ROUNDS = 10
 TRIALS = 64
 """So many times a file is linted at most to find out which of its fixes do harm."""
 
+_GUESSED = frozenset((Kind.MISSPELT_ROOT, Kind.BROKEN_XML))
+"""The kinds that a fix may turn into another one."""
+
 Lint = Callable[[Selected], tuple[Sequence[Diagnostic], int]]
 """The diagnostics of a file, and how many were silenced."""
 
@@ -188,7 +191,7 @@ class _Trials:
         """The text after the fixes; raises Refused where that is worse."""
         file, data = before.file, edited(before.file, together(fixes)[0])
         self._left -= 1
-        kind = sniff(data, file.path) if file.kind is Kind.MISSPELT_ROOT else file.kind
+        kind = sniff(data, file.path) if file.kind in _GUESSED else file.kind
         after = _Linted.of(file._replace(data=data, kind=kind), self._lint)
         if _lost_directives(before, after, fixes):
             raise Refused("the edits would take away a comment for sdfcheck")

@@ -14,7 +14,6 @@ from sdfcheck.source.text import is_expression
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model
-    from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Joint, Mimic
     from sdfcheck.robot.parts.sensor import Sensor
     from sdfcheck.source.document import Element, Value
@@ -32,8 +31,8 @@ class JointNames(Part):
     def model(self) -> Model:
         """The robot."""
         holder = self.holder
-        if holder is not None and holder.kind == "gazebo":
-            return cast("GazeboBlock", holder).model
+        while holder is not None and holder.kind != "model":
+            holder = holder.holder
         return cast("Model", holder)
 
     @property

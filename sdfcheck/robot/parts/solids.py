@@ -58,7 +58,9 @@ class Moments(NamedTuple):
         )
 
     def principal(self) -> tuple[float, float, float]:
-        """The principal moments, the smallest first (closed form for symmetric 3×3 matrices)."""
+        """The principal moments, the smallest first (closed form for symmetric 3×3 matrices); nan for infinite ones."""
+        if not all(map(math.isfinite, self)):
+            return math.nan, math.nan, math.nan
         # Halved or doubled as often as it takes, which rounds nothing, squares neither overflow nor vanish.
         _, halvings = math.frexp(max(abs(value) for value in self))
         ixx, iyy, izz, ixy, ixz, iyz = (math.ldexp(value, -halvings) for value in self)
