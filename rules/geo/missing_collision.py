@@ -41,6 +41,7 @@ class MissingCollision(Rule):
     """
     affects = dict.fromkeys(Consumer, warns("lets it pass through everything"))
     looks_at = (Model,)
+    needs = ("<joint",)
 
     bad = (
         Bad(

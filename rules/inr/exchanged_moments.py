@@ -111,22 +111,24 @@ class ExchangedMoments(Rule):
 
 def exchanged(inertial: Inertial) -> tuple[int, ...]:
     """The axes of the two moments that fit the link's shapes the other way round; none where they fit."""
-    if not is_doubtful(inertial) or not is_weighed(inertial) or is_turned(inertial):
+    if not is_doubtful(inertial) or len(set(inertial.tensor[:3])) == 1:
+        return ()
+    if not is_weighed(inertial) or is_turned(inertial):
         return ()
     moments, mass = inertial.tensor, inertial.mass.number
     if not mass > 0 or not min(moments[:3]) > 0 or max(map(abs, moments[3:])) > min(moments[:3]) / 10:
         return ()
-    if inertial.link.extent is None or not all(
-        moment.is_given for moment in list(inertial.moments.values())[:3]
-    ):
+    if not all(inertial.moments[name].is_given for name in NAMES):
         return ()
-    return of_another_body(inertial) or of_other_axes(inertial)
+    found = of_another_body(inertial) or of_other_axes(inertial)
+    return found if found and inertial.link.extent is not None else ()
 
 
 def of_another_body(inertial: Inertial) -> tuple[int, ...]:
     """The two that fit the box around the shapes only the other way round."""
-    moments, box = inertial.tensor[:3], inertial.link.box
-    if box is None or max(moments) < DIFFERS / FITS * min(moments):
+    moments = inertial.tensor[:3]
+    box = inertial.link.box if max(moments) >= DIFFERS / FITS * min(moments) else None
+    if box is None:
         return ()
     squares = [length * length for length in box.size]
     solid = [inertial.mass.number / 12 * (sum(squares) - square) for square in squares]

@@ -57,7 +57,9 @@ class PlaceholderInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return is_unit(inertial) and (is_far_off(inertial) or is_too_large(inertial))
+        if is_far_off(inertial):
+            return is_unit(inertial)
+        return inertial.mass.number != 1 and is_unit(inertial) and is_too_large(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         is_written, mass = inertial.inertia is not None, inertial.mass.number
