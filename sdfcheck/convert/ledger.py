@@ -17,7 +17,7 @@ from sdfcheck.source.text import Span
 
 
 _SHOWN = 30
-_NAMED = frozenset({"joint", "link"})
+_NAMED = frozenset({"frame", "joint", "link", "model"})
 """Parts that share the names of a model."""
 
 
@@ -76,7 +76,7 @@ def other_shapes(element: Element) -> list[Element]:
 
 
 def is_named(element: Element) -> bool:
-    """Is it a link or joint, of which a model has one of each name?"""
+    """Is it one of the parts of which a model has one of each name?"""
     return element.name in _NAMED
 
 
@@ -295,6 +295,9 @@ class Ledger:
         elif self._words is not None and element.name not in self._words:
             kind = _KINDS.get(element.name, LossKind.DROPPED_ELEMENT)
             self.lose(kind, element, f"{self._target} has no {shown(element)}")
+        elif is_named(element) and not element.get("name"):
+            text = f"{shown(element)} is left out: it has no name"
+            self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif any(each.name == element.name for each in element.before):
             text = f"{shown(element)} is left out: there is another one before it"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
@@ -304,9 +307,6 @@ class Ledger:
         elif any(shape in self._taken for shape in other_shapes(element)):
             text = f"{shown(element)} is left out: there is another shape before it"
             self.lose(LossKind.UNSUPPORTED_GEOMETRY, element, text)
-        elif (is_named(element) or element.name == "frame") and not element.get("name"):
-            text = f"{shown(element)} is left out: it has no name"
-            self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif is_named(element) and element.get("name") in self._names:
             text = f"{shown(element)} is left out: another part of the model has its name"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
