@@ -4,7 +4,7 @@ from math import pi, tan
 from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Element, Good, Rule, Sensor, Severity, Value, warns
 
 MOST = 0.01
-"""Of the focal length: of 383 cameras in public files the right ones were within 0.001."""
+"""Of the focal length, or of the size of the image: of 383 cameras in public files the right ones were within 0.001."""
 CAMERA = (
     '<sensor name="s" type="camera"><camera><horizontal_fov>1.0472</horizontal_fov><image><width>640</width>'
     "<height>480</height></image><lens><intrinsics><fx>{0}</fx><fy>{0}</fy><cx>{1}</cx><cy>{2}</cy><s>0</s>"
@@ -17,7 +17,8 @@ class MismatchedIntrinsics(Rule):
 
     The focal length in pixels is half of the width by the tangent of half of the horizontal field of view. Gazebo
     renders with the intrinsics where they are given: numbers of another resolution show a cut-out of the scene.
-    Measured intrinsics, with different focal lengths or a principal point between the pixels, are not compared.
+    The principal point is in the middle of the image. Measured intrinsics, with different focal lengths or a
+    principal point between the pixels, are not compared.
     """
 
     code = "SCH033"
@@ -43,6 +44,10 @@ class MismatchedIntrinsics(Rule):
             CAMERA.format("570", "319.5", "239.5").replace("<fx>570", "<fx>«570»"),
             says="`fx` is 570, and an image of 640 pixels over 1.0472 rad has 554.3",
         ),
+        Bad(
+            CAMERA.format("554.25", "339.5", "239.5").replace("<cx>339.5", "<cx>«339.5»"),
+            says="`cx` is 339.5, and the middle of an image of 640 pixels is at 320",
+        ),
     )
     good = (
         Good(CAMERA.format("554.25", "320.5", "240.5")),
@@ -52,35 +57,51 @@ class MismatchedIntrinsics(Rule):
 
     @staticmethod
     def applies(sensor: Sensor) -> bool:
-        return focal(sensor) is not None
+        return bool(mismatches(sensor))
 
     def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
-        found = focal(sensor)
-        if found is None:
-            return
-        given, width, view = found
-        yield self.diagnostic(
-            given,
-            f"`fx` is {given.text.strip()}, and an image of {width.text.strip()} pixels over {view.text.strip()} rad"
-            f" has {width.number / 2 / tan(view.number / 2):.4g}",
-            labels={width: "the width", view: "the field of view"},
-        )
+        for given, right, words, labels in mismatches(sensor):
+            message = f"`{given.element.name}` is {given.text.strip()}, and {words} {right:.4g}"
+            yield self.diagnostic(given, message, labels=labels)
 
 
-def focal(sensor: Sensor) -> tuple[Value, Value, Value] | None:
-    """The focal length in pixels, the width and the field of view of a camera where they do not fit."""
+Mismatch = tuple[Value, float, str, dict[Value, str]]
+"""A value, what it should be, the words in front of that, and what it is compared with."""
+
+
+def mismatches(sensor: Sensor) -> list[Mismatch]:
+    """The focal length, in pixels, that does not fit the image; if it fits, what there is of the principal point."""
     camera = sensor.find("camera")
     intrinsics = None if camera is None else within(camera, "lens", "intrinsics")
     if camera is None or intrinsics is None or is_measured(intrinsics):
-        return None
-    view, width = value_within(camera, "horizontal_fov"), value_within(camera, "image", "width")
-    given = value_within(intrinsics, "fx")
+        return []
+    width, height = (value_within(camera, "image", name) for name in ("width", "height"))
+    found = focal(camera, intrinsics, width)
+    return (
+        [found]
+        if found is not None
+        else [*off_center(intrinsics, "cx", width), *off_center(intrinsics, "cy", height)]
+    )
+
+
+def focal(camera: Element, intrinsics: Element, width: Value | None) -> Mismatch | None:
+    view, given = value_within(camera, "horizontal_fov"), value_within(intrinsics, "fx")
     if view is None or width is None or given is None:
         return None
     if not 0 < view.number < pi or not width.number > 0 or not given.number > 0:
         return None
     right = width.number / 2 / tan(view.number / 2)
-    return (given, width, view) if abs(given.number - right) > MOST * right else None
+    if abs(given.number - right) <= MOST * right:
+        return None
+    words = f"an image of {width.text.strip()} pixels over {view.text.strip()} rad has"
+    return given, right, words, {width: "the width", view: "the field of view"}
+
+
+def off_center(intrinsics: Element, name: str, size: Value | None) -> Iterator[Mismatch]:
+    given = value_within(intrinsics, name)
+    if given is not None and size is not None and abs(given.number - size.number / 2) > MOST * size.number:
+        words = f"the middle of an image of {size.text.strip()} pixels is at"
+        yield given, size.number / 2, words, {size: "the size of the image"}
 
 
 def is_measured(intrinsics: Element) -> bool:

@@ -98,14 +98,13 @@ class Reader:
         except OSError as error:
             raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
         kind = sniff(data, file)
-        if kind is Kind.XACRO and not self._expands:
-            kind = Kind.URDF
+        is_by_root = kind is Kind.BROKEN_XML or (kind is Kind.XACRO and not self._expands)
         from sdfcheck.robot.includes.multiplied import refuse_too_many
         from sdfcheck.source.document import read
 
-        document = read(data, file, None if kind is Kind.BROKEN_XML else kind)
+        document = read(data, file, None if is_by_root else kind)
         document.library = library
-        if document.kind is Kind.XACRO and Kind.URDF in kinds:
+        if document.kind is Kind.XACRO and Kind.URDF in kinds and self._expands:
             expanded, problems = self._expand(document, settings)
             if expanded is None:
                 document.problems = [*document.problems, *problems]  # type: ignore[list-item]
