@@ -94,7 +94,11 @@ class Reaction(NamedTuple):
 
     verdict: Verdict
     words: str
-    """The end of the sentence "Drake …": `refuses the file`, `ignores it`."""
+    """The end of the sentence "Drake …", which begins with a verb: `refuses the file`, `ignores it`.
+
+    `drops …` is said of a part of the robot that is written and does not come about, `ignores …` of what is
+    written in vain: conversions judge their results by the two.
+    """
 
     @property
     def is_harmless(self) -> bool:
@@ -108,6 +112,21 @@ class Reaction(NamedTuple):
     @property
     def is_refusal(self) -> bool:
         return self.verdict is Verdict.REJECT
+
+    @property
+    def is_loss(self) -> bool:
+        """Does it read the file without a part of the robot that is written there?"""
+        return self.verdict is Verdict.WARN and "drops" in self._verbs
+
+    @property
+    def is_disregard(self) -> bool:
+        """Does it read the file as if something were not written?"""
+        return self.verdict is Verdict.WARN and "ignores" in self._verbs
+
+    @property
+    def _verbs(self) -> tuple[str, ...]:
+        """`ignores`; `warns`, `ignores` of "warns and ignores it"."""
+        return tuple(part.partition(" ")[0] for part in self.words.split(" and "))
 
     def __str__(self) -> str:
         return f"{self.verdict.value}: {self.words}"

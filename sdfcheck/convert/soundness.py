@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterable
+from operator import attrgetter
 
 from sdfcheck.consumers.reaction import READS, Consumer, Reaction, Verdict
 from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
@@ -16,15 +17,6 @@ from sdfcheck.source.sniff import Kind
 
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""
-
-
-def _refuses(reaction: Reaction) -> bool:
-    return reaction.verdict is Verdict.REJECT
-
-
-def _drops(reaction: Reaction) -> bool:
-    """Does it read the file without a part that is written there?"""
-    return reaction.verdict is Verdict.WARN and reaction.words.startswith("drops")
 
 
 def new_errors(
@@ -58,7 +50,9 @@ def new_errors(
 
 
 def refused(
-    found: Iterable[Diagnostic], consumers: Iterable[Consumer], reacts: Callable[[Reaction], bool] = _refuses
+    found: Iterable[Diagnostic],
+    consumers: Iterable[Consumer],
+    reacts: Callable[[Reaction], bool] = attrgetter("is_refusal"),
 ) -> list[tuple[Consumer, Diagnostic]]:
     """The findings for which consumers refuse a file, or react otherwise."""
     wanted = {consumer.value: consumer for consumer in consumers}
@@ -94,7 +88,7 @@ def new_refusals(
     # Parts that only Drake reads are reported where they are written.
     dropped = [
         one
-        for _, one in refused(after, consumers, _drops)
+        for _, one in refused(after, consumers, attrgetter("is_loss"))
         if one.code not in all_before and not uses(source.root, "drake")
     ]
     if not found and not dropped:
@@ -136,7 +130,7 @@ def means_another_robot(found: Diagnostic) -> bool:
     if found.severity is not Severity.WARNING or found.code[:3] in _KEPT:
         return False
     reaction = dict(found.affects).get(Consumer.GAZEBO.value)
-    return reaction is not None and reaction.verdict is Verdict.WARN and "ignores" not in reaction.words
+    return reaction is not None and reaction.verdict is Verdict.WARN and not reaction.is_disregard
 
 
 def _text(error: Diagnostic) -> str:
