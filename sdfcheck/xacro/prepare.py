@@ -45,8 +45,6 @@ def is_fragment(document: Document) -> bool:
     root = document.root
     if root is None or document.kind is not Kind.URDF or (root.has("link") and not lacks_links(document)):
         return False
-    from sdfcheck.xacro.static.project import is_included
-
     return is_included(document)
 
 
