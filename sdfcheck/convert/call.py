@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.loss import Loss, LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.formats.sdf.version import NEWEST, Version
@@ -25,13 +26,15 @@ def convert(
     version: str | None = None,
     model: str = "",
     verify: bool = True,
+    like: Consumer | None = None,
 ) -> Conversion:
     """Convert a description to ``"sdf"`` (from URDF, xacro or another version) or to ``"urdf"``.
 
     ``what`` is a path, a text (bytes, or a str that begins with ``<``) or what ``load``
     gave. ``version`` is that of the SDFormat to write; ``model`` the one to write as URDF
-    where there are several. The result has the ``text``, the ``losses`` and, with ``verify``,
-    the ``verification``: only one that ``is_equal`` is the same robot. Nothing is written.
+    where there are several; with ``like=Consumer.GAZEBO`` a robot of URDF is written as
+    Gazebo builds it. The result has the ``text``, the ``losses`` and, with ``verify``, the
+    ``verification``: only one that ``is_equal`` is the same robot. Nothing is written.
 
     Raises:
         OSError, sdfcheck.Unreadable: as for ``load``.
@@ -42,18 +45,23 @@ def convert(
     if stopping := refusals(document):
         first = stopping[0]
         raise NotConvertible(Loss(LossKind.NOT_CONVERTIBLE, first.span, first.message, first.severity))
-    if to == "urdf" and document.kind is Kind.SDF and version is None:
+    if to == "urdf" and document.kind is Kind.SDF and version is None and like is None:
         from sdfcheck.convert.sdf_to_urdf import Options
         from sdfcheck.convert.sdf_to_urdf import convert as to_urdf
 
         return to_urdf(document, Options(model=model), verified=verify)
-    if to == "sdf" and not model:
-        return _to_sdf(document, _version(version), verify=verify)
-    conditions = "".join([f", version {version}" if version else "", f", model {model}" if model else ""])
+    if (
+        to == "sdf"
+        and not model
+        and (like is None or (like is Consumer.GAZEBO and document.kind is Kind.URDF))
+    ):
+        return _to_sdf(document, _version(version), verify=verify, like=like)
+    asked = {"version": version, "model": model, "like": like.title if like else ""}
+    conditions = "".join(f", {name} {value}" for name, value in asked.items() if value)
     raise WrongUsage(f"{document.path}: {document.kind.description} is not converted to `{to}`{conditions}")
 
 
-def _to_sdf(document: Document, version: Version, *, verify: bool) -> Conversion:
+def _to_sdf(document: Document, version: Version, *, verify: bool, like: Consumer | None) -> Conversion:
     if document.kind is Kind.SDF:
         from sdfcheck.convert.migrate.migrate import sdf_to_sdf
 
@@ -61,7 +69,7 @@ def _to_sdf(document: Document, version: Version, *, verify: bool) -> Conversion
     from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
     from sdfcheck.convert.urdf_to_sdf.options import Options
 
-    return urdf_to_sdf(document, Options(version), verified=verify)
+    return urdf_to_sdf(document, Options(version, like=like), verified=verify)
 
 
 def _version(text: str | None) -> Version:

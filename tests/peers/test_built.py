@@ -9,18 +9,23 @@ import shutil
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from lxml import etree
 
 from sdfcheck.consumers.gazebo import BuiltJoint, BuiltLink, BuiltShape, GazeboRobot
 from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.files.library import Library
 from sdfcheck.robot.root import root_of
 from tests.peers.findings import SHARED
 
 PROGRAM = shutil.which("gz-sdformat-sdf")
 LEAST_PARTS, LEAST_SHARE = 5_500, 0.995
+MOST_DIFFERENT = 0.006
+"""So large a share may be written otherwise: blocks bring links and joints of their own."""
 FRICTION = {"mu1": "mu", "mu2": "mu2"}
 
 pytestmark = [
@@ -98,3 +103,40 @@ def test_the_robot_that_libsdformat_builds() -> None:
         different += [(path.name, *part) for part in mine ^ wanted]
     assert total > LEAST_PARTS
     assert len(different) <= (1 - LEAST_SHARE) * total, different
+
+
+def without(model: etree._Element, selected: str) -> etree._Element:
+    """A model without some elements."""
+    found: Any = model.xpath(f".//{selected}")
+    for element in found:
+        element.getparent().remove(element)
+    return model
+
+
+def bodies(model: etree._Element) -> Iterator[tuple[object, ...]]:
+    """Names and masses, of frames without what they are attached to."""
+    for part in theirs(model):
+        yield part[:2] if part[0] == "frame" else part
+    for link in model.iter("link"):
+        yield "mass", link.get("name"), round(float(link.findtext("inertial/mass", "nan")), 6)
+
+
+def test_the_robot_that_is_written_like_gazebo() -> None:
+    total, different = 0, []
+    for path in sorted((SHARED / "corpus").rglob("*.urdf")):
+        model, document = printed(path), Library().document(path)
+        if model is None or model.find("link") is None or document is None:
+            continue
+        done = urdf_to_sdf(document, Options(like=Consumer.GAZEBO))
+        assert done.verification is not None
+        assert done.verification.is_equal, path
+        own = etree.fromstring(done.text.encode()).find("model")
+        assert own is not None
+        own = without(own, "*[namespace-uri() != '']")
+        model = without(model, "*[geometry/sphere/radius=0 or geometry/box/size='0 0 0']")
+        mine, wanted = set(bodies(own)), set(bodies(model))
+        mine = {part for part in mine if part[0] != "frame" or part in wanted}  # others are Drake's
+        total += len(mine | wanted)
+        different += [(path.name, *part) for part in mine ^ wanted]
+    assert total > LEAST_PARTS
+    assert len(different) <= MOST_DIFFERENT * total, different

@@ -12,6 +12,7 @@ from sdfcheck.cli.convert.command import convert_files
 from sdfcheck.cli.convert.options import common, common_options
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import sdf_version
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.sdf.version import Version
 from sdfcheck.source.sniff import Kind
@@ -36,6 +37,11 @@ def _choice(
 @sdf_version("The version to write", Version(1, 4))
 @_choice("--fixed-joints", FixedJoints, FixedJoints.KEEP, "Keep them, or make one link of what they join.")
 @_choice("--massless", Massless, Massless.MERGE, "What becomes of links without mass.")
+@click.option(
+    "--like",
+    type=click.Choice([Consumer.GAZEBO.value]),
+    help="Merge, drop and name what this simulator does when it reads URDF.",
+)
 @_choice("--package-uris", PackageUris, PackageUris.MODEL, "How to write package://.")
 def urdf_to_sdf(**given: Any) -> int:
     """Convert URDF or xacro to SDFormat.
@@ -50,11 +56,15 @@ def urdf_to_sdf(**given: Any) -> int:
                refuse  do not convert
     """
     request = common(given)
+    like = None if given["like"] is None else Consumer(given["like"])
+    if like and (given["fixed_joints"], given["massless"]) != (FixedJoints.KEEP.value, Massless.MERGE.value):
+        raise click.UsageError(f"--like {like.value} decides what --fixed-joints and --massless ask for")
     options = Options(
         given["sdf_version"],
         FixedJoints(given["fixed_joints"]),
         Massless(given["massless"]),
         PackageUris(given["package_uris"]),
+        like,
     )
 
     def convert(document: Document, verified: bool) -> Conversion:

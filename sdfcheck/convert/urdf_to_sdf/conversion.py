@@ -80,6 +80,8 @@ def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
             link = links[part]
             body = plan.bodies[name] if part == name else None
             links[part] = Link(link.name, link.pose, link.element, body, link.geometries)
+    for name in plan.dropped_links:
+        links[name] = replace(links[name], body=None, geometries=[])
     joints = {}
     free = free_joints(plan, context.options)
     blocks = plan.root.children("gazebo")
@@ -95,7 +97,8 @@ def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
         if name in context.lost_mimics:
             axes = tuple(replace(axis, mimic=None) for axis in axes)
         joints[name] = replace(joint, axes=axes)
-    return Mechanism(robot.name, links, joints, robot.frames)
+    frames = {name: one for name, one in robot.frames.items() if one[0] not in plan.dropped_links}
+    return Mechanism(robot.name, links, joints, frames)
 
 
 def _unbounded(axis: Axis) -> Axis:
@@ -250,7 +253,7 @@ class _Writer:
         """Empty links for all that survive, so that merged ones have where to go."""
         plan = self.context.plan
         for name, link in self.robot.links.items():
-            if plan.is_merged(name):
+            if plan.is_merged(name) or name in plan.dropped_links:
                 continue
             world = plan.is_world(name)
             if world and not link.geometries and (link.body is None or link.body.mass <= 0):
@@ -272,6 +275,9 @@ class _Writer:
             return
         elif entry.name == "drake:joint":
             self._vendor_joint(entry, name)
+        elif entry.name == "frame" and entry.get("link") in self.context.plan.dropped_links:
+            text = f"{entry.title} is left out with its link"
+            self.context.lose(entry, LossKind.DROPPED_FRAME, text)
         elif entry.name == "frame" and (frame := self.context.vendors.frame(entry)) is not None:
             self.context.carry(entry, self.model.append(frame))
         elif entry.name == "transmission":
@@ -307,6 +313,10 @@ class _Writer:
     def _link(self, entry: Element, name: str) -> None:
         plan = self.context.plan
         survivor, offset = plan.home[name]
+        if name in plan.dropped_links and not plan.is_world(name):
+            text = f"{entry.title} is left out, as Gazebo drops it: it, or a link above it, has no mass"
+            self.context.lose(entry, LossKind.MASSLESS_LINK, text)
+            return
         self.context.ledger.take(entry)
         node = self.context.links.get(name)
         if node is not None:
@@ -332,7 +342,13 @@ class _Writer:
 
     def _joint(self, name: str) -> None:
         joint = self.robot.joints[name]
-        if name not in self.context.plan.merged_joints:
+        if name in self.context.plan.dropped_joints:
+            text = f"{joint.element.title} is left out, as Gazebo drops it"
+            self.context.lose(joint.element, LossKind.MASSLESS_LINK, text)
+        elif name not in self.context.plan.merged_joints:
+            if name in self.context.plan.locked_joints:
+                text = f"{joint.element.title} stays fixed; Gazebo makes a revolute joint of it whose limits are both 0"
+                self.context.note(joint.element, LossKind.APPROXIMATED_JOINT, text, Severity.INFO)
             self.joints.write(joint, self.model)
         elif self.context.options.has_frames:
             child = self.robot.links[joint.child].element

@@ -279,7 +279,8 @@ class Extensions:
         """Put what a block says of a link where the link is now, without the settings that are ``others``'."""
         survivor, offset = self.context.plan.home[link]
         if survivor not in self.context.links:
-            self._unknown(block, f"`{link}` is the world")
+            is_dropped = link in self.context.plan.dropped_links
+            self._unknown(block, f"link `{link}` is left out" if is_dropped else f"`{link}` is the world")
             return
         part = _LinkPart(self.context, link, offset)
         wanted = {entry.name for entry in block.children()} - others if others else None

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.marks import INERTIAL
 from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
@@ -54,6 +55,8 @@ class Materials:
         node = visual.add("material")
         color, texture = found.find("color"), found.find("texture")
         rgba = self._bounded(color) if color is not None else ""
+        if self.context.options.like is Consumer.GAZEBO:
+            rgba = self._brightened(rgba, color, used)
         if rgba:
             node.add("ambient", rgba)
             self.context.carry(color, node.add("diffuse", rgba))
@@ -76,6 +79,18 @@ class Materials:
         message = f"color {text} becomes {inside}: SDFormat has numbers from 0 to 1 only"
         self.context.note(color, LossKind.CHANGED_MATERIAL, message)
         return inside
+
+    def _brightened(self, rgba: str, *said: Element | None) -> str:
+        """The numbers that libsdformat makes of a color: it takes it for what four fifths of the light show."""
+        *light, alpha = floats(rgba) or (1.0,)
+        found = numbers([*(min(value * _BRIGHTER, 1.0) for value in light), alpha])
+        if not light or floats(found) == floats(rgba):
+            return rgba
+        for element in said:
+            message = f"the color {rgba} is written as Gazebo has it: {found}"
+            if element is not None:
+                self.context.note(element, LossKind.CHANGED_MATERIAL, message, Severity.INFO)
+        return found
 
     def _report_other(self, used: Element, found: Element) -> None:
         """A material that is defined once more."""
@@ -116,6 +131,10 @@ class Materials:
         if context.once(f"texture {file}"):
             text = f"texture `{file}` becomes an albedo map, which classic Gazebo does not show"
             context.note(texture, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
+
+
+_BRIGHTER = 1 / 0.8
+"""Source: libsdformat's parser_urdf.cc."""
 
 
 def _says_something(material: Element) -> bool:
@@ -289,6 +308,13 @@ class Links:
 
     def _shape(self, part: Element, link: Node, survivor: str, offset: Array) -> None:
         context = self.context
+        names = context.plan.shape_names
+        if names is not None and part not in names:
+            text = f"the {part.name} of link `{link_of(part)}` is left out: Gazebo stops to read the link before it"
+            context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
+            shapes = (shape.name for each in part.children("geometry") for shape in each.children())
+            context.dropped_shapes |= {_OF_VENDORS.get(name, name) for name in shapes}
+            return
         held = self._held(part, survivor)
         if held is None:
             return
@@ -364,7 +390,9 @@ class Links:
         return f"model://{rest}"
 
     def _name(self, part: Element, survivor: str) -> str:
-        """The author's name, or the link's with a number; unique within the link."""
+        """The author's name, or the link's with a number; unique within the link. That of a consumer comes first."""
+        if self.context.plan.shape_names is not None:
+            return self.context.plan.shape_names[part]
         own = part.attributes.get("name", "").strip()
         # Each name with the last number that was tried behind it.
         names = self._names.setdefault((survivor, part.name), {})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from enum import Enum
 
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.source.record import Record
 
@@ -41,6 +42,8 @@ class Options(Record):
     fixed_joints: FixedJoints = FixedJoints.KEEP
     massless: Massless = Massless.MERGE
     package_uris: PackageUris = PackageUris.MODEL
+    like: Consumer | None = None
+    """The consumer that decides what is merged, what is dropped and what shapes are called; else the above do."""
 
     @property
     def has_frames(self) -> bool:

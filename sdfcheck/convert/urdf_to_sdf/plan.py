@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from sdfcheck.consumers.gazebo import GazeboRobot
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.formats.urdf.table import TRUE, settings
@@ -14,6 +15,7 @@ from sdfcheck.robot.motion.mass_properties import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
 
 # Names that a model can hold: one space for links, joints and frames, no ``::``, nothing reserved.
@@ -115,6 +117,13 @@ class Plan:
     """Whether the root link `world` is the world."""
     parts_of: dict[str, list[str]] = field(default_factory=dict)
     """Surviving link → those that became part of it."""
+    dropped_links: set[str] = field(default_factory=set)
+    dropped_joints: set[str] = field(default_factory=set)
+    """Those that the consumer leaves out that is followed."""
+    locked_joints: set[str] = field(default_factory=set)
+    """Fixed joints of which it makes revolute ones that do not move."""
+    shape_names: dict[Element, str] | None = None
+    """The names that it gives to the visuals and collisions that it reads; None without such a consumer."""
 
     def is_merged(self, link: str) -> bool:
         return self.home[link][0] != link
@@ -145,9 +154,19 @@ def plan(document: Document, robot: Mechanism, options: Options) -> Plan:
     home = {name: (name, np.eye(4)) for name in robot.links}
     assert document.root is not None
     made = Plan(document.root, robot, names, home, {}, has_world=has_world, losses=names.losses)
-    _Merger(made, document, options).run()
+    merger = _Merger(made, document, options)
+    if options.like is None:
+        merger.run()
+    else:
+        built = root_of(document).models[0].as_built_by(options.like)
+        if not built.links:
+            raise refusal(
+                made.root, "Gazebo makes nothing of it: no link has mass, or all hang on one without"
+            )
+        merger.follow(built)
+        _leave_out(made, built)
     for name, link in robot.links.items():
-        if not made.is_merged(name):
+        if not made.is_merged(name) and name not in made.dropped_links:
             _weigh(made, link, options)
     return made
 
@@ -183,6 +202,14 @@ class _Merger:
                 survivor = self.survivor(joint.parent)
                 if joint.name not in self.plan.merged_joints and self.mass[survivor] <= 0:
                     self.merge(joint)
+        self.settle()
+
+    def follow(self, built: GazeboRobot) -> None:
+        """Join those that a consumer joins."""
+        lumped = {frame.name for frame in built.frames if frame.origin.kind == "joint"}
+        for joint in reversed(self.plan.robot.tree()):
+            if joint.name in lumped:
+                self.merge(joint)
         self.settle()
 
     def survivor(self, link: str) -> str:
@@ -223,6 +250,24 @@ class _Merger:
                 f"link `{child}` has moments of inertia without mass; they are added to those of `{survivor}`"
             )
             made.losses.append(loss_at(links[child].element, LossKind.CHANGED_INERTIA, text))
+
+
+def _leave_out(made: Plan, built: GazeboRobot) -> None:
+    """Take over from a consumer what it leaves out, and what it calls the shapes of the rest."""
+    made.shape_names = {
+        shape.origin.element: shape.name
+        for link in built.links.values()
+        for shape in (*link.visuals, *link.collisions)
+    }
+    made.dropped_links = {name for name, (base, _) in made.home.items() if base not in built.links}
+    made.locked_joints = {
+        name for name, joint in built.joints.items() if joint.origin.is_fixed and joint.type != "fixed"
+    }
+    made.dropped_joints = {
+        name
+        for name, joint in made.robot.joints.items()
+        if joint.child in made.dropped_links or (name not in built.joints and name not in made.merged_joints)
+    }
 
 
 def _mass(link: Link) -> float:
@@ -292,8 +337,8 @@ def is_for_drake(made: Plan, joint: Joint, options: Options) -> bool:
 
 
 def free_joints(made: Plan, options: Options) -> set[str]:
-    """Joints of kinds that SDFormat expresses by having none."""
+    """Joints that are not written: left out, or of kinds that SDFormat expresses by having none."""
     joints = made.robot.joints.values()
-    return {
+    return made.dropped_joints | {
         joint.name for joint in joints if joint.kind not in _TIED and not is_for_drake(made, joint, options)
     }
