@@ -16,6 +16,7 @@ from sdfcheck.convert.migrate.up import STATES
 from sdfcheck.convert.verify import Counterpart
 from sdfcheck.convert.writer import number, settled
 from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.sdf.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
@@ -53,7 +54,9 @@ def express_axes(migration: Migration) -> None:
 
 def _turned(migration: Migration, places: Places, joint: RobotNode, axis: Node) -> tuple[Array, str] | None:
     try:
-        return _turn(migration, places, joint, axis)
+        turn, flag = _turn(migration, places, joint, axis)
+        _vector(axis)
+        return turn, flag
     except (PoseError, ValueError) as error:
         migration.lose(axis, f"the axis cannot be resolved: {error}", LossKind.UNKNOWN_REFERENCE)
         return None
@@ -77,14 +80,22 @@ def _turn(migration: Migration, places: Places, joint: RobotNode, axis: Node) ->
     return (in_model if to_model else in_joint.T @ in_model), ""
 
 
+def _vector(axis: Node) -> Array:
+    """The direction that an axis writes, shape (3,); raises ValueError."""
+    xyz = axis.find("xyz")
+    text = xyz.content if xyz is not None and xyz.content else "0 0 1"
+    found = floats(text)
+    if found is None or len(found) != len("xyz"):
+        raise ValueError(f"`{text}` is not three numbers")
+    return np.array(found)
+
+
 def _write_axis(migration: Migration, axis: Node, turn: Array, flag: str) -> None:
     xyz, old = axis.find("xyz"), axis.find(_FLAG)
     if xyz is not None:
         xyz.unset("expressed_in")
     if np.abs(turn - np.eye(3)).max() > _CLOSE:
-        text = xyz.content if xyz is not None and xyz.content else "0 0 1"
-        turned = turn @ np.array([float(part) for part in text.split()])
-        (xyz or axis.add("xyz")).write(numbers.vector(turned))
+        (xyz or axis.add("xyz")).write(numbers.vector(turn @ _vector(axis)))
     elif xyz is None and migration.goes_below(5):
         axis.add("xyz").write("0 0 1")  # the default since 1.5; before, there must be one
     if flag and old is None:
