@@ -323,11 +323,20 @@ class _Writer:
             self.model.append(node)
         if survivor in self.context.links:
             self.links.fill(entry, survivor, offset)
-        elif (inertial := entry.find("inertial")) is not None:
-            text = "<inertial> of the world means nothing and is left out"
-            self.context.lose(inertial, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
+        else:
+            self._leave_world(entry)
         if node is not None and plan.is_world(name):
             self._anchor(name)
+
+    def _leave_world(self, entry: Element) -> None:
+        """Report what a link `world` says without having a shape."""
+        for child in entry.children():
+            if child.name == "inertial":
+                text = "<inertial> of the world means nothing and is left out"
+                self.context.lose(child, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
+            elif child.name in {"collision", "visual"}:
+                text = f"{child.title} of the world is left out: it has no shape"
+                self.context.lose(child, LossKind.UNSUPPORTED_GEOMETRY, text)
 
     def _anchor(self, name: str) -> None:
         """A link for what the link `world` carries, fixed to the world."""
