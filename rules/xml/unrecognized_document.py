@@ -38,8 +38,9 @@ class UnrecognizedDocument(Rule):
     )
 
     def check(self, problem: problems.UnrecognizedDocument) -> Iterator[Diagnostic]:
+        advice = None
         if not problem.span.source.text.strip():
-            message = "the file is empty"
+            message, advice = "the file is empty", "write a description into it, or remove it"
         elif problem.root is None:
             message = f"this looks like {problem.looks_like}, not like a robot description"
         else:
@@ -47,4 +48,4 @@ class UnrecognizedDocument(Rule):
             if problem.suggestion is not None:
                 message = f"unknown root element `{problem.root}`; did you mean `{problem.suggestion}`?"
         fix = write_instead(problem.suggestion, problem.span, problem.end) if problem.end else None
-        yield self.diagnostic(problem.span, message, fix=fix)
+        yield self.diagnostic(problem.span, message, help=advice, fix=fix)

@@ -24,7 +24,7 @@ _CONVERSIONS = (
     *(f"sdf-to-sdf --to {version}" for version in ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.12")),
     *("sdf-to-sdf --to 1.7 --no-lint", "sdf-to-urdf", "sdf-to-urdf --no-lint --frames --forest fixed"),
     *("sdf-to-urdf --keep-link-frames --loops cut --planes box --ball fixed", "urdf-to-sdf"),
-    *("urdf-to-sdf --no-lint", "urdf-to-sdf --expand never"),
+    *("urdf-to-sdf --no-lint", "urdf-to-sdf --expand never", "urdf-to-sdf --like gazebo --no-lint"),
 )
 COMMANDS: tuple[str, ...] = (
     *("lint", "lint --select ALL --output-format json", "lint --statistics", "lint --no-expand"),
